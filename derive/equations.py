@@ -30,7 +30,7 @@ def equations(model: Mechanics) -> list[str]:
         assert model.page.sliding is not None
         law = model.scaled(sp.sympify(model.page.sliding.law(speed)))
         lines.append(rf"\mu(v) = {_latex(law, names)}, \quad v = {_latex(laws.slip(model), names)} > 0")
-    if not model.polynomial and model.gap is not None:
+    if not model.in_coordinates and model.gap is not None:
         lines.append(rf"\delta = {_latex(-model.gap, names)}")
     return lines
 

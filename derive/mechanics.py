@@ -205,9 +205,18 @@ class Mechanics:
     # ------------------------------------------------------------------------------------------------ forces
 
     @cached_property
+    def in_coordinates(self) -> bool:
+        """Whether the contact law stands in coordinates, else in DEPTH: not where it has no polynomial, and not in powers of a gap
+        that bends, which would be large terms that cancel, and whose intervals tell nothing."""
+        if self.gap is None or not self.polynomial:
+            return False
+        bends = any(sp.diff(self.gap, one, other) != 0 for one in self.coordinates for other in self.coordinates)
+        return not bends or sp.degree(self.law, DEPTH) <= 1
+
+    @cached_property
     def push(self) -> sp.Expr:
-        """The contact force on the contact's side, in coordinates; in DEPTH where it is no polynomial."""
-        return sp.expand(self.law.subs(DEPTH, -self.gap)) if self.polynomial and self.gap is not None else self.law
+        """The contact force on the contact's side, in coordinates or in DEPTH."""
+        return sp.expand(self.law.subs(DEPTH, -self.gap)) if self.gap is not None and self.in_coordinates else self.law
 
     @cached_property
     def normal(self) -> sp.Expr:

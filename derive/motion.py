@@ -108,7 +108,7 @@ class Motion:
         contact = it.contact_energy
         if it.gap is None:
             contact = sp.S.Zero
-        elif it.polynomial:
+        elif it.in_coordinates:
             contact = sp.expand(contact.subs(DEPTH, -it.gap))
         return it.kinetic + it.potential + self.constant - work + (PUSHING if it.unilateral else 1) * contact
 

@@ -111,3 +111,32 @@ def test_a_gap_smaller_than_floats_tell_has_a_sign(models: dict[str, Any]) -> No
             assert here.sum() == (open_ != contact)
         sides.append(bool(open_))
     assert len(set(sides)) == 2
+
+
+def test_powers_of_a_gap_that_bends_are_not_expanded(tmp_path: Path) -> None:
+    """Of a wedge on a contact that hardens: N = κ, so that phi is a root of a quartic, and the depth of a cubic."""
+    page = tmp_path / "wedge.py"
+    page.write_text(
+        'r"""A wedge."""\nfrom spragsym.derive.model import Page, log, tanh\n'
+        'page = Page("A wedge on a belt that hardens.")\n'
+        'm, k_c, l = page.unit("m", "kg", "mass"), page.unit("k_c", "N/m", "contact"), page.unit("l", "m", "length")\n'
+        'F = page.parameter("F", "N", "preload", ">= 0", 0.2, becomes="kappa")\n'
+        'k = page.parameter("k", "N m", "torsion spring", "> 0", 0.2, becomes="tau")\n'
+        'mu0, V = page.parameter("mu0", "1", "friction", ">= 0", 0.3), page.parameter("V", "m/s", "speed", ">= 0", 0.5)\n'
+        'd = page.parameter("d", "s/m", "steepness", "> 0", 10.0)\n'
+        'phi, y = page.coordinate("phi", "rad", "turn"), page.coordinate("y", "m", "lift")\n'
+        "page.kinetic(m * page.rate(y) ** 2 / 2 + m * l**2 * page.rate(phi) ** 2 / 2)\n"
+        "page.force(-F, along=y)\n"
+        "page.potential(k * (phi - 0.5) ** 2 / 2)\n"
+        "page.contact(y - l * log(1 + phi**2) - l * phi**3 / 10, lambda depth: k_c * depth + k_c * depth**3 / l**2)\n"
+        "page.friction(l * phi, V, lambda v: mu0 * tanh(d * v), at_rest=mu0)\n",
+        encoding="utf-8",
+    )
+    from spragsym.derive import folder
+
+    folder.write_page(page, tmp_path / "wedge")
+    eq = ss.load(tmp_path / "wedge").equilibria(ss.load(tmp_path / "wedge").Parameters())
+    # 0.2 (phi − 0.5) = 0.2 (0.3 − 2 phi/(1 + phi²) − 0.3 phi²), times 1 + phi²; depth + depth³ = 0.2
+    roots = np.roots([0.3, 1, 0.3 - 0.8, 3, -0.8])
+    assert eq.decided
+    assert eq.phi[: int(eq.count)] == pytest.approx(np.sort(roots.real[np.abs(roots.imag) < 1e-9]), rel=1e-12)

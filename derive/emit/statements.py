@@ -50,6 +50,14 @@ def straight_line(function: Function) -> Body:
     available.update(zip(definitions, reduced[count : count + extra], strict=True))
     available.update(again.definitions)
     outputs = reduced[count + extra :]
+    # What sharing has named has two names if it is the base of a power, too, and its powers are named after the wrong one.
+    second = {symbol: available.pop(symbol) for symbol in definitions if available[symbol].is_Symbol}
+    for symbol in definitions:
+        base, _, exponent = str(symbol).rpartition("_")
+        if (of := sp.Symbol(base, real=True)) in second:
+            second[symbol] = sp.Symbol(f"{second[of]}_{exponent}", real=True)
+    available = {second.get(symbol, symbol): expression.xreplace(second) for symbol, expression in available.items()}
+    outputs = [sp.sympify(expression).xreplace(second) for expression in outputs]
 
     ordered: dict[sp.Symbol, sp.Expr] = {}
     for root in [*(symbol for symbol, _ in named), *outputs]:
@@ -104,11 +112,16 @@ class _Powers:
 
     def _root_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
         value = sp.Pow(base, sp.Rational(1, exponent.q))
-        root = sp.Symbol(self._free(f"root{len(self.definitions)}"), real=True)
-        root = next((symbol for symbol, known in self.definitions.items() if known == value), root)
-        self.definitions.setdefault(root, value)
+        root = self._once("root", value)
         whole, part = divmod(exponent.p, exponent.q)
         return (self._power(base, whole) if whole else sp.S.One) * self._power(root, part)
+
+    def _once(self, stem: str, value: sp.Expr) -> sp.Symbol:
+        """The name of a value that may have one already."""
+        new = sp.Symbol(self._free(f"{stem}{len(self.definitions)}"), real=True)
+        symbol = next((symbol for symbol, known in self.definitions.items() if known == value), new)
+        self.definitions.setdefault(symbol, value)
+        return symbol
 
     def _free(self, name: str) -> str:
         while name in self.taken:
@@ -119,9 +132,7 @@ class _Powers:
         if exponent == 1:
             return base
         if not base.is_Symbol:
-            symbol = sp.Symbol(self._free(f"base{len(self.definitions)}"), real=True)
-            self.definitions[symbol] = base
-            base = symbol
+            base = self._once("base", base)
         # Always with the same assumptions: SymPy takes symbols of one name and different assumptions for different symbols.
         symbol = sp.Symbol(self._free(f"{base}_{exponent}"), real=True)
         if symbol not in self.definitions:

@@ -12,12 +12,10 @@ function [result1, result2, result3] = cusp_point(sin, kappa, alpha, sigma, beta
   w3 = 1./p;
   w1 = 3.*sin_2 - 2;
   w4 = 1./w1;
-  base2 = w1;
-  base2_2 = base2.*base2;
   sin_4 = sin_2.*sin_2;
+  w1_2 = w1.*w1;
   w5 = 3.*q;
   result1 = w2.*(-kappa + sigma.*sin_3.*w0.*w3.*w4);
-  result2 = w0.*w2.*w3.*(-4.*B.*p.*sigma.*(1 - sin_2) + alpha.*sigma.*sin_4.*w5 + ...
-      kappa.*p.*sin.*w1.*w5)./(alpha.*base2_2.*q);
+  result2 = w0.*w2.*w3.*(-4.*B.*p.*sigma.*(1 - sin_2) + alpha.*sigma.*sin_4.*w5 + kappa.*p.*sin.*w1.*w5)./(alpha.*q.*w1_2);
   result3 = 3.*a_f.*sin.*w4./sigma;
 end

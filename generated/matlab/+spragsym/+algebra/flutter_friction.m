@@ -3,11 +3,10 @@ function result1 = flutter_friction(cos, sin, L, alpha, sigma, beta)
 %  the other. Source: (27). Operations: 21.
   B = beta + 1;
   L_2 = L.*L;
-  w0 = -B + alpha;
-  base2 = w0;
-  base2_2 = base2.*base2;
   cos_2 = cos.*cos;
   sigma_2 = sigma.*sigma;
   sin_2 = sin.*sin;
-  result1 = (-2.*L.*sigma.*w0.*(cos_2 - sin_2) - L_2.*base2_2 - sigma_2)./(4.*L.*cos.*sigma.*sin);
+  w0 = -B + alpha;
+  w0_2 = w0.*w0;
+  result1 = (-2.*L.*sigma.*w0.*(cos_2 - sin_2) - L_2.*w0_2 - sigma_2)./(4.*L.*cos.*sigma.*sin);
 end

@@ -7,9 +7,8 @@ function [result1, result2, result3] = flutter_quadratic(cos, sin, mu0, alpha, s
   cos_2 = cos.*cos;
   sin_2 = sin.*sin;
   w0 = -B + alpha;
-  base3 = w0;
-  base3_2 = base3.*base3;
+  w0_2 = w0.*w0;
   result1 = sigma_2;
   result2 = 2.*sigma.*(2.*M.*cos.*sin + w0.*(cos_2 - sin_2));
-  result3 = base3_2;
+  result3 = w0_2;
 end

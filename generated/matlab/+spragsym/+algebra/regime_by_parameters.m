@@ -5,13 +5,11 @@ function [result1, result2, result3, result4, result5, result6, result7, result8
 %  …), (∂y″/∂θ₀, …)), elements one after the other. Source: (8)–(10). Operations: 60.
   w0 = -x;
   w1 = cos0 + w0;
-  base0 = w1;
-  base0_2 = base0.*base0;
+  w1_2 = w1.*w1;
   w2 = -y;
   w3 = sin0 + w2;
-  base2 = w3;
-  base2_2 = base2.*base2;
-  L = sqrt(base0_2 + base2_2);
+  w3_2 = w3.*w3;
+  L = sqrt(w1_2 + w3_2);
   w4 = 1./L;
   L_2 = L.*L;
   w5 = L - 1;

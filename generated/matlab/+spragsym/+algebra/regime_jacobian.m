@@ -2,13 +2,11 @@ function [result1, result2, result3, result4, result5, result6, result7, result8
     sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side)
 %REGIME_JACOBIAN  Derivatives of regime_rhs with respect to x, y, x', y'. Returns ((∂x″/∂x, …), (∂y″/∂x, …)), elements one
 %  after the other. Source: (8)–(10). Operations: 42.
-  w2 = cos0 - x;
-  base0 = w2;
-  base0_2 = base0.*base0;
   w1 = sin0 - y;
-  base2 = w1;
-  base2_2 = base2.*base2;
-  L = sqrt(base0_2 + base2_2);
+  w1_2 = w1.*w1;
+  w2 = cos0 - x;
+  w2_2 = w2.*w2;
+  L = sqrt(w1_2 + w2_2);
   w0 = 1./L;
   pull = sigma.*w0;
   sin = w0.*w1;

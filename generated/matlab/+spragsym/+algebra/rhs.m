@@ -2,12 +2,10 @@ function [result1, result2] = rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, s
 %RHS  x″ and y″, kinked where y = 0 and where x' = V. Returns x″, y″, elements one after the other. Source: (8)–(11).
 %  Operations: 36.
   w0 = cos0 - x;
-  base0 = w0;
-  base0_2 = base0.*base0;
+  w0_2 = w0.*w0;
   w1 = sin0 - y;
-  base2 = w1;
-  base2_2 = base2.*base2;
-  L = sqrt(base0_2 + base2_2);
+  w1_2 = w1.*w1;
+  L = sqrt(w0_2 + w1_2);
   w2 = 1./L;
   w3 = L - 1;
   w4 = V - vx;

@@ -17,6 +17,7 @@ from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import click
@@ -768,6 +769,27 @@ def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
         shown = capsys.readouterr()
         assert ("searching for folds" in shown.err) == told
         assert shown.out == ""
+
+
+def test_what_takes_long_says_so_in_a_pipe_too(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    from spragsym.cli import tables
+
+    monkeypatch.delenv("FORCE_COLOR", raising=False)
+    monkeypatch.setattr(tables, "LONG", 0.01)
+    with tables.busy("searching for folds"):
+        time.sleep(0.2)
+    told = capsys.readouterr().err.splitlines()
+    assert 2 <= len(told) <= 6
+    assert all(line.startswith("searching for folds: ") and line.endswith(" s so far") for line in told)
+
+
+def test_a_fold_behind_which_nothing_is_left_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    from spragsym.cli.points import print_points
+
+    row = {"kind": "fold", "x": 1.0, "ends": "upper", "when": "down", "error": 1e-12}
+    rows = [{"mu0": 0.4, **row, "x_after": 2.0}, {"mu0": 2.4, **row, "x_after": math.nan}]
+    print_points("Folds", {"points": rows, "complete": True, "undecided": [], "remarks": []}, [SimpleNamespace(title="mu0")])  # type: ignore[list-item]
+    assert "nothing stable in contact is left to jump to at mu0 = 2.4" in capsys.readouterr().out.splitlines()[-1]
 
 
 @pytest.mark.parametrize("command", ["folds", "critical"])

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -64,9 +65,16 @@ def print_points(title: str, told: dict[str, Any], along: Sequence[Span]) -> Non
         print_table(
             f"{title} along {where}", header, [[row[name] for name in header] for row in rows], optional=list(dict.fromkeys(room))
         )
+    nowhere = [f"{row[along[0].title]:.6g}" for row in rows if row.get("ends") in ("lower", "upper") and _lost(row)]
+    if nowhere:
+        click.echo(f"{title}: nothing stable in contact is left to jump to at {where} = {', '.join(nowhere)}")
     if told["undecided"]:
         click.echo(f"{title}: not complete, {summed(told['undecided'])}")
     elif not told["complete"]:
         click.echo(f"{title}: not complete")
     for remark in told["remarks"]:
         click.echo(f"{title}: {remark}")
+
+
+def _lost(row: Mapping[str, Any]) -> bool:
+    return any(math.isnan(value) for name, value in row.items() if "_after" in name)

@@ -113,10 +113,10 @@ def test_a_gap_smaller_than_floats_tell_has_a_sign(models: dict[str, Any]) -> No
     assert len(set(sides)) == 2
 
 
-def test_powers_of_a_gap_that_bends_are_not_expanded(tmp_path: Path) -> None:
-    """Of a wedge on a contact that hardens: N = κ, so that phi is a root of a quartic, and the depth of a cubic."""
-    page = tmp_path / "wedge.py"
-    page.write_text(
+@pytest.fixture(scope="module")
+def wedge(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """A wedge on a contact that hardens, pressed down by a force alone."""
+    text = (
         'r"""A wedge."""\nfrom spragsym.derive.model import Page, log, tanh\n'
         'page = Page("A wedge on a belt that hardens.")\n'
         'm, k_c, l = page.unit("m", "kg", "mass"), page.unit("k_c", "N/m", "contact"), page.unit("l", "m", "length")\n'
@@ -129,14 +129,32 @@ def test_powers_of_a_gap_that_bends_are_not_expanded(tmp_path: Path) -> None:
         "page.force(-F, along=y)\n"
         "page.potential(k * (phi - 0.5) ** 2 / 2)\n"
         "page.contact(y - l * log(1 + phi**2) - l * phi**3 / 10, lambda depth: k_c * depth + k_c * depth**3 / l**2)\n"
-        "page.friction(l * phi, V, lambda v: mu0 * tanh(d * v), at_rest=mu0)\n",
-        encoding="utf-8",
+        "page.friction(l * phi, V, lambda v: mu0 * tanh(d * v), at_rest=mu0)\n"
     )
-    from spragsym.derive import folder
 
-    folder.write_page(page, tmp_path / "wedge")
-    eq = ss.load(tmp_path / "wedge").equilibria(ss.load(tmp_path / "wedge").Parameters())
+    def derived() -> str:
+        from spragsym.derive import folder
+
+        out = tmp_path_factory.mktemp("wedge")
+        (out / "wedge.py").write_text(text, encoding="utf-8")
+        folder.write_page(out / "wedge.py", out / "wedge")
+        return str(out / "wedge")
+
+    return ss.load(Path(once("wedge", derived)))
+
+
+def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:
+    """N = κ, so that phi is a root of a quartic, and the depth of a cubic."""
+    eq = wedge.equilibria(wedge.Parameters())
     # 0.2 (phi − 0.5) = 0.2 (0.3 − 2 phi/(1 + phi²) − 0.3 phi²), times 1 + phi²; depth + depth³ = 0.2
     roots = np.roots([0.3, 1, 0.3 - 0.8, 3, -0.8])
     assert eq.decided
     assert eq.phi[: int(eq.count)] == pytest.approx(np.sort(roots.real[np.abs(roots.imag) < 1e-9]), rel=1e-12)
+
+
+def test_a_force_that_nothing_balances_leaves_no_state_anywhere(wedge: Any) -> None:
+    off = wedge.equilibria(wedge.Parameters(), contact=False)
+    assert int(off.count) == 0
+    assert off.complete
+    held = wedge.equilibria(wedge.Parameters(kappa=0.0), contact=False)  # then y is free
+    assert not held.complete

@@ -97,7 +97,10 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray
     with np.errstate(all="ignore"):
         parameters = balance.prepared(bounds)
         values = balance.arguments(parameters)
-        ends = np.minimum(FAR, np.broadcast_to(balance.border[:, :, None], (2, balance.n, count)))
+        border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, count))
+        ends = np.minimum(FAR, border)
+        # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds everything.
+        nowhere = ~np.logical_and.reduce(balance.residuals(Intervals(ends), parameters).holds_zero())
         directions = _any_direction(balance, count)
         for _ in range(ROUNDS):
             before = ends
@@ -109,6 +112,7 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray
             if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break
         ends = np.maximum(ends, _near_anchors(balance, ends, values))
+        ends = np.where(nowhere, np.minimum(NEAR, border), ends)
     return ends, np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1))
 
 

@@ -9,7 +9,9 @@ forces, masses, stiffnesses and damping follow by complex steps and by differenc
 - accelerations at random states, on both sides of the gap and of the sliding speed;
 - the states of some parameter sets, in contact and in lift-off: each solves the reference, on its side of the gap, and Newton's method from
   many starts finds none that is neither listed, nor in an undecided box, nor outside of what was searched, where that is said;
-- the growth of each state with damping, by the eigenvalues of the reference.
+- the growth of each state with damping, by the eigenvalues of the reference;
+- the onsets of flutter along one parameter: at each that is listed a pair of eigenvalues of the reference lies on the imaginary axis,
+  and where a map of eigenvalues, of states of the reference followed over that range, shows that a pair has crossed it, one is listed.
 """
 
 from __future__ import annotations
@@ -45,6 +47,8 @@ PATIENCE = 60
 ACCELERATION, GROWTH = 1e-9, 1e-6
 #: Nearer than this to its border, a state may be on either side.
 EDGE = 1e-9
+#: Values of the parameter along which onsets are asked for, its range as shares of a value, and how clearly eigenvalues grow.
+VALUES, SPAN, CLEAR = 13, (0.05, 4.0), 1e-6
 _TINY = 1e-30
 
 
@@ -205,8 +209,8 @@ class Reference:
             right.append(value)
         return mp.lu_solve(mp.matrix(self.mass(q)), mp.matrix(right))
 
-    def growth(self, q: Sequence[Any], touching: bool) -> tuple[float, float]:
-        """The largest real part of the eigenvalues with damping, and their size."""
+    def eigenvalues(self, q: Sequence[Any], touching: bool) -> list[Any]:
+        """Of the linearization with damping."""
         mu, h = self.at_rest(), mp.mpf(10) ** (-mp.mp.dps // 4)
         K = self.rows(lambda at: [-force for force in self.forces(at, touching, mu)], q, h)
         C = self.damping(q, touching)
@@ -226,8 +230,7 @@ class Reference:
             solved = mp.inverse(M) * mp.matrix(block)
             for i, j in itertools.product(range(n), repeat=2):
                 A[n + i, start + j] = -solved[i, j]
-        found = mp.eig(A, left=False, right=False)
-        return float(max(mp.re(value) for value in found)), float(max(abs(value) for value in found))
+        return list(mp.eig(A, left=False, right=False))
 
 
 _CODE: dict[str, Any] = {}
@@ -299,15 +302,9 @@ def states(
 def _off(exact: Reference, state: Any, error: float, growth: float, contact: bool, touching: bool, mu: Any) -> list[str]:
     """What is wrong with a listed state."""
     start = [mp.mpf(float(value)) for value in state]
-    q = start
-    for _ in range(8):
-        F = exact.forces(q, touching, mu)
-        K = exact.rows(lambda at: exact.forces(at, touching, mu), q, mp.mpf(10) ** (-DIGITS // 4))
-        try:
-            step = mp.lu_solve(mp.matrix(K), mp.matrix(F))
-        except ZeroDivisionError:
-            return [f"{state.tolist()}: the reference has no regular state there"]
-        q = [part - change for part, change in zip(q, step, strict=True)]
+    q = _solved(exact, start, touching, mu)
+    if q is None:
+        return [f"{state.tolist()}: the reference has no regular state there"]
     away = max(abs(a - b) / max(1, abs(a)) for a, b in zip(q, start, strict=True))
     if not away <= error * (1 + mp.mpf(10) ** -6) + mp.mpf(10) ** -16:
         return [f"{state.tolist()} is {mp.nstr(away, 3)} from a state of the reference, its error is {error:.2g}"]
@@ -315,10 +312,89 @@ def _off(exact: Reference, state: Any, error: float, growth: float, contact: boo
     gap = exact.gap(q)
     if exact.page.contact and exact.page.contact[2] and ((gap > EDGE) if contact else (gap < -EDGE)):
         wrong.append(f"{state.tolist()}, {'contact' if contact else 'lift-off'}: its gap is {mp.nstr(gap, 5)}")
-    want, size = exact.growth(q, touching)
+    roots = exact.eigenvalues(q, touching)
+    want, size = float(max(map(mp.re, roots))), float(max(map(abs, roots)))
     if not abs(growth - want) <= GROWTH * (size + abs(want)) ** 1.0 * (1 if abs(want) > 1e-4 * size else 1e2):
         wrong.append(f"{state.tolist()}: grows by {growth}, not {want}")
     return wrong
+
+
+def _solved(exact: Reference, q: Sequence[Any], touching: bool, mu: Any) -> list[Any] | None:
+    """The state of the reference that Newton's method finds from a place."""
+    q = list(q)
+    for _ in range(8):
+        F = exact.forces(q, touching, mu)
+        K = exact.rows(lambda at: exact.forces(at, touching, mu), q, mp.mpf(10) ** (-DIGITS // 4))
+        try:
+            step = mp.lu_solve(mp.matrix(K), mp.matrix(F))
+        except ZeroDivisionError:
+            return None
+        q = [part - change for part, change in zip(q, step, strict=True)]
+    return q
+
+
+def onsets(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Generator) -> tuple[list[str], dict[str, Any]]:
+    """What is wrong with the onsets along one parameter, and what was found."""
+    vary = (
+        "mu0"
+        if "mu0" in model.base and rng.random() < 0.5
+        else str(rng.choice([name for name, base in model.base.items() if base]))
+    )
+    allowed = model.Parameters.ranges[vary]
+    low, high = sorted(share * model.base[vary] for share in SPAN)
+    low, high = max(low, allowed.low), min(high, allowed.high)
+    found = model.flutter_onsets(model.Parameters(**values), vary, between={vary: (low, high)})
+    at = np.asarray(getattr(found, vary), dtype=float)
+    places = np.array([getattr(found, name) for name in model.coordinates], dtype=float)
+    wrong = []
+    with mp.workdps(DIGITS):
+        for value, q, kind in zip(at, places.T, found.kind, strict=True):
+            exact = Reference(page, {**values, vary: float(value)}, exact=True)
+            state = _solved(exact, [mp.mpf(float(part)) for part in q], True, exact.at_rest())
+            roots = [] if state is None else exact.eigenvalues(state, True)
+            size = max(map(abs, roots), default=1)
+            # Where two frequencies meet, roots move as the square root of what is rounded.
+            near = CLEAR if kind == "hopf" else 1e-4
+            if not any(abs(mp.re(root)) < near * size and abs(mp.im(root)) > CLEAR * size for root in roots):
+                wrong.append(f"onset at {vary} = {value!r}, {q.tolist()} ({kind}): no pair on the axis")
+    followed = _map_of_eigenvalues(model, page, values, vary, np.linspace(low, high, VALUES))
+    crossed = 0
+    for branch in followed:
+        for (one, q, grows), (two, _, then) in itertools.pairwise(branch):
+            if grows is None or then is None or (grows - then) % 2 or grows == then:
+                continue
+            crossed += 1
+            inside = (np.array(found.region[:-1, 0]) <= q).all() and (q <= np.array(found.region[:-1, 1])).all()
+            if found.decided and inside and not ((at >= one) & (at <= two)).any():
+                wrong.append(f"missed: a pair crosses the axis between {vary} = {one!r} and {two!r}, near {q.tolist()}")
+    return wrong, {"count": len(at), "complete": bool(found.complete), "boxes": len(found.undecided), "crossed": crossed}
+
+
+def _map_of_eigenvalues(
+    model: Any, page: Drawn, values: dict[str, float], vary: str, along: Any
+) -> list[list[tuple[float, Any, int | None]]]:
+    """States that are followed: the value, the place, and how many eigenvalues grow; None where that is not clear."""
+    first = model.equilibria(model.Parameters(**{**values, vary: float(along[0])}))
+    starts = np.array([first.coordinates[name] for name in model.coordinates], dtype=float)[:, : int(first.count)].T
+    branches = []
+    with mp.workdps(DIGITS):
+        for start in starts:
+            branch: list[tuple[float, Any, int | None]] = []
+            q: list[Any] | None = [mp.mpf(float(part)) for part in start]
+            for value in along:
+                exact = Reference(page, {**values, vary: float(value)}, exact=True)
+                before = q
+                q = _solved(exact, before or [], True, exact.at_rest())
+                far = q is None or max(abs(a - b) for a, b in zip(q, before or [], strict=True)) > mp.mpf("0.2")
+                if q is None or far or (page.contact and page.contact[2] and exact.gap(q) > -EDGE):
+                    break
+                roots = exact.eigenvalues(q, True)
+                size = max(map(abs, roots))
+                clear = all(abs(mp.re(root)) > CLEAR * size or abs(mp.re(root)) < mp.mpf(10) ** -12 * size for root in roots)
+                grows = sum(mp.re(root) > CLEAR * size for root in roots)
+                branch.append((float(value), np.array([float(part) for part in q]), int(grows) if clear else None))
+            branches.append(branch)
+    return branches
 
 
 def _missed(
@@ -418,11 +494,14 @@ def judge(seed: int, number: int) -> dict[str, Any]:
                 more, one = states(model, page, values, contact, rng)
                 wrong += [f"{text} at {values}" for text in more]
                 told.append(one)
+        more, crossings = onsets(model, page, dict(model.base), rng)
+        wrong += more
     return {
         **out,
         "kind": "wrong" if wrong else "right",
         "wrong": wrong[:6],
         "states": told,
+        "onsets": crossings,
         "seconds": round(time.process_time() - begin, 1),
     }
 
@@ -477,6 +556,11 @@ def main() -> int:
     asked = [one for entry in chosen for one in entry.get("states", [])]
     print(
         f"{len(asked)} searches, {sum(one['count'] for one in asked)} states, {sum(not one['complete'] for one in asked)} not complete"
+    )
+    found = [entry["onsets"] for entry in chosen if "onsets" in entry]
+    print(
+        f"{len(found)} ranges: {sum(one['count'] for one in found)} onsets, {sum(one['crossed'] for one in found)} pairs seen to "
+        f"cross, {sum(not one['complete'] for one in found)} not complete"
     )
     return int(any(entry["kind"] in ("wrong", "died") for entry in chosen))
 

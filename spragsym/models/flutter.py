@@ -90,9 +90,12 @@ def flutter_onsets(
         if isinstance(condition, NoSlope):
             out = _without_ends(balance, vary, given, spans[0], out)
         if out.roots.left.shape[2]:
-            out, more = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
-            if more.point.size:
-                seen.append(_part(balance, vary, given, replace(out, roots=more), "seen", frequencies))
+            out, more, omega = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
+            followed = np.isfinite(omega)
+            if followed.any():
+                seen.append(_Part(replace(out, roots=picked(more, followed)), np.full(followed.sum(), "seen"), omega[followed]))
+            if not followed.all():
+                seen.append(_part(balance, vary, given, replace(out, roots=picked(more, ~followed)), "seen", frequencies))
         return _part(balance, vary, given, out, kind, frequencies)
 
     conservative = _is_conservative(balance, given, spans)

@@ -1,16 +1,19 @@
 """Onsets that floats see where a search over boxes ends before all is decided: each proved on its own if that succeeds.
 
-States are found at many values of the parameter, and where the growth of an oscillation changes its sign from one value to the
-next, Newton's method leads to the onset between them; where friction alone damps, or nothing, it is the condition's own value
-that changes its sign. Krawczyk's operator proves the onset in a small box; what it does not prove is listed as seen.
+States are found at many values of the parameter, and from one value to the next each pair λ, λ̄ is followed on its own: others
+may grow already, or never be damped. Where the growth of one changes its sign, bisection leads to the onset; where friction alone
+damps, or nothing, it is the condition's own value that changes its sign, and Newton's method leads there. Krawczyk's operator
+proves the onset in a small box; what it does not prove is listed as seen.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
 
 from ..exact import certified_roots
 from ..exact.certified_roots import Roots
@@ -33,22 +36,37 @@ STEPS, CONVERGED = 12, 1e-9
 ROOM = 1e-6
 #: Imaginary part of a λ that oscillates, over its size.
 OSCILLATES = 1e-6
+#: Real part of a λ that grows or decays, over the largest one: eigenvalues are known to less than that.
+GROWS = 1e-11
+#: Width of a box whose middle is as good as a root, over its size.
+SMALL = 1e-6
+#: Times that the range between two values is halved.
+HALVINGS = 40
+
+
+@dataclass(frozen=True)
+class Sighting:
+    """An onset that floats see: coordinates and parameter, shape (n + 1,), and the frequency, NaN where none was followed."""
+
+    z: FloatArray
+    omega: float
 
 
 def with_seen(
     system: Augmented, given: FloatArray, span: FloatArray, found: Found, asked: FloatArray | None
-) -> tuple[Found, Roots]:
-    """What a search has found, with the onsets that floats see and that are proved; and those that are not."""
+) -> tuple[Found, Roots, FloatArray]:
+    """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
     fixed = np.where(np.isnan(given), span[0], given)
-    candidates = _converged(system, fixed, _crossings(system, given, span, asked))
-    inside = (span[0] <= candidates[-1]) & (candidates[-1] <= span[1])
-    candidates = candidates[:, inside]
+    sightings = _sightings(system, given, span, asked)
+    sightings = [one for one in sightings if span[0] <= one.z[-1] <= span[1]]
+    candidates = np.array([one.z for one in sightings]).reshape(-1, system.n).T
     room = ROOM * np.maximum(1.0, np.abs(candidates))
     wide = np.stack([room - candidates, room + candidates])
     proved_ends = [_proved(system, fixed[:, 0], box) for box in np.moveaxis(wide, 2, 0)]
     sure = np.array([ends is not None for ends in proved_ends], dtype=np.bool_)
     ends = np.concatenate([wide[:, :, :0], *(part for part in proved_ends if part is not None)], axis=2)
     nothing = found.roots.left[:, :, :0], found.roots.left_point[:0]
+    omega = np.array([one.omega for one in sightings])[~sure]
     proved, open_ = (
         on_its_side(
             system,
@@ -58,12 +76,13 @@ def with_seen(
         )
         for part in (ends, wide[:, :, ~sure])
     )
+    omega = omega[[int(np.abs(candidates[:, ~sure] - z[:, None]).max(axis=0).argmin()) for z in open_.middle.T]]
     every = certified_roots.concatenated([found.roots, replace(proved, left=nothing[0], left_point=nothing[1])], system.n)
     order = np.argsort(-every.alone[0, 0])
     ends, alone = every.ends[:, :, order], every.alone[:, :, order]
     keep, _ = certified_roots.once(ends, alone, np.zeros(order.size, dtype=np.int64))
     roots = replace(found.roots, ends=ends[:, :, keep], alone=alone[:, :, keep], point=np.zeros(keep.size, dtype=np.int64))
-    return replace(found, roots=roots), open_
+    return replace(found, roots=roots), open_, omega
 
 
 def _proved(system: Augmented, given: FloatArray, box: FloatArray) -> FloatArray | None:
@@ -75,39 +94,98 @@ def _proved(system: Augmented, given: FloatArray, box: FloatArray) -> FloatArray
     return None if root is None else as_intervals(root).ends
 
 
-def _crossings(system: Augmented, given: FloatArray, span: FloatArray, asked: FloatArray | None) -> FloatArray:
-    """Coordinates and parameter between values at which the growth of an oscillation changes its sign, shape (n + 1, number)."""
+def _sightings(system: Augmented, given: FloatArray, span: FloatArray, asked: FloatArray | None) -> list[Sighting]:
+    """Onsets between values of the parameter."""
     balance = system.balance
     values = span[0] + (span[1] - span[0]) * (np.arange(VALUES) + 0.5) / VALUES
     columns = np.repeat(given, VALUES, axis=1)
     columns[balance.parameters.index(system.vary[0])] = values
-    found = seen(balance, columns, asked)
-    q, point = found.middle, found.point
-    out = []
-    if point.size:
-        with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
-            tested = _tested(system, q, columns[:, point])
-        for one in range(point.size):
-            following = np.flatnonzero(point == point[one] + 1)
-            if not following.size:
-                continue
-            other = following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()]
-            a, b = tested[one], tested[other]
-            if np.isfinite([a, b]).all() and a * b < 0:
-                ends = [np.append(q[:, k], values[point[k]]) for k in (one, other)]
-                out.append(ends[0] + (ends[1] - ends[0]) * a / (a - b))
-    return np.array(out).reshape(-1, system.n).T
-
-
-def _tested(system: Augmented, q: FloatArray, given: FloatArray) -> FloatArray:
-    """What changes its sign at an onset, at states of shape (n, N)."""
+    q, point = _states(system, columns, seen(balance, columns, asked))
+    neighbours = []
+    for one in range(point.size):
+        following = np.flatnonzero(point == point[one] + 1)
+        if following.size:
+            neighbours.append((one, int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])))
+    z = np.concatenate([q, values[point][None]])
     if isinstance(system.condition, Hopf):
-        every = stability.roots(*(np.moveaxis(part, -1, 0) for part in stability.linearization(system.balance, q, given)))
-        growth: FloatArray = np.where(np.abs(every.imag) > OSCILLATES * np.abs(every), every.real, -np.inf).max(axis=1)
-        return growth
-    z = np.concatenate([q, given[[system.balance.parameters.index(system.vary[0])]]])
-    value: FloatArray = system.residuals(Intervals.point(z), system.prepared(Intervals.point(given))).middle[-1]
-    return value
+        return _pairs_that_cross(system, given, z, neighbours)
+    return _sign_changes(system, given, z, neighbours)
+
+
+def _states(system: Augmented, columns: FloatArray, found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
+    boxes = Intervals(found.left)
+    small = (boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0)
+    q = np.concatenate([found.middle, boxes.middle[:, small]], axis=1)
+    point = np.concatenate([found.point, found.left_point[small]])
+    order = np.lexsort((q[0], point))
+    q, point = q[:, order], point[order]
+    again = (np.diff(point) == 0) & (np.abs(np.diff(q)) <= SMALL * np.maximum(1.0, np.abs(q[:, 1:]))).all(axis=0)
+    first = np.concatenate([np.ones(min(1, point.size), dtype=np.bool_), ~again])
+    return q[:, first], point[first]
+
+
+def _pairs_that_cross(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
+    """Of states z that lie on one branch, where a pair λ, λ̄ passes the imaginary axis."""
+    every, out = _oscillations(system, given, z), []
+    for one, other in neighbours:
+        a, b = every[one], every[other]
+        size = max(np.abs([*a, *b]), default=0.0)
+        for i, j in zip(*linear_sum_assignment(np.abs(a[:, None] - b[None])), strict=True):
+            if a[i].real * b[j].real < 0 and min(abs(a[i].real), abs(b[j].real)) > GROWS * size:
+                out.append(_bisected(system, given, (z[:, one], z[:, other]), (a[i], b[j])))
+    return [sighting for sighting in out if sighting is not None]
+
+
+def _bisected(
+    system: Augmented, given: FloatArray, ends: tuple[FloatArray, FloatArray], pair: tuple[complex, complex]
+) -> Sighting | None:
+    """The onset between two states, by the growth of the pair that is the nearest to those of the ends."""
+    (low, high), (before, after) = ends, pair
+    for _ in range(HALVINGS):
+        middle = _state(system, given, 0.5 * (low + high))
+        (roots,) = _oscillations(system, given, middle[:, None])
+        if not roots.size:
+            return None
+        here = roots[np.abs(roots - 0.5 * (before + after)).argmin()]
+        if (here.real > 0) == (after.real > 0):
+            high, after = middle, here
+        else:
+            low, before = middle, here
+    return Sighting(middle, abs(here.imag))
+
+
+def _state(system: Augmented, given: FloatArray, z: FloatArray) -> FloatArray:
+    """The state of the value z[−1] that Newton's method finds near by."""
+    columns = np.where(np.isnan(given), z[-1], given)
+    with np.errstate(all="ignore"):
+        q = system.balance.guessed(z[:-1, None], system.balance.prepared(Intervals.point(columns)))
+    return np.append(q[:, 0], z[-1])
+
+
+def _oscillations(system: Augmented, given: FloatArray, z: FloatArray) -> list[NDArray[np.complex128]]:
+    """The λ above the real axis of each state z, shape (n + 1, N)."""
+    if not z.shape[1]:
+        return []
+    columns = np.where(np.isnan(given), z[-1], given)
+    with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
+        parts = stability.linearization(system.balance, z[:-1], columns)
+        every = stability.roots(*(np.moveaxis(part, -1, 0) for part in parts))
+    return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
+
+
+def _sign_changes(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
+    """Of states z that lie on one branch, where the condition's value passes 0 and Newton's method converges."""
+    if not neighbours:
+        return []
+    columns = np.where(np.isnan(given), z[-1], given)
+    with np.errstate(all="ignore"):
+        tested = system.residuals(Intervals.point(z), system.prepared(Intervals.point(columns))).middle[-1]
+    passed = [(i, j) for i, j in neighbours if np.isfinite(tested[[i, j]]).all() and tested[i] * tested[j] < 0]
+    starts = [z[:, i] + (z[:, j] - z[:, i]) * tested[i] / (tested[i] - tested[j]) for i, j in passed]
+    fixed = np.where(np.isnan(given), z[-1, :1], given)
+    found = _converged(system, fixed, np.array(starts).reshape(-1, system.n).T)
+    return [Sighting(column, np.nan) for column in found.T]
 
 
 def _converged(system: Augmented, fixed: FloatArray, start: FloatArray) -> FloatArray:

@@ -38,7 +38,7 @@ ROOM = 1e-6
 OSCILLATES = 1e-6
 #: Real part of a λ that grows or decays, over the largest one: eigenvalues are known to less than that.
 GROWS = 1e-11
-#: Width of a box whose middle is as good as a root, over its size.
+#: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over their sizes.
 SMALL = 1e-6
 #: Times that the range between two values is halved.
 HALVINGS = 40
@@ -152,7 +152,8 @@ def _bisected(
             high, after = middle, here
         else:
             low, before = middle, here
-    return Sighting(middle, abs(here.imag))
+    # Else the pairs of the ends are not one.
+    return Sighting(middle, abs(here.imag)) if abs(here.real) <= SMALL * abs(here) else None
 
 
 def _state(system: Augmented, given: FloatArray, z: FloatArray) -> FloatArray:

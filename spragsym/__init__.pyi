@@ -3,9 +3,7 @@
 from . import figures as figures
 from . import precise as precise
 from ._version import __version__ as __version__
-from .catastrophe import BifurcationSet as BifurcationSet
 from .catastrophe import FlutterBoundary as FlutterBoundary
-from .catastrophe import FoldCurve as FoldCurve
 from .catastrophe import LinearSprag as LinearSprag
 from .catastrophe import Surface as Surface
 from .catastrophe import bifurcation_set as bifurcation_set
@@ -70,6 +68,8 @@ from .models.planes import onset_curves as onset_curves
 from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales
+from .statics import BifurcationSet as BifurcationSet
+from .statics import Curve as Curve
 from .statics import Equilibria as Equilibria
 from .statics import Jump as Jump
 from .statics import LowestEnd as LowestEnd

@@ -72,7 +72,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Points of two parameters": lambda: ss.cusps(ONE),
     "LowestEnd": lambda: ss.critical_friction(ONE.replace(beta=[0.0, 1.0])),
     "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=600),
-    "FoldCurve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
+    "Curve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
     "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 50),
     "Onsets in closed form": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7), damping=False),
     "LinearSprag": lambda: ss.linear_sprag(P),

@@ -100,7 +100,7 @@ def test_bifurcation_set_is_that_of_python(changes: dict[str, float]) -> None:
     (found,) = values([("bifurcation_set", fixed)])
     theirs = ss.bifurcation_set(p)
     assert len(found["curves"]) == len(theirs.curves)
-    assert _ends(found["curves"]) == pytest.approx(_ends([vars(curve) for curve in theirs.curves]), abs=1e-3)
+    assert _ends(found["curves"]) == pytest.approx(_ends([curve.values for curve in theirs.curves]), abs=1e-3)
     for curve in found["curves"]:
         theta, theta0, mu0 = (np.array(curve[name]) for name in ("theta", "theta0", "mu0"))
         a, b, d, m = generated_f(theta0, mu0, fixed)

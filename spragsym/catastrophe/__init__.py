@@ -1,6 +1,6 @@
 """Where states meet, vanish and jump: the surface, folds, cusps, flutter, and paths over them, all without a guess."""
 
-from .bifurcation_sets import BifurcationSet, FoldCurve, bifurcation_set
+from .bifurcation_sets import bifurcation_set
 from .critical_frictions import critical_value, cusp_friction
 from .cusp_points import cusps
 from .equilibrium_surface import Surface, surface
@@ -12,9 +12,7 @@ from .paths import quasi_static_path
 from .sliding import sliding_friction
 
 __all__ = [
-    "BifurcationSet",
     "FlutterBoundary",
-    "FoldCurve",
     "LinearSprag",
     "Surface",
     "bifurcation_set",

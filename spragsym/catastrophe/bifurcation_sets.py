@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.half_angle import on_circle
 from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray, Parameters
 from ..statics import kernel
-from ..statics.points import Points
+from ..statics.bifurcation_sets import BifurcationSet, Curve
 from . import fold_curves
 from .cusp_points import cusps
 from .fixed_parameters import FIXED, Fixed
@@ -28,45 +25,6 @@ _LIGHT = 1e-4
 _TOO_LIGHT = 1e-8
 #: Frictions at which curves are compared with proved folds.
 _SAMPLED = (0.11, 1.3, 7.1)
-
-
-@dataclass(frozen=True)
-class FoldCurve(Result):
-    """One curve of folds, points in order along it: arrays of shape (points,), angles in radians, lengths over L_0.
-
-    ``upper`` says that the stable state that ends there is the upper one of the two in θ, which changes at a cusp;
-    ``when_theta0`` and ``when_mu0`` are 1 where it ends as that parameter rises, and −1 where it ends as it falls.
-    ``theta_after``, ``x_after`` and ``y_after`` are the equilibrium to which it jumps.
-    """
-
-    theta0: FloatArray
-    mu0: FloatArray
-    theta: FloatArray
-    x: FloatArray
-    y: FloatArray
-    upper: NDArray[np.bool_]
-    when_theta0: NDArray[np.int8]
-    when_mu0: NDArray[np.int8]
-    theta_after: FloatArray
-    x_after: FloatArray
-    y_after: FloatArray
-
-
-@dataclass(frozen=True)
-class BifurcationSet(Result):
-    """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them.
-
-    Attributes
-    ----------
-    curves : tuple of FoldCurve
-    cusps : Points
-    """
-
-    curves: tuple[FoldCurve, ...]
-    cusps: Points
-
-    def __len__(self) -> int:
-        return len(self.curves)
 
 
 def bifurcation_set(
@@ -125,10 +83,10 @@ def bifurcation_set(
     ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & ((found.mu0 >= 0) | negative_friction)
     if negative_friction:
         curves += [_mirrored(curve) for curve in list(curves)]
-    return BifurcationSet(tuple(curves), found.select(ahead))
+    return BifurcationSet(("theta0", "mu0"), tuple(curves), found.select(ahead), True)
 
 
-def _compare(curves: list[FoldCurve], p: Parameters) -> None:
+def _compare(curves: list[Curve], p: Parameters) -> None:
     """Refuse curves that do not cross some frictions as often as folds are proved to be there."""
     for mu0 in _SAMPLED:
         crossings = sum(int(np.count_nonzero(np.diff(curve.mu0 > mu0))) for curve in curves)
@@ -144,7 +102,7 @@ def _indistinct(kappa: float, reason: str) -> ConvergenceError:
     )
 
 
-def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixed) -> FoldCurve:
+def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixed) -> Curve:
     """A strand with what ends on it, and where that jumps to."""
     c, s, c0, s0 = np.cos(strand.theta), np.sin(strand.theta), np.cos(strand.theta0), np.sin(strand.theta0)
     with np.errstate(all="ignore"):  # at the ends of a curve θ₀ may be 0 or π
@@ -155,13 +113,13 @@ def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixe
         _, x_after, y_after = kernel.state(after.cosine, after.sine, c0, s0, fixed.kappa, fixed.sigma, fixed.beta, 1)
     by_angle, by_friction = ((curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2])
     theta_after = np.arctan2(after.sine, after.cosine)
-    return FoldCurve(
-        strand.theta0, strand.mu0, strand.theta, x, y, curvature > 0, by_angle, by_friction, theta_after, x_after, y_after
-    )
+    return Curve({
+        "theta0": strand.theta0, "mu0": strand.mu0, "theta": strand.theta, "x": x, "y": y, "upper": curvature > 0,
+        "when_theta0": by_angle, "when_mu0": by_friction, "theta_after": theta_after, "x_after": x_after, "y_after": y_after,
+    })  # fmt: skip
 
 
-def _mirrored(curve: FoldCurve) -> FoldCurve:
-    return FoldCurve(
-        math.pi - curve.theta0, -curve.mu0, math.pi - curve.theta, -curve.x, curve.y, ~curve.upper, -curve.when_theta0,
-        -curve.when_mu0, math.pi - curve.theta_after, -curve.x_after, curve.y_after,
-    )  # fmt: skip
+def _mirrored(curve: Curve) -> Curve:
+    turned = {name: math.pi - curve.values[name] for name in ("theta0", "theta", "theta_after")}
+    negated = {name: -curve.values[name] for name in ("mu0", "x", "when_theta0", "when_mu0", "x_after")}
+    return Curve({**curve.values, **turned, **negated, "upper": ~curve.values["upper"]})

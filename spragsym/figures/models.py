@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 
 from ..dynamics import Trajectory
 from ..models import Model
-from ..models.bifurcation import ModelBifurcationSet
 from ..models.describe import units_of
 from ..models.hopf_curves import OnsetCurves
+from ..statics.bifurcation_sets import BifurcationSet
 from ..statics.points import Points
 from ..statics.results import Stability
 from .labels import label
@@ -69,13 +69,13 @@ def _shown(model: Model, name: str, values: Any) -> Any:
     return np.degrees(values) if name in model.about["angles"] else values
 
 
-def draw_bifurcation_set_of(model: Model, found: ModelBifurcationSet, ax: Axes | None = None) -> list[Any]:
+def draw_bifurcation_set_of(model: Model, found: BifurcationSet, ax: Axes | None = None) -> list[Any]:
     """Curves of folds and cusps in the plane of two parameters; returns the artists.
 
     Parameters
     ----------
     model : Model
-    found : ModelBifurcationSet
+    found : BifurcationSet
         Of ``model.bifurcation_set``.
     ax : Axes, optional
     """

@@ -14,11 +14,12 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from ..assumed import D, V
-from ..catastrophe import BifurcationSet, bifurcation_set, folds, sliding_friction
+from ..catastrophe import bifurcation_set, folds, sliding_friction
 from ..cycles import CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..cycles.maps import Kind
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, Parameters
+from ..statics.bifurcation_sets import BifurcationSet
 from ..statics.results import Stability
 from ..statics.solver import equilibria
 from .captions import BASE_TEXT

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
-from ..statics.named_columns import Columns
+from ..statics.bifurcation_sets import BifurcationSet, Curve
 from ..statics.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Fold
@@ -31,45 +30,6 @@ BUDGET = 20_000
 ON_LINE = 1e-9
 
 
-@dataclass(frozen=True, eq=False)
-class ModelCurve(Columns, held_in="values"):
-    """Folds in order along a curve; parameters that vary and coordinates are attributes under their own names."""
-
-    values: Mapping[str, FloatArray] = field(repr=False)
-
-
-@dataclass(frozen=True, eq=False)
-class ModelBifurcationSet(Result):
-    """Folds on lines of the plane, joined to curves, and cusps; ``complete`` says whether these are all.
-
-    Attributes
-    ----------
-    vary : tuple of str
-        The two parameters.
-    curves : tuple of ModelCurve
-        Folds in the order in which they follow each other, cusps among them, as many as make straight lines between them look
-        smooth. Each is proved; that they are joined in the right order is not.
-    cusps : Points
-        All cusps of the region, proved.
-    lines : mapping
-        For each parameter the values at which all folds along the other one are known.
-    complete : bool
-        Whether these are all folds on all lines, and all cusps; ``cusps.remarks`` says what was not searched.
-    undecided : ndarray
-        Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2): coordinates, then parameters.
-    """
-
-    vary: tuple[str, ...]
-    curves: tuple[ModelCurve, ...]
-    cusps: Points
-    lines: Mapping[str, FloatArray] = field(repr=False)
-    complete: bool
-    undecided: FloatArray
-
-    def __len__(self) -> int:
-        return len(self.curves)
-
-
 def bifurcation_set(
     model: Model,
     p: Any,
@@ -78,7 +38,7 @@ def bifurcation_set(
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
-) -> ModelBifurcationSet:
+) -> BifurcationSet:
     """Where the number of equilibria in contact changes, in the plane of two parameters.
 
     Parameters
@@ -97,7 +57,7 @@ def bifurcation_set(
 
     Returns
     -------
-    ModelBifurcationSet
+    BifurcationSet
 
     Notes
     -----
@@ -112,11 +72,9 @@ def bifurcation_set(
     given = given_column(p, balance.parameters, vary)
     asked = by_hand(balance.coordinates, within)
     found = on_lines(balance, vary, Fold(), given, spans, n, rows_of(balance, vary, found_cusps), asked)
-    curves = [
-        ModelCurve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains
-    ]
+    curves = [Curve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains]
     complete = found_cusps.complete and found.whole and not found.undecided.shape[0]
-    return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, found.lines, complete, found.undecided)
+    return BifurcationSet(tuple(vary), tuple(curves), found_cusps, complete, found.lines, found.undecided)
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
+    from ..statics.bifurcation_sets import BifurcationSet
     from ..statics.lowest_ends import LowestEnd
     from ..statics.onsets import Onsets
     from ..statics.paths import Path
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from ..statics.results import Equilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
-    from .bifurcation import ModelBifurcationSet
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
     from .normal_forms import NormalForm
@@ -213,9 +213,7 @@ class Model:
         return cusps(self, p, self._two(vary), **options)
 
     @question
-    def bifurcation_set(
-        self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any
-    ) -> ModelBifurcationSet:
+    def bifurcation_set(self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any) -> BifurcationSet:
         """Folds on ``n`` lines of either parameter, joined to curves, and the cusps, in the plane of both.
 
         ``between`` as for :meth:`folds`. See :mod:`spragsym.models.bifurcation`.

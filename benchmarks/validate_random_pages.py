@@ -342,7 +342,8 @@ def onsets(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Gen
     )
     allowed = model.Parameters.ranges[vary]
     low, high = sorted(share * model.base[vary] for share in SPAN)
-    low, high = max(low, allowed.low), min(high, allowed.high)
+    inside = 1e-3 * (high - low)  # an end may not belong to its range
+    low, high = max(low, allowed.low + inside), min(high, allowed.high - inside)
     found = model.flutter_onsets(model.Parameters(**values), vary, between={vary: (low, high)})
     at = np.asarray(getattr(found, vary), dtype=float)
     places = np.array([getattr(found, name) for name in model.coordinates], dtype=float)

@@ -542,7 +542,7 @@ def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) 
     file = tmp_path / "brake.toml"
     file.write_text(other, encoding="utf-8")
     study = ss.Study.from_file(file)
-    found = study.model_report(certificate=False)
+    found = study.model_report(certificate=False, redesign=False)
     assert found.oscillation is not None
     right = ss.Study(brake(mu0=0.45)).report(probability=False, redesign=False).oscillation
     assert right is not None
@@ -557,12 +557,35 @@ def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) 
 
 
 @pytest.mark.thorough
+def test_another_model_is_told_what_to_change(tmp_path: Path) -> None:
+    """With k_3 = 0 cubic_contact is the article's model: tubes and closed forms propose the same single changes, nearly."""
+    rows = {"k": "180 N/mm ± 15 %", "k_c": "1500 N/mm", "theta0": "52 deg", "mu0": "[0.3, 0.35]"}
+    other = of_model("cubic_contact", rows, tmp_path / "other.toml")
+    found = other.model_report(oscillation=False, certificate=False)
+    right = of_model("kang_nam", rows, tmp_path / "brake.toml").report(probability=False, oscillation=False)
+    single = [change for change in right.redesign if len(change.after) == 1]
+    assert found.redesign is not None
+    assert len(found.redesign) == 4
+    for one, want in zip(found.redesign, single, strict=False):
+        ((name, value),) = one.after.items()
+        assert value == pytest.approx(want.after[name], rel=0.01)
+        assert one.outcome == want.outcome == "proved"
+        values = {name: quantity.value for name, quantity in other.changed(one.after).quantities.items() if name != "k_3"}
+        closed = float(ss.jump_value(ss.PhysicalParameters(**values).dimensionless(), "mu0"))
+        assert closed >= found.target
+        assert one.mu_jump == pytest.approx(closed, rel=1e-9)
+    told = found.to_dict()["redesign"][0]
+    assert told["target"] == pytest.approx(1.2 * other.friction[2])
+    assert f"to {other.shown('F_L', found.redesign[0].after['F_L'])}" in found.text()
+
+
+@pytest.mark.thorough
 def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     rows = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "model"))]
     rows += ['model = "stribeck"', 'mu_s = "0.45"', 'mu_k = "0.3"', 'v_s = "0.5 m/s"']
     file = tmp_path / "brake.toml"
     file.write_text("\n".join(rows), encoding="utf-8")
-    found = ss.Study.from_file(file).model_report(oscillation=False, certificate=False)
+    found = ss.Study.from_file(file).model_report(oscillation=False, certificate=False, redesign=False)
     assert found.mu_jump is None
     assert any("no mu0" in one for one in found.warnings)
     assert found.states

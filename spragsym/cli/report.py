@@ -59,7 +59,7 @@ def report(
     else:
         if sys.stderr.isatty():
             click.echo("computing states, jumps, tolerances and the oscillation (--no-oscillation leaves that out)", err=True)
-        found = study.model_report(oscillation=oscillation)
+        found = study.model_report(oscillation=oscillation, safety=safety)
     if html is not None:
         study.to_html(html, found)
         click.echo(f"wrote {html}", err=True)

@@ -15,14 +15,13 @@ from ..models.load import load
 from . import other_models
 from .model_states import contact_force, model_states, spring_force
 from .other_tolerances import tolerated
+from .redesigns import Change, changes
 from .study import Study
-from .texts import chance_json, chance_rows
+from .texts import chance_json, chance_rows, change_json, change_rows
 from .tolerances import Chance
 
 #: Angles in degrees between which a jump is looked for.
 _ANGLES = (0.5, 179.0)
-#: What is computed for the article's model only.
-_LEFT_OUT = "what to change is not computed with this model; model.redesign answers for its parameters without units"
 #: Points that a probability is estimated from.
 POINTS = 2048
 #: What the names of numbers are called in the text.
@@ -54,7 +53,11 @@ class ModelReport(Result):
         Friction coefficients at which states meet.
     oscillation : dict or None
     certificate : dict or None
-        Of "no jump" for everything within the tolerances: refuted by a brake within them, or undecided; nothing is proved here.
+        Of "no jump" for everything within the tolerances: proved, refuted by a brake within them, or undecided.
+    probability : Chance or None
+    redesign : tuple of Change or None
+        What to change, one quantity at a time, so that the jump lies at ``target`` or beyond; None where it was not asked for.
+    target : float
     complete : bool
         Whether states and folds are proved to be all there are.
     warnings : tuple of str
@@ -71,9 +74,12 @@ class ModelReport(Result):
     oscillation: dict[str, Any] | None
     certificate: dict[str, Any] | None
     probability: Chance | None
+    redesign: tuple[Change, ...] | None
+    target: float
     complete: bool
     warnings: tuple[str, ...]
     verdict: str
+    study: Study
 
     def to_dict(self) -> dict[str, Any]:
         """The keys of a report; None for what is not computed for this model."""
@@ -91,7 +97,7 @@ class ModelReport(Result):
                 "oscillation_amplitude": self.oscillation["amplitude_mm"] if self.oscillation else None,
             },
             "oscillation": self.oscillation, "certificate": self.certificate, **chance_json(self.probability),
-            "redesign": [],
+            "redesign": [change_json(self.study, self.target, one) for one in self.redesign or ()],
             "warnings": list(self.warnings), "reach": None, "speed_jump": None, "jump": None,
         }  # fmt: skip
 
@@ -119,6 +125,10 @@ class ModelReport(Result):
             odds = self.probability
             none = odds is not None and odds.confidence == 1.0
             yield "Tolerances", [*rows, *([("probability of a jump", "0, as is proved")] if none else chance_rows(odds))]
+        if self.redesign is not None:
+            rows = list(change_rows(self.study, self.redesign, "the tolerances"))
+            nothing = [("nothing", "no change of one quantity was found that does it")]
+            yield f"To keep the jump at {self.target:.4g}, and all within the tolerances from jumping, change", rows or nothing
         if self.oscillation:
             yield "Oscillation", [(_WORDS.get(name, name), _shown(one)) for name, one in self.oscillation.items()]
 
@@ -134,7 +144,9 @@ def _shown(value: Any) -> str:
     return "[" + ", ".join(_shown(one) for one in value) + "]" if isinstance(value, list) else str(value)
 
 
-def model_report(study: Study, oscillation: bool = True, certificate: bool = True, n: int = POINTS) -> ModelReport:
+def model_report(
+    study: Study, oscillation: bool = True, certificate: bool = True, n: int = POINTS, redesign: bool = True, safety: float = 1.2
+) -> ModelReport:
     """All states in contact at the friction that works, where the state of small deformation jumps, and the cycle."""
     model = load(study.model)
     p, scales = other_models.dimensionless(study.model, study.values)
@@ -159,12 +171,14 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
     if not complete:
         warnings.append("that these are all states and folds is not proved here")
     reached, odds = tolerated(study, n) if certificate and "mu0" in model.parameters else (None, None)
-    warnings.append(_LEFT_OUT)
+    target = safety * high if high > 0 else math.nan
+    sprags = jump is not None and (jump < target or (reached is not None and reached["outcome"] == "refuted"))
+    proposed = changes(study, target) if redesign and sprags else None
     return ModelReport(
         jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,
         100 * (jump / high - 1) if jump is not None and not math.isnan(jump) and high > 0 else None,
-        states, turns, cycle, reached, odds, complete, tuple(warnings),
-        _verdict(study, jump, high, states, complete),
+        states, turns, cycle, reached, odds, proposed, target, complete, tuple(warnings),
+        _verdict(study, jump, high, states, complete), study,
     )  # fmt: skip
 
 

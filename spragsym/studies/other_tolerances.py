@@ -34,7 +34,7 @@ def tolerated(study: Study, n: int) -> tuple[dict[str, Any], Chance | None]:
     return reached, chance(study, n)
 
 
-def certificate_of(study: Study) -> dict[str, Any]:
+def certificate_of(study: Study, slices: tuple[int, ...] = _SLICES, boxes: int = _BOXES, points: int = _POINTS) -> dict[str, Any]:
     """Whether any brake within the tolerances jumps: proved, refuted by a brake in the file's units, or undecided.
 
     Notes
@@ -44,7 +44,7 @@ def certificate_of(study: Study) -> dict[str, Any]:
     narrow enough. The friction of the proof is μ₀ itself, or the one that works at the belt's speed where a law may say more
     there; that of a counterexample is the one that works.
     """
-    point = counterexample(study, _POINTS, jumping)
+    point = counterexample(study, points, jumping)
     if point is not None:
         shown = {
             name: {"value": study.in_file(name, value), "unit": study.quantities[name].unit}
@@ -52,11 +52,11 @@ def certificate_of(study: Study) -> dict[str, Any]:
         }  # fmt: skip
         return _told("refuted", 0.0, 0, shown)
     seen = 0
-    for number in _SLICES:
+    for number in slices:
         parts, left = list(_slices(study, number)), 0
         for done, part in enumerate(parts, 1):
             low, high = _corners(study, part)
-            found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=_BOXES, refute=False)
+            found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=boxes, refute=False)
             seen += found.boxes
             if found.outcome != "proved":
                 left = len(parts) - done + 1
@@ -79,7 +79,7 @@ def chance(study: Study, n: int) -> Chance | None:
     everything = Range(-np.inf)
     variables = {name: variable(name, given, everything) for name, given in distributions(study).items()}
     found = estimated(
-        variables, lambda values: _ending(study, values), correlation=correlated(study), n=n, rng=0, confidence=0.95, sobol=True,
+        variables, lambda values: ending(study, values), correlation=correlated(study), n=n, rng=0, confidence=0.95, sobol=True,
         replicates=8, workers=1, progress=False, store=None,
     )  # fmt: skip
     return told(found)
@@ -87,13 +87,14 @@ def chance(study: Study, n: int) -> Chance | None:
 
 def jumping(study: Study, shares: FloatArray) -> FloatArray:
     """1 for the brakes that jump, 0 for those that don't, and NaN where that is not known."""
-    return _ending(study, values_at(study, shares))
+    return ending(study, values_at(study, shares))
 
 
-def _ending(study: Study, values: Mapping[str, Any]) -> FloatArray:
+def ending(study: Study, values: Mapping[str, Any], friction: float | None = None) -> FloatArray:
+    """The same of brakes by their quantities in SI: up to a friction, or up to the own one of each that works."""
     model = load(study.model)
     p, _ = other_models.dimensionless(study.model, values)
-    works = p.mu0 * (other_models.share(model, p) if "V" in study.quantities else 1.0)
+    works = p.mu0 * (other_models.share(model, p) if "V" in study.quantities else 1.0) if friction is None else friction
     found = Followed(model, p, "mu0", "up", 0.0, np.broadcast_to(works, p.shape)).ends(patient=False)
     out = np.where(np.isnan(found.value), 0.0, 1.0)
     out[list(found.reasons)] = np.nan

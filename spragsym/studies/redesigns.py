@@ -1,7 +1,8 @@
 """What to change, so that the jump lies beyond a target: single quantities, and the least joint change, with certificates.
 
 A value is rounded to what stands in the report, away from the old one, and verified as it stands there. A change that a brake
-within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing.
+within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing. What a model answers of
+brakes stands in :mod:`spragsym.studies.redesign_questions`; the search is the same for all.
 """
 
 from __future__ import annotations
@@ -9,37 +10,29 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..design import redesign
-from ..design.design_space import PHYSICAL, dimensionless
-from ..design.events import have_jumped
-from ..design.jump_values import first_jumps
 from ..display import Result
 from ..errors import SpragsymError
-from ..parameters import FloatArray, Parameters, PhysicalParameters
+from ..parameters import FloatArray
+from . import other_models
+from .redesign_questions import Questions, questions
 from .study import Study
-from .tolerances import brakes, certificate, corners, counterexample, jumping, samples, varied
+from .tolerances import corners, counterexample, samples, varied
 from .units import factor
 
-#: What may be changed, one at a time.
-SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
-#: A single quantity is changed by up to this factor either way, at this many values, then between the two that decide.
-_FACTOR, _VALUES, _BETWEEN, _ROUNDS = 20.0, 160, 32, 2
-#: By how much of what is left it goes further, and by how much of the least joint change, until it is proved.
-_FURTHER = (0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0)
+#: A single quantity is changed by up to this factor either way.
+_FACTOR = 20.0
+#: Designs whose tolerances are looked at in one go.
+_AT_ONCE = 8
+#: By how much of the least joint change it goes further until it is proved.
 _STRETCHES = (1.0, 1.02, 1.05, 1.1, 1.2, 1.5, 2.0, 3.0)
 #: Digits of a new value.
 _DIGITS = 3
-#: Slices of a certificate, and boxes of each: where few do not decide, a design a little further off is proved sooner.
-_SLICES, _BOXES = (1, 4, 16), 120
-#: Points about a design, for the share that jumps, and where there is no proof.
-_POINTS, _MANY = 1 << 10, 1 << 17
 
 
 @dataclass(frozen=True)
@@ -76,163 +69,173 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     :func:`spragsym.certify` over the tolerances about the values as they are printed; that there is none nearer is not proved. A
     changed quantity keeps its tolerance as a share of its value, an inclination as it is.
     """
-    scale = {name: _scale(study, name) for name in SINGLE}
-    single = [_single(study, name, target, scale) for name in SINGLE]
-    found = sorted((one for one in single if one is not None), key=lambda one: one.distance)
-    together = _joint(study, target, scale)
+    search = _Search(study, target, questions(study))
+    found = sorted(search.singles(), key=lambda one: one.distance)
+    together = search.joint()
     return tuple(found if together is None else [*found, together])
 
 
-def _scale(study: Study, name: str) -> float:
-    if name in study.tolerances:
-        return study.tolerances[name]
-    if name == "theta0":
-        return _ANGLE
-    return _SHARE * (study.values[name] or study.values["k_x"] or 0.01 * study.values["k_c"])
+class _Search:
+    """The changes of one brake."""
 
+    def __init__(self, study: Study, target: float, asked: Questions) -> None:
+        self.study, self.target, self.asked = study, target, asked
+        self.scale = {name: self._scale(name) for name in asked.names}
 
-def _designs(study: Study, changed: Mapping[str, Any]) -> Parameters:
-    shape = np.shape(next(iter(changed.values())))
-    values = {name: np.broadcast_to(changed.get(name, study.values[name]), shape) for name in PHYSICAL}
-    return Parameters(**{name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()})
+    def _scale(self, name: str) -> float:
+        study = self.study
+        if name in study.tolerances:
+            return study.tolerances[name]
+        if study.si(name) == "rad":
+            return _ANGLE
+        return _SHARE * (study.values[name] or study.values.get("k_x") or 0.01 * self._unit(name))
 
+    def _unit(self, name: str) -> float:
+        """What one of the model's units is in SI."""
+        return other_models.scale_of(self.study.si(name), other_models.bases(self.study.model, self.study.values))
 
-def _reaches(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
-    """Which designs are known not to jump at a friction or below it."""
-    designs = _designs(study, changed)
-    found = have_jumped(designs.replace(mu0=np.broadcast_to(target, designs.shape)))
-    free = ~found.jumped
-    free.flat[list(found.reasons)] = False
-    return free
+    # ------------------------------------------------------------------------------------------------- which are kept
 
+    def _reaches(self, changed: Mapping[str, FloatArray]) -> NDArray[np.bool_]:
+        """Which designs are known not to jump at the target or below it."""
+        shape = np.shape(next(iter(changed.values())))
+        rows = {name: np.broadcast_to(changed.get(name, value), shape) for name, value in self.study.values.items()}
+        return np.asarray(self.asked.ending(self.study, rows, self.target) == 0)
 
-def _kept(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
-    """Which designs jump at the target at the earliest, and at no corner of their tolerances."""
-    kept = _reaches(study, changed, target)
-    left = np.flatnonzero(kept)
-    shares = corners(study)
-    about = [brakes(study.changed({name: float(values[i]) for name, values in changed.items()}), shares) for i in left]
-    if about:
-        low, high = math.radians(1e-6), math.pi - math.radians(1e-6)
-        rows = {name: np.concatenate([one[name] for one in about]) for name in PHYSICAL}
-        rows["theta0"] = np.clip(rows["theta0"], low, high)
-        found = have_jumped(Parameters(**dimensionless(rows)))
-        free = ~found.jumped
-        free[list(found.reasons)] = False
-        kept[left] = free.reshape(len(left), -1).all(axis=1)
-    return kept
+    def _kept(self, changed: Mapping[str, FloatArray]) -> int | None:
+        """The first design that jumps at the target at the earliest, and at no corner of its tolerances."""
+        shares, left = corners(self.study), np.flatnonzero(self._reaches(changed))
+        for begin in range(0, left.size, _AT_ONCE):
+            some = left[begin : begin + _AT_ONCE]
+            designs = [self.study.changed({name: float(values[i]) for name, values in changed.items()}) for i in some]
+            about = [self.asked.rows(design, shares) for design in designs]
+            rows = {name: np.concatenate([one[name] for one in about]) for name in about[0]}
+            free = (self.asked.ending(self.study, rows, None) == 0).reshape(len(some), -1).all(axis=1)
+            if free.any():
+                return int(some[np.flatnonzero(free)[0]])
+        return None
 
+    # ------------------------------------------------------------------------------------------------- one quantity
 
-def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:
-    """The nearest value of one quantity, on either side, that keeps the target."""
-    starts = []
-    for side in (-1, 1):
-        values = ladder = _ladder(study, name, side)
-        for _ in range(_ROUNDS):
-            kept = np.flatnonzero(_kept(study, {name: values}, target))
-            if not kept.size:
+    def singles(self) -> list[Change]:
+        """Of single quantities the nearest values that keep the target, of as many as are asked for."""
+        starts = {name: self._starts(name) for name in self.asked.names}
+        before, found = self.study.values, list[Change]()
+        nearest = {name: abs(ends[0][0] - before[name]) / self.scale[name] for name, ends in starts.items() if ends}
+        for name in sorted(nearest, key=nearest.__getitem__):
+            change = self._nearest(name, starts[name]) if len(found) < self.asked.most else None
+            found += [change] if change is not None else []
+        return found
+
+    def _starts(self, name: str) -> list[tuple[float, float]]:
+        """Values of one quantity that keep the target, one on either side at most, the nearer first; and how far each may go."""
+        starts = []
+        for side in (-1, 1):
+            values = ladder = self._ladder(name, side)
+            for _ in range(self.asked.rounds):
+                k = self._kept({name: values})
+                if k is None:
+                    break
+                values = np.linspace(values[max(k - 1, 0)], values[k], self.asked.between)
+            else:
+                k = self._kept({name: values})
+                if k is not None:
+                    starts.append((float(values[k]), float(ladder[-1])))
+        return sorted(starts, key=lambda one: abs(one[0] - self.study.values[name]))
+
+    def _nearest(self, name: str, starts: list[tuple[float, float]]) -> Change | None:
+        """The first of these with a proof, as it is printed."""
+        best: Change | None = None
+        for start, end in starts:
+            change = self._first_proved({name: start + share * (end - start)} for share in self.asked.further)
+            if change is not None and (best is None or _order(change) < _order(best)):
+                best = change
+            if best is not None and best.outcome == "proved":
                 break
-            k = int(kept[0])
-            values = np.linspace(values[max(k - 1, 0)], values[k], _BETWEEN)
+        return best
+
+    def _ladder(self, name: str, side: int) -> FloatArray:
+        """Values from the present one away, to where a redesign would be another brake."""
+        start, share = self.study.values[name], np.linspace(0.0, 1.0, self.asked.values)
+        if self.study.si(name) == "rad":
+            end = math.radians(1.0) if side < 0 else math.radians(179.0)
+            values = start + share * (end - start)
+        elif start == 0:
+            values = share**2 * (self._unit(name) if side > 0 else 0.0)
         else:
-            kept = np.flatnonzero(_kept(study, {name: values}, target))
-            if kept.size:
-                starts.append((float(values[kept[0]]), float(ladder[-1])))
-    best: Change | None = None
-    for start, end in sorted(starts, key=lambda one: abs(one[0] - study.values[name])):
-        designs = ({name: start + share * (end - start)} for share in _FURTHER)
-        change = _first_proved(study, designs, target, scale)
-        if change is not None and (best is None or _order(change) < _order(best)):
-            best = change
-        if best is not None and best.outcome == "proved":
-            break
-    return best
+            values = start * _FACTOR ** (side * share)
+        inside = [self.asked.inside(name, value, value) for value in values.tolist()]
+        return np.asarray(values[: inside.index(False)] if False in inside else values)
+
+    # ------------------------------------------------------------------------------------------------- several at once
+
+    def joint(self) -> Change | None:
+        """The least change of all that has a tolerance."""
+        names = tuple(name for name in self.asked.names if name in self.study.tolerances)
+        try:
+            after = self.asked.joint(self.study, names, self.target, self.scale)
+        except SpragsymError:
+            return None
+        if after is None:
+            return None
+        # The least change has its jump on the target: as much further as its own tolerances ask for.
+        before = self.study.values
+        longer = (
+            {name: before[name] + stretch * (value - before[name]) for name, value in after.items()} for stretch in _STRETCHES
+        )
+        allowed = (one for one in longer if all(self.asked.inside(name, value, value) for name, value in one.items()))
+        return self._first_proved(allowed)
+
+    # ------------------------------------------------------------------------------------------------- as it is printed
+
+    def _first_proved(self, designs: Iterator[dict[str, float]]) -> Change | None:
+        """The first of some designs with a proof; else the first without a brake that jumps among many samples."""
+        open_one: Change | None = None
+        tried: list[Mapping[str, float]] = []
+        for after in designs:
+            printed = self._printed(after)
+            if printed is None or printed in tried:
+                continue
+            tried.append(printed)
+            change = self._verified(printed, open_one is not None)
+            if change is not None and change.outcome == "proved":
+                return change
+            open_one = open_one or change
+        return open_one
+
+    def _printed(self, after: Mapping[str, float]) -> dict[str, float] | None:
+        """What changes, as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
+        study = self.study
+        before = {name: study.values[name] for name in after}
+        for further in range(4):
+            rounded = {name: _rounded(study, name, before[name], value, further) for name, value in after.items()}
+            if self._in_range(rounded) and self._kept({name: np.array([value]) for name, value in rounded.items()}) is not None:
+                return {name: value for name, value in rounded.items() if value != before[name]}
+        return None
+
+    def _in_range(self, after: Mapping[str, float]) -> bool:
+        """Whether all brakes within the tolerances about a design are brakes."""
+        new = self.study.changed(after).quantities
+        return all(self.asked.inside(name, new[name].low, new[name].high) for name in after)
+
+    def _verified(self, after: Mapping[str, float], proof_only: bool) -> Change | None:
+        """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
+        study, asked = self.study, self.asked
+        new, before = study.changed(after), {name: study.values[name] for name in after}
+        outcome, (few, many) = asked.outcome(new), asked.points
+        if outcome == "refuted" or (
+            outcome == "undecided" and (proof_only or counterexample(new, many, asked.jumping) is not None)
+        ):
+            return None
+        size = math.hypot(*((value - before[name]) / self.scale[name] for name, value in after.items()))
+        share = 0.0 if outcome == "proved" else float(np.nanmean(asked.jumping(new, samples(new, few))))
+        jump = asked.jump(study, {**study.values, **after})
+        return Change(before, after, jump, size, share if varied(study) else math.nan, outcome)
 
 
 def _order(change: Change) -> tuple[bool, float]:
     """What is proved before what is not, then by distance."""
     return change.outcome != "proved", change.distance
-
-
-def _first_proved(study: Study, designs: Iterator[dict[str, float]], target: float, scale: Mapping[str, float]) -> Change | None:
-    """The first of some designs with a proof; else the first without a brake that jumps among many samples."""
-    open_one: Change | None = None
-    tried: list[Mapping[str, float]] = []
-    for after in designs:
-        printed = _printed(study, after, target)
-        if printed is None or printed in tried:
-            continue
-        tried.append(printed)
-        change = _verified(study, printed, scale, open_one is not None)
-        if change is not None and change.outcome == "proved":
-            return change
-        open_one = open_one or change
-    return open_one
-
-
-def _ladder(study: Study, name: str, side: int) -> FloatArray:
-    """Values from the present one away, to where a redesign would be another brake."""
-    start, share = study.values[name], np.linspace(0.0, 1.0, _VALUES)
-    if name == "theta0":
-        end = math.radians(1.0) if side < 0 else math.radians(179.0)
-        return np.asarray(start + share * (end - start))
-    if start == 0:
-        return np.asarray(share**2 * (study.values["k_c"] if side > 0 else 0.0))
-    return np.asarray(start * _FACTOR ** (side * share))
-
-
-def _joint(study: Study, target: float, scale: Mapping[str, float]) -> Change | None:
-    """The least change of all that has a tolerance, or of the inclination and both springs."""
-    names = tuple(name for name in SINGLE if name in study.tolerances)
-    names = names if len(names) > 1 else ("theta0", "k", "k_x")
-    brake = PhysicalParameters(**{**study.values, "mu0": study.friction[1]})
-    try:
-        found = redesign(brake, names, {"mu0": target}, {name: scale[name] for name in names})
-    except SpragsymError:
-        return None
-    if not np.isfinite(found.distance) or not isinstance(found.parameters, PhysicalParameters):
-        return None
-    after = {name: float(getattr(found.parameters, name)) for name in names}
-    # The least change has its jump on the target: as much further as its own tolerances ask for.
-    longer = ({name: study.values[name] + stretch * (value - study.values[name]) for name, value in after.items()}
-              for stretch in _STRETCHES)  # fmt: skip
-    return _first_proved(study, (one for one in longer if _allowed(one)), target, scale)
-
-
-def _allowed(values: Mapping[str, float]) -> bool:
-    allowed = all(value > 0 or (name in ("k_x", "k_y") and value == 0) for name, value in values.items())
-    return allowed and values.get("theta0", 1.0) < math.pi
-
-
-def _printed(study: Study, after: Mapping[str, float], target: float) -> dict[str, float] | None:
-    """What changes, as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
-    before = {name: study.values[name] for name in after}
-    for further in range(4):
-        rounded = {name: _rounded(study, name, before[name], value, further) for name, value in after.items()}
-        one = {name: np.array([value]) for name, value in rounded.items()}
-        if _in_range(study, rounded) and _kept(study, one, target)[0]:
-            return {name: value for name, value in rounded.items() if value != before[name]}
-    return None
-
-
-def _verified(study: Study, after: Mapping[str, float], scale: Mapping[str, float], proof_only: bool) -> Change | None:
-    """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
-    new, before = study.changed(after), {name: study.values[name] for name in after}
-    reached = certificate(new, _SLICES, _BOXES, hasty=True)
-    if reached.outcome == "refuted" or (reached.outcome == "undecided" and (proof_only or counterexample(new, _MANY))):
-        return None
-    jump = float(first_jumps(_designs(study, {name: np.array(value) for name, value in after.items()}), "mu0").value)
-    size = math.hypot(*((value - before[name]) / scale[name] for name, value in after.items()))
-    share = 0.0 if reached.outcome == "proved" else float(np.nanmean(jumping(new, samples(new, _POINTS))))
-    return Change(before, after, jump, size, share if varied(study) else math.nan, reached.outcome)
-
-
-def _in_range(study: Study, after: Mapping[str, float]) -> bool:
-    """Whether all brakes within the tolerances about a design are brakes."""
-    new = study.changed(after)
-    ends = {name: (new.quantities[name].low, new.quantities[name].high) for name in after}
-    low, high = ends.get("theta0", (1.0, 1.0))
-    return low > 0 and high < math.pi and all(end[0] > 0 or name in ("k_x", "k_y", "theta0") for name, end in ends.items())
 
 
 def _rounded(study: Study, name: str, before: float, after: float, further: int) -> float:
@@ -245,4 +248,4 @@ def _rounded(study: Study, name: str, before: float, after: float, further: int)
     away = math.copysign(1.0, new - old)
     steps = (math.ceil if away > 0 else math.floor)(new / step) + away * further
     shown = float(f"{steps * step:.{_DIGITS + 2}g}")
-    return math.radians(shown) if name == "theta0" and unit == math.pi / 180 else shown * unit
+    return math.radians(shown) if unit == math.pi / 180 else shown * unit

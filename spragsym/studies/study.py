@@ -228,14 +228,17 @@ class Study:
             safety=as_number("safety", safety, physical_ranges()["k"]),
         )  # fmt: skip
 
-    def model_report(self, oscillation: bool = True, certificate: bool = True) -> ModelReport:
+    def model_report(
+        self, oscillation: bool = True, certificate: bool = True, redesign: bool = True, safety: float = 1.2
+    ) -> ModelReport:
         """The report with any model: jump, cusp, states, forces and the cycle; what is not answered is None, with the reason.
 
-        ``certificate = False`` leaves out what the tolerances leave possible: the certificate and the probability.
+        ``certificate = False`` leaves out what the tolerances leave possible: the certificate and the probability, and
+        ``redesign = False`` what to change so that the jump lies at ``safety`` times the largest friction.
         """
         from .other_reports import model_report
 
-        return model_report(self, oscillation, certificate)
+        return model_report(self, oscillation, certificate, redesign=redesign, safety=safety)
 
     def to_html(self, path: str | os.PathLike[str], report: Report | ModelReport | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""

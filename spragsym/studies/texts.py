@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -284,15 +284,19 @@ def _aim(report: Report) -> str:
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
     if report.needed and not report.redesign:
         yield "nothing", "no change of one quantity or of several was found that does it"
-    for one in report.redesign:
+    yield from change_rows(report.study, report.redesign, _box(report.facts))
+
+
+def change_rows(study: Study, changes: Iterable[Change], box: str) -> Iterator[tuple[str, str]]:
+    """What changes, and what is known of that; ``box`` is what a certificate is about."""
+    for one in changes:
         values = "; ".join(
-            f"{name} from {report.study.shown(name, one.before[name])} to {report.study.shown(name, one.after[name])}"
-            for name in one.after
+            f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
         )
         then = "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
-            known = f"proved for everything within {_box(report.facts)}"
+            known = f"proved for everything within {box}"
         yield values, f"{then}; {known}"
 
 
@@ -326,7 +330,7 @@ def as_json(report: Report) -> dict[str, Any]:
         },
         "certificate": _certificate_json(report),
         **chance_json(odds),
-        "redesign": [_change_json(report, one) for one in report.redesign],
+        "redesign": [change_json(report.study, report.target, one) for one in report.redesign],
         "warnings": list(report.warnings),
         "reach": report.facts.reach, "speed_jump": _speed_json(report),
         "jump": None if report.peak is None else asdict(report.peak),
@@ -372,10 +376,11 @@ def _certificate_json(report: Report) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def _change_json(report: Report, one: Change) -> dict[str, Any]:
+def change_json(study: Study, target: float, one: Change) -> dict[str, Any]:
+    """The keys of a change."""
     return {
-        "from": _in_file(report.study, one.before), "to": _in_file(report.study, one.after), "mu_jump": one.mu_jump,
-        "target": report.target, "distance": one.distance, "probability": one.probability, "outcome": one.outcome,
+        "from": _in_file(study, one.before), "to": _in_file(study, one.after), "mu_jump": one.mu_jump,
+        "target": target, "distance": one.distance, "probability": one.probability, "outcome": one.outcome,
     }  # fmt: skip
 
 

@@ -1,0 +1,138 @@
+"""What is asked of a model where a brake is to be changed: by closed forms of the article's, by tubes of any other."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..design import redesign
+from ..design.design_space import PHYSICAL, dimensionless
+from ..design.events import have_jumped
+from ..design.jump_values import first_jumps
+from ..models.balance import Balance
+from ..models.load import load
+from ..parameters import FloatArray, Parameters, PhysicalParameters
+from . import other_models, other_tolerances
+from .study import Study
+from .tolerances import Jumping, brakes, certificate, jumping, values_at
+
+#: What may be changed of the article's brake, one at a time.
+SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
+#: Slices of a certificate, and boxes of each: where few do not decide, a design a little further off is proved sooner.
+_SLICES, _BOXES = (1, 4, 16), 120
+#: Slices and boxes of a certificate by tubes, which take longer, points at which it is refuted, and changes that get one.
+_FEW_SLICES, _FEW_BOXES, _FEW_POINTS, _MOST = (4,), 300, 64, 4
+
+
+@dataclass(frozen=True)
+class Questions:
+    """What is asked of a model, of brakes by the values of their quantities in SI.
+
+    ``names`` are the quantities that may be changed one at a time; ``inside(name, low, high)`` whether all between two ends are
+    quantities. ``rows(study, shares)`` are brakes of the tolerances, and ``ending(study, rows, friction)`` is 1 for those that
+    jump at a friction or below it, the own one of each where it is None, 0 for those that don't, and NaN where that is not known;
+    ``jumping`` the same of shares. ``outcome`` is that of a hasty certificate of a study, ``jump`` where a brake jumps, and
+    ``joint`` the least change of some quantities at once, in SI; None for none. A single quantity is looked at at ``values``
+    first, then ``rounds`` times at ``between``, and the ``most`` that are the nearest are proved, each ``further`` by these
+    shares of what is left; ``points`` are those of the share that jumps, and where there is no proof.
+    """
+
+    names: tuple[str, ...]
+    inside: Callable[[str, float, float], bool]
+    rows: Callable[[Study, FloatArray], dict[str, FloatArray]]
+    ending: Callable[[Study, Mapping[str, FloatArray], float | None], FloatArray]
+    jumping: Jumping
+    outcome: Callable[[Study], str]
+    jump: Callable[[Study, Mapping[str, float]], float]
+    joint: Callable[[Study, tuple[str, ...], float, Mapping[str, float]], dict[str, float] | None]
+    values: int
+    between: int
+    rounds: int
+    most: int
+    further: tuple[float, ...]
+    points: tuple[int, int]
+
+
+def questions(study: Study) -> Questions:
+    """Those of the study's model."""
+    return _article() if study.model == "kang_nam" else _any(study)
+
+
+def _article() -> Questions:
+    """Closed forms."""
+
+    def rows(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
+        low, high = math.radians(1e-6), math.pi - math.radians(1e-6)
+        found = brakes(study, shares)
+        return {**found, "theta0": np.clip(found["theta0"], low, high)}
+
+    def ending(study: Study, rows: Mapping[str, FloatArray], friction: float | None) -> FloatArray:
+        p = _set(rows)
+        found = have_jumped(p if friction is None else p.replace(mu0=np.broadcast_to(friction, p.shape)))
+        out = np.where(found.jumped, 1.0, 0.0)
+        out.flat[list(found.reasons)] = np.nan
+        return out
+
+    def jump(study: Study, values: Mapping[str, float]) -> float:
+        return float(first_jumps(_set({name: np.array(values[name]) for name in PHYSICAL}), "mu0").value)
+
+    def joint(study: Study, names: tuple[str, ...], target: float, scale: Mapping[str, float]) -> dict[str, float] | None:
+        names = names if len(names) > 1 else ("theta0", "k", "k_x")
+        brake = PhysicalParameters(**{**study.values, "mu0": study.friction[1]})
+        found = redesign(brake, names, {"mu0": target}, {name: scale[name] for name in names})
+        if not np.isfinite(found.distance) or not isinstance(found.parameters, PhysicalParameters):
+            return None
+        return {name: float(getattr(found.parameters, name)) for name in names}
+
+    def inside(name: str, low: float, high: float) -> bool:
+        return (low > 0 and (name != "theta0" or high < math.pi)) or (low == 0 and name in ("k_x", "k_y"))
+
+    return Questions(
+        SINGLE, inside, rows, ending, jumping, lambda study: certificate(study, _SLICES, _BOXES, hasty=True).outcome, jump, joint,
+        160, 32, 2, len(SINGLE), (0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0), (1 << 10, 1 << 17),
+    )  # fmt: skip
+
+
+def _set(rows: Mapping[str, FloatArray]) -> Parameters:
+    shape = np.shape(rows["theta0"])
+    return Parameters(**{name: np.broadcast_to(value, shape) for name, value in dimensionless(rows).items()})
+
+
+def _any(study: Study) -> Questions:
+    """Tubes around the states that are followed."""
+    model = load(study.model)
+    ranges = {entry["quantity"]: model.Parameters.ranges[entry["name"]] for entry in model.about["parameters"]}
+
+    def inside(name: str, low: float, high: float) -> bool:
+        return (ranges[name].contains(low) and ranges[name].contains(high)) if name in ranges else low > 0
+
+    def outcome(study: Study) -> str:
+        return str(other_tolerances.certificate_of(study, _FEW_SLICES, _FEW_BOXES, _FEW_POINTS)["outcome"])
+
+    def jump(study: Study, values: Mapping[str, float]) -> float:
+        return float(model.jump_value(other_models.dimensionless(study.model, values)[0], "mu0"))
+
+    return Questions(
+        _that_matter(study), inside, values_at, other_tolerances.ending, other_tolerances.jumping, outcome, jump,
+        lambda study, names, target, scale: None, 32, 8, 3, _MOST, (0.0, 0.03, 0.3), (1 << 8, 1 << 11),
+    )  # fmt: skip
+
+
+def _that_matter(study: Study) -> tuple[str, ...]:
+    """Quantities on which the balance of forces depends, other than its friction."""
+    model = load(study.model)
+    # Of the friction law mu0 stands for all: an angle enters by its cosine and sine.
+    balance = Balance(model, contact=True)
+    taken = inspect.signature(model.statics.forces).parameters
+    names = [name for name in balance.parameters if {name, *balance.angles.get(name, ())} & set(taken)]
+
+    def groups(values: Mapping[str, float]) -> list[float]:
+        return [float(value) for value in other_models.dimensionless(study.model, values)[0].scalars(*names)]
+
+    before = groups(study.values)
+    moved = {name: {**study.values, name: (value or 1.0) * (1 + 2.0**-10)} for name, value in study.values.items()}
+    return tuple(name for name, values in moved.items() if name != "mu0" and groups(values) != before)

@@ -11,7 +11,7 @@ import click
 from ..errors import ParameterError
 from .commands import command
 from .options import as_json
-from .tables import print_json
+from .tables import busy, print_json
 from .targets import force, refuse
 
 if TYPE_CHECKING:
@@ -57,9 +57,8 @@ def report(
     if study.model == "kang_nam":
         found: Report | ModelReport = study.report(oscillation=oscillation, safety=safety, progress=sys.stderr.isatty())
     else:
-        if sys.stderr.isatty():
-            click.echo("computing states, jumps, tolerances and the oscillation (--no-oscillation leaves that out)", err=True)
-        found = study.model_report(oscillation=oscillation, safety=safety)
+        with busy("computing states, jumps, tolerances, what to change, and the oscillation (--no-oscillation leaves that out)"):
+            found = study.model_report(oscillation=oscillation, safety=safety)
     if html is not None:
         study.to_html(html, found)
         click.echo(f"wrote {html}", err=True)

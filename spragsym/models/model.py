@@ -523,11 +523,16 @@ class Model:
 
         return ended(points)
 
-    def springs(self, eq: Equilibria) -> dict[str, FloatArray]:
-        """Directions and lengths of the inclined springs at equilibria: see :func:`spragsym.models.stability.springs`."""
+    def columns(self, eq: Equilibria) -> dict[str, FloatArray]:
+        """What follows from where equilibria are: directions, lengths and tensions of inclined springs, the contact's force."""
+        from ..dynamics.forces import told_of
         from .stability import springs
 
-        return springs(eq)
+        q = [getattr(eq, name) for name in self.coordinates]
+        given = [value[..., None] for value in self.arguments(eq.parameters, "motion")]
+        with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
+            forces = {name: np.where(np.isnan(q[0]), np.nan, force(q, given)) for name, force in told_of(self).items()}
+        return {**springs(eq), **forces}
 
     def linearized(
         self, eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None

@@ -82,8 +82,9 @@ class Equilibria(Result):
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
     equilibria stand in ascending order of the first coordinate, NaN beyond ``count``; closed forms order them by ``theta``, which
     in contact is the same and in lift-off is not. So are, for each inclined spring, its direction in radians and its length:
-    ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several. Columns are made when they are first
-    asked for.
+    ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several; and its tension ``spring_force``, or
+    ``spring_force_1``, …, negative where it pushes, and the normal force of the contact, ``contact_force``, in units of force of
+    the model. Columns are made when they are first asked for.
 
     Attributes
     ----------
@@ -224,8 +225,8 @@ class Equilibria(Result):
         return self.parameters.model
 
     @cached_property
-    def _springs(self) -> dict[str, FloatArray]:
-        found: dict[str, FloatArray] = self._model.springs(self)
+    def _made(self) -> dict[str, FloatArray]:
+        found: dict[str, FloatArray] = self._model.columns(self)
         return found
 
     @cached_property
@@ -251,10 +252,9 @@ class Equilibria(Result):
             raise AttributeError(name)
         column = self._source.column(name)
         if column is None:
-            if name not in self._springs:
-                raise AttributeError(
-                    f"{type(self).__name__!r} has no attribute {name!r}; its columns are {', '.join(self.columns)}"
-                )
-            column = self._springs[name]
+            if name not in self._made:
+                known = ", ".join(dict.fromkeys([*self.columns, *self._made]))
+                raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {known}")
+            column = self._made[name]
         self.__dict__[name] = column
         return column

@@ -1,0 +1,51 @@
+"""Equilibria of every model: columns that follow from where they are."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.models.load import shipped
+from tests.conformance.test_points import a_set
+
+
+@pytest.mark.parametrize("name", shipped())
+def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None:
+    p = a_set(name)
+    about = p.model.about
+    for contact in p.model.regimes:
+        eq = ss.equilibria(p, contact=contact)
+        there = eq.states
+        count = len(about["springs"])
+        for j in range(count):
+            end = f"_{j + 1}" if count > 1 else ""
+            tension = getattr(eq, f"spring_force{end}")
+            assert tension.shape == eq.stability.shape
+            longer = getattr(eq, f"L{end}")[there] - np.broadcast_to(rest_of(p, j), eq.stability.shape)[there]
+            assert (tension[there] * longer >= 0).all()  # it pulls where it is longer than undeformed
+        if about["contact"]["gap"] is None:
+            with pytest.raises(AttributeError, match="has no attribute 'contact_force'"):
+                eq.contact_force  # noqa: B018  # an attribute that is made when asked for
+            continue
+        force = eq.contact_force
+        assert np.isnan(force[np.arange(force.shape[-1]) >= eq.count[..., None]]).all()
+        if contact or not about["contact"]["unilateral"]:
+            assert (force[there] > 0).all()
+        else:
+            assert (force[there] == 0).all()
+
+
+def rest_of(p: ss.Parameters, spring: int) -> float:
+    """The undeformed length of an inclined spring."""
+    places = [0.1 * (i + 1) for i in range(len(p.model.coordinates))]
+    return float(p.model.statics.geometry(*places, *p.model.arguments(p))[spring][2])
+
+
+def test_forces_of_the_article_s_states() -> None:
+    """N = k_c δ and T = k (L − L_0), over k_c L_0, of closed forms and of a search."""
+    p = ss.Parameters(theta0=np.radians([20.0, 40.0, 150.0]), sigma=0.3)
+    for method in ("closed", "search"):
+        eq = ss.equilibria(p, method=method)
+        np.testing.assert_allclose(eq.contact_force, -eq.y, rtol=1e-14)
+        np.testing.assert_allclose(eq.spring_force, 0.3 * (eq.L - 1), rtol=0, atol=1e-15)

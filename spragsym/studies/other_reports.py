@@ -12,6 +12,7 @@ import numpy as np
 from ..display import Result
 from ..errors import ConvergenceError, SpragsymError
 from ..models.load import load
+from ..models.points import ranges
 from . import other_models
 from .model_states import contact_force, model_states, spring_force
 from .other_tolerances import tolerated
@@ -126,7 +127,8 @@ class ModelReport(Result):
             none = odds is not None and odds.confidence == 1.0
             yield "Tolerances", [*rows, *([("probability of a jump", "0, as is proved")] if none else chance_rows(odds))]
         if self.redesign is not None:
-            rows = list(change_rows(self.study, self.redesign, "the tolerances"))
+            ((_, top),) = ranges(load(self.study.model), ("mu0",), {})
+            rows = list(change_rows(self.study, self.redesign, "the tolerances", f"then it jumps at no friction up to {top:g}"))
             nothing = [("nothing", "no change of one quantity was found that does it")]
             yield f"To keep the jump at {self.target:.4g}, and all within the tolerances from jumping, change", rows or nothing
         if self.oscillation:

@@ -134,5 +134,5 @@ def _that_matter(study: Study) -> tuple[str, ...]:
         return [float(value) for value in other_models.dimensionless(study.model, values)[0].scalars(*names)]
 
     before = groups(study.values)
-    moved = {name: {**study.values, name: (value or 1.0) * (1 + 2.0**-10)} for name, value in study.values.items()}
+    moved = {name: {**study.values, name: value * (1 - 2.0**-10) or 0.5} for name, value in study.values.items()}
     return tuple(name for name, values in moved.items() if name != "mu0" and groups(values) != before)

@@ -287,13 +287,15 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
     yield from change_rows(report.study, report.redesign, _box(report.facts))
 
 
-def change_rows(study: Study, changes: Iterable[Change], box: str) -> Iterator[tuple[str, str]]:
-    """What changes, and what is known of that; ``box`` is what a certificate is about."""
+def change_rows(
+    study: Study, changes: Iterable[Change], box: str, never: str = "then it never jumps"
+) -> Iterator[tuple[str, str]]:
+    """What changes, and what is known of that; ``box`` is what a certificate is about, ``never`` what no jump means."""
     for one in changes:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
         )
-        then = "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
+        then = never if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
             known = f"proved for everything within {box}"

@@ -129,7 +129,7 @@ def _stiffness_of_trolley(q, at):
 def test_a_fold_next_to_the_end_of_an_angle_is_not_stepped_over():
     told = ["--mu0", "500", "--kappa", "1e-4", "--sigma", "0.1"]
     result = CliRunner().invoke(cli, ["critical", "--method", "search", *told, "--vary", "theta0", "--json"])
-    found = json.loads(result.output)
+    found = json.loads(result.stdout)
     known = ss.folds(ss.Parameters.article(mu0=500.0, kappa=1e-4, sigma=0.1)).theta0
     assert known.min() < np.radians(0.01)
     assert abs(found["jumps"][0]["theta0_deg"] - np.degrees(known.min())) < 1e-12

@@ -62,7 +62,7 @@ def test_zieglers_paradox() -> None:
     """The article's states at 30°, by the command that docs/reproduction.md names beside each number."""
     for mu0, state, word, growth in PARADOX:
         told = CliRunner().invoke(cli, ["equilibria", "--theta0", "30", "--mu0", str(mu0), "--json"])
-        rows = [row for row in json.loads(told.output)["equilibria"] if row["state"] == "contact"]
+        rows = [row for row in json.loads(told.stdout)["equilibria"] if row["state"] == "contact"]
         row = rows[0] if state == "before the jump" else rows[-1]
         assert row["undamped"] == word
         assert f"{row['growth']:+.1e}" == f"{growth:+.1e}"
@@ -107,7 +107,7 @@ def test_words_of_a_path_are_those_of_its_states() -> None:
             assert abs(path.growth[row] - eq.growth[slot]) < 1e-13
     for method in ("closed", "search"):
         told = CliRunner().invoke(cli, ["path", "--theta0", "40", "--vary", "mu0=0:0.9:5", "--method", method, "--json"])
-        rows = json.loads(told.output)["states"]
+        rows = json.loads(told.stdout)["states"]
         assert [row["stability"] for row in rows] == ["stable", "stable", "stable", "flutter", "flutter"]
         assert {row["undamped"] for row in rows} == {"stable"}
 

@@ -330,7 +330,7 @@ def _solved(exact: Reference, q: Sequence[Any], touching: bool, mu: Any) -> list
         except ZeroDivisionError:
             return None
         q = [part - change for part, change in zip(q, step, strict=True)]
-    return q
+    return None if any(mp.im(part) for part in q) else q  # complex beyond where a law is defined
 
 
 def onsets(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Generator) -> tuple[list[str], dict[str, Any]]:

@@ -206,8 +206,11 @@ class Mechanics:
 
     @cached_property
     def in_coordinates(self) -> bool:
-        """Whether the contact law stands in coordinates, else in DEPTH: not where it has no polynomial, and not in powers of a gap
-        that bends, which would be large terms that cancel, and whose intervals tell nothing."""
+        """Whether the contact law stands in coordinates, else in DEPTH.
+
+        In DEPTH stand laws that are no polynomials, and powers of a gap that bends: in coordinates those would be large terms
+        that cancel, and whose intervals tell nothing.
+        """
         if self.gap is None or not self.polynomial:
             return False
         bends = any(sp.diff(self.gap, one, other) != 0 for one in self.coordinates for other in self.coordinates)

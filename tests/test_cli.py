@@ -17,7 +17,6 @@ from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import click
@@ -785,10 +784,12 @@ def test_what_takes_long_says_so_in_a_pipe_too(monkeypatch: pytest.MonkeyPatch, 
 
 def test_a_fold_behind_which_nothing_is_left_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     from spragsym.cli.points import print_points
+    from spragsym.cli.spans import Span
 
     row = {"kind": "fold", "x": 1.0, "ends": "upper", "when": "down", "error": 1e-12}
     rows = [{"mu0": 0.4, **row, "x_after": 2.0}, {"mu0": 2.4, **row, "x_after": math.nan}]
-    print_points("Folds", {"points": rows, "complete": True, "undecided": [], "remarks": []}, [SimpleNamespace(title="mu0")])  # type: ignore[list-item]
+    along = Span(name="mu0", unit=1.0, title="mu0", ends=None, count=0)
+    print_points("Folds", {"points": rows, "complete": True, "undecided": [], "remarks": []}, [along])
     assert "nothing stable in contact is left to jump to at mu0 = 2.4" in capsys.readouterr().out.splitlines()[-1]
 
 

@@ -55,7 +55,7 @@ def straight_line(function: Function) -> Body:
     for symbol in definitions:
         base, _, exponent = str(symbol).rpartition("_")
         if (of := sp.Symbol(base, real=True)) in second:
-            second[symbol] = sp.Symbol(f"{second[of]}_{exponent}", real=True)
+            second[symbol] = sp.Symbol(powers.free(f"{second[of]}_{exponent}"), real=True)
     available = {second.get(symbol, symbol): expression.xreplace(second) for symbol, expression in available.items()}
     outputs = [sp.sympify(expression).xreplace(second) for expression in outputs]
 
@@ -118,12 +118,12 @@ class _Powers:
 
     def _once(self, stem: str, value: sp.Expr) -> sp.Symbol:
         """The name of a value that may have one already."""
-        new = sp.Symbol(self._free(f"{stem}{len(self.definitions)}"), real=True)
+        new = sp.Symbol(self.free(f"{stem}{len(self.definitions)}"), real=True)
         symbol = next((symbol for symbol, known in self.definitions.items() if known == value), new)
         self.definitions.setdefault(symbol, value)
         return symbol
 
-    def _free(self, name: str) -> str:
+    def free(self, name: str) -> str:
         while name in self.taken:
             name += "_"
         return name
@@ -134,7 +134,7 @@ class _Powers:
         if not base.is_Symbol:
             base = self._once("base", base)
         # Always with the same assumptions: SymPy takes symbols of one name and different assumptions for different symbols.
-        symbol = sp.Symbol(self._free(f"{base}_{exponent}"), real=True)
+        symbol = sp.Symbol(self.free(f"{base}_{exponent}"), real=True)
         if symbol not in self.definitions:
             low, high = exponent // 2, exponent - exponent // 2
             halves = self._power(base, low), self._power(base, high)

@@ -67,7 +67,8 @@ def print_points(title: str, told: dict[str, Any], along: Sequence[Span]) -> Non
         )
     nowhere = [f"{row[along[0].title]:.6g}" for row in rows if row.get("ends") in ("lower", "upper") and _lost(row)]
     if nowhere:
-        click.echo(f"{title}: nothing stable in contact is left to jump to at {where} = {', '.join(nowhere)}")
+        known = "is left" if told["complete"] else "was found"
+        click.echo(f"{title}: nothing stable in contact {known} to jump to at {where} = {', '.join(nowhere)}")
     if told["undecided"]:
         click.echo(f"{title}: not complete, {summed(told['undecided'])}")
     elif not told["complete"]:

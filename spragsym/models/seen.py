@@ -56,7 +56,7 @@ def with_seen(
     system: Augmented, given: FloatArray, span: FloatArray, found: Found, asked: FloatArray | None
 ) -> tuple[Found, Roots, FloatArray]:
     """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
-    fixed = np.where(np.isnan(given), span[0], given)
+    fixed = _at(given, span[:1])
     sightings = _sightings(system, given, span, asked)
     sightings = [one for one in sightings if span[0] <= one.z[-1] <= span[1]]
     candidates = np.array([one.z for one in sightings]).reshape(-1, system.n).T
@@ -127,38 +127,52 @@ def _states(system: Augmented, columns: FloatArray, found: Roots) -> tuple[Float
 
 def _pairs_that_cross(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
     """Of states z that lie on one branch, where a pair λ, λ̄ passes the imaginary axis."""
-    every, out = _oscillations(system, given, z), []
+    every, out = _oscillations(system, given, z), list[Sighting]()
     for one, other in neighbours:
-        a, b = every[one], every[other]
-        size = max(np.abs([*a, *b]), default=0.0)
-        for i, j in zip(*linear_sum_assignment(np.abs(a[:, None] - b[None])), strict=True):
-            if a[i].real * b[j].real < 0 and min(abs(a[i].real), abs(b[j].real)) > GROWS * size:
-                out.append(_bisected(system, given, (z[:, one], z[:, other]), (a[i], b[j])))
-    return [sighting for sighting in out if sighting is not None]
+        if _crossing(every[one], every[other]).size:
+            out += _bisected(system, given, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
+    return out
+
+
+def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Those of the λ at one state, above the real axis, whose real part changes its sign to the next; each is followed."""
+    i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
+    size = max(np.abs([*a, *b]), default=0.0)
+    before, after = a[i], b[j]
+    passes = (before.real * after.real < 0) & (np.minimum(np.abs(before.real), np.abs(after.real)) > GROWS * size)
+    return np.asarray(before[passes])
 
 
 def _bisected(
-    system: Augmented, given: FloatArray, ends: tuple[FloatArray, FloatArray], pair: tuple[complex, complex]
-) -> Sighting | None:
-    """The onset between two states, by the growth of the pair that is the nearest to those of the ends."""
-    (low, high), (before, after) = ends, pair
-    for _ in range(HALVINGS):
-        middle = _state(system, given, 0.5 * (low + high))
-        (roots,) = _oscillations(system, given, middle[:, None])
-        if not roots.size:
-            return None
-        here = roots[np.abs(roots - 0.5 * (before + after)).argmin()]
-        if (here.real > 0) == (after.real > 0):
-            high, after = middle, here
-        else:
-            low, before = middle, here
-    # Else the pairs of the ends are not one.
-    return Sighting(middle, abs(here.imag)) if abs(here.real) <= SMALL * abs(here) else None
+    system: Augmented,
+    given: FloatArray,
+    low: tuple[FloatArray, NDArray[np.complex128]],
+    high: tuple[FloatArray, NDArray[np.complex128]],
+    halvings: int,
+) -> list[Sighting]:
+    """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
+    state = _state(system, given, 0.5 * (low[0] + high[0]))
+    (roots,) = _oscillations(system, given, state[:, None])
+    middle = state, roots
+    halves = [(one, other) for one, other in ((low, middle), (middle, high)) if _crossing(one[1], other[1]).size]
+    if halvings and halves:
+        # Where more than one onset lies between, the halvings are shared.
+        share = (halvings - 1) // len(halves)
+        return [sighting for one, other in halves for sighting in _bisected(system, given, one, other, share)]
+    # Else the ends do not lie on one branch.
+    crossing = _crossing(low[1], high[1])
+    nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
+    return [Sighting(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
+
+
+def _at(given: FloatArray, z: FloatArray) -> FloatArray:
+    """Parameters as columns, the one that varies at the value z[−1] of each state."""
+    return np.where(np.isnan(given), z[-1], given)
 
 
 def _state(system: Augmented, given: FloatArray, z: FloatArray) -> FloatArray:
     """The state of the value z[−1] that Newton's method finds near by."""
-    columns = np.where(np.isnan(given), z[-1], given)
+    columns = _at(given, z)
     with np.errstate(all="ignore"):
         q = system.balance.guessed(z[:-1, None], system.balance.prepared(Intervals.point(columns)))
     return np.append(q[:, 0], z[-1])
@@ -168,7 +182,7 @@ def _oscillations(system: Augmented, given: FloatArray, z: FloatArray) -> list[N
     """The λ above the real axis of each state z, shape (n + 1, N)."""
     if not z.shape[1]:
         return []
-    columns = np.where(np.isnan(given), z[-1], given)
+    columns = _at(given, z)
     with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
         parts = stability.linearization(system.balance, z[:-1], columns)
         every = stability.roots(*(np.moveaxis(part, -1, 0) for part in parts))
@@ -179,12 +193,12 @@ def _sign_changes(system: Augmented, given: FloatArray, z: FloatArray, neighbour
     """Of states z that lie on one branch, where the condition's value passes 0 and Newton's method converges."""
     if not neighbours:
         return []
-    columns = np.where(np.isnan(given), z[-1], given)
+    columns = _at(given, z)
     with np.errstate(all="ignore"):
         tested = system.residuals(Intervals.point(z), system.prepared(Intervals.point(columns))).middle[-1]
     passed = [(i, j) for i, j in neighbours if np.isfinite(tested[[i, j]]).all() and tested[i] * tested[j] < 0]
     starts = [z[:, i] + (z[:, j] - z[:, i]) * tested[i] / (tested[i] - tested[j]) for i, j in passed]
-    fixed = np.where(np.isnan(given), z[-1, :1], given)
+    fixed = _at(given, z[:, :1])
     found = _converged(system, fixed, np.array(starts).reshape(-1, system.n).T)
     return [Sighting(column, np.nan) for column in found.T]
 

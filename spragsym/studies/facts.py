@@ -61,10 +61,10 @@ def facts(study: Study, jump: float, reached: BoxCertificate | None, odds: Chanc
         reach = "beyond"
     else:
         reach = "faster" if jump > working[2] else "within" if jump > working[1] else "jumped"
-    wide = [name for name in study.tolerances if name not in ("m",) and not study.quantities[name].cut]
     return Facts(
         jump, working, full, reach, jump_speed(study, jump), "" if reached is None else reached.outcome,
-        None if odds is None else odds.probability > 0, tuple(wide),
+        None if odds is None else odds.probability > 0,
+        tuple(name for name in study.unbounded if name != "m"),  # of which no equilibrium depends
     )  # fmt: skip
 
 

@@ -56,12 +56,12 @@ def exponents(unit: str, bases: Mapping[str, str]) -> dict[str, float]:
     return {name: round(float(power), 9) for name, power in zip(bases, found, strict=True)}
 
 
-def bases(name: str, values: Mapping[str, float]) -> dict[str, tuple[float, str]]:
+def bases(name: str, values: Mapping[str, Any]) -> dict[str, tuple[float, str]]:
     """The quantities in SI that are the units of the others, each with its SI unit."""
     return {entry["name"]: (values[entry["name"]], entry["unit"]) for entry in about(name)["units"]}
 
 
-def dimensionless(name: str, values: Mapping[str, float]) -> tuple[Any, dict[str, float]]:
+def dimensionless(name: str, values: Mapping[str, Any]) -> tuple[Any, dict[str, float]]:
     """The parameters of a model from its quantities in SI, and the scales of length, time and force; of many brakes arrays."""
     model, units = load(name), bases(name, values)
     scales = {"length": scale_of("m", units), "time": scale_of("s", units), "force": scale_of("N", units)}

@@ -18,7 +18,7 @@ from .model_states import contact_force, model_states, spring_force
 from .other_tolerances import tolerated
 from .redesigns import Change, changes
 from .study import Study
-from .texts import chance_json, chance_rows, change_json, change_rows
+from .texts import box, chance_json, chance_rows, change_json, change_rows, no_jump
 from .tolerances import Chance
 
 #: Angles in degrees between which a jump is looked for.
@@ -57,7 +57,8 @@ class ModelReport(Result):
         Of "no jump" for everything within the tolerances: proved, refuted by a brake within them, or undecided.
     probability : Chance or None
     redesign : tuple of Change or None
-        What to change, one quantity at a time, so that the jump lies at ``target`` or beyond; None where it was not asked for.
+        What to change, one quantity at a time, so that the jump lies at ``target`` or beyond; None where nothing has to,
+        or it was not asked for.
     target : float
     complete : bool
         Whether states and folds are proved to be all there are.
@@ -120,7 +121,7 @@ class ModelReport(Result):
             heading = "State" if state["current"] else "Another state"
             yield heading, [(_WORDS.get(name, name), _shown(value)) for name, value in state.items() if name != "current"]
         if self.certificate:
-            rows = [("no jump within all of them", self.certificate["outcome"])]
+            rows = [(no_jump(self.study.unbounded), self.certificate["outcome"])]
             for name, one in (self.certificate["counterexample"] or {}).items():
                 rows.append((f"a brake that jumps: {name}", f"{one['value']:.5g} {one['unit']}".strip()))
             odds = self.probability
@@ -128,7 +129,8 @@ class ModelReport(Result):
             yield "Tolerances", [*rows, *([("probability of a jump", "0, as is proved")] if none else chance_rows(odds))]
         if self.redesign is not None:
             ((_, top),) = ranges(load(self.study.model), ("mu0",), {})
-            rows = list(change_rows(self.study, self.redesign, "the tolerances", f"then it jumps at no friction up to {top:g}"))
+            never = f"then it jumps at no friction up to {top:g}"
+            rows = list(change_rows(self.study, self.redesign, box(self.study.unbounded), never))
             nothing = [("nothing", "no change of one quantity was found that does it")]
             yield f"To keep the jump at {self.target:.4g}, and all within the tolerances from jumping, change", rows or nothing
         if self.oscillation:

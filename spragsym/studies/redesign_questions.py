@@ -13,6 +13,7 @@ from ..design import redesign
 from ..design.design_space import PHYSICAL, dimensionless
 from ..design.events import have_jumped
 from ..design.jump_values import first_jumps
+from ..errors import ParameterError
 from ..models.balance import Balance
 from ..models.load import load
 from ..parameters import FloatArray, Parameters, PhysicalParameters
@@ -105,10 +106,16 @@ def _set(rows: Mapping[str, FloatArray]) -> Parameters:
 def _any(study: Study) -> Questions:
     """Tubes around the states that are followed."""
     model = load(study.model)
-    ranges = {entry["quantity"]: model.Parameters.ranges[entry["name"]] for entry in model.about["parameters"]}
+    units = other_models.bases(study.model, study.values)
 
     def inside(name: str, low: float, high: float) -> bool:
-        return (ranges[name].contains(low) and ranges[name].contains(high)) if name in ranges else low > 0
+        if name in units and low <= 0:
+            return False
+        try:
+            other_models.dimensionless(study.model, {**study.values, name: np.array([low, high])})
+        except ParameterError:
+            return False
+        return True
 
     def outcome(study: Study) -> str:
         return str(other_tolerances.certificate_of(study, _FEW_SLICES, _FEW_BOXES, _FEW_POINTS)["outcome"])

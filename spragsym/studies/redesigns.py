@@ -88,7 +88,8 @@ class _Search:
             return study.tolerances[name]
         if study.si(name) == "rad":
             return _ANGLE
-        return _SHARE * (study.values[name] or study.values.get("k_x") or 0.01 * self._unit(name))
+        alike = [value for other, value in study.values.items() if value > 0 and study.si(other) == study.si(name)]
+        return _SHARE * (study.values[name] or min(alike, default=0.01 * self._unit(name)))
 
     def _unit(self, name: str) -> float:
         """What one of the model's units is in SI."""
@@ -222,6 +223,10 @@ class _Search:
         """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
         study, asked = self.study, self.asked
         new, before = study.changed(after), {name: study.values[name] for name in after}
+        try:
+            jump = asked.jump(study, {**study.values, **after})
+        except SpragsymError:
+            return None
         outcome, (few, many) = asked.outcome(new), asked.points
         if outcome == "refuted" or (
             outcome == "undecided" and (proof_only or counterexample(new, many, asked.jumping) is not None)
@@ -229,7 +234,6 @@ class _Search:
             return None
         size = math.hypot(*((value - before[name]) / self.scale[name] for name, value in after.items()))
         share = 0.0 if outcome == "proved" else float(np.nanmean(asked.jumping(new, samples(new, few))))
-        jump = asked.jump(study, {**study.values, **after})
         return Change(before, after, jump, size, share if varied(study) else math.nan, outcome)
 
 

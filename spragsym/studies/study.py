@@ -109,6 +109,11 @@ class Study:
     fit: FrictionFit | None
     correlation: Correlation
 
+    @property
+    def unbounded(self) -> tuple[str, ...]:
+        """Quantities of whose distribution a part lies beyond ``low`` and ``high``."""
+        return tuple(name for name in self.tolerances if not self.quantities[name].cut)
+
     # ------------------------------------------------------------------------------------------------- the operating point
 
     @cached_property

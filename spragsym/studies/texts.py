@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -57,7 +57,7 @@ def _within(study: Study, parts: Mapping[str, Any]) -> str:
     if so.within == "proved" and not study.tolerances:
         return f"; proved{speed}"
     if so.within == "proved":
-        return f"; proved{speed} for everything within {_box(so)}"
+        return f"; proved{speed} for everything within {box(so.unbounded)}"
     if odds is None:
         return "; a proof was not found" if so.within == "undecided" else ""
     but = "; within" if so.reach in ("within", "jumped") else "; but within"
@@ -69,9 +69,9 @@ def _within(study: Study, parts: Mapping[str, Any]) -> str:
     return f"; of {odds.n} brakes within the tolerances none does, and a proof for all of them was not found"
 
 
-def _box(so: Facts) -> str:
-    """What a certificate is about."""
-    beyond = f", and {ENDS:g} standard deviations of {' and '.join(so.unbounded)}" if so.unbounded else ""
+def box(unbounded: Sequence[str]) -> str:
+    """What a certificate is about, if a part of the distribution of some quantities lies beyond it."""
+    beyond = f", and {ENDS:g} standard deviations of {' and '.join(unbounded)}" if unbounded else ""
     return f"the tolerances{beyond}"
 
 
@@ -214,7 +214,7 @@ def _folds(report: Report) -> Iterator[tuple[str, str]]:
 def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
     reached, odds, so = report.certificate, report.probability, report.facts
     if reached is not None:
-        yield (f"no jump within {_box(so)}" if so.unbounded else "no jump within all of them", reached.outcome)
+        yield (no_jump(so.unbounded), reached.outcome)
         if reached.counterexample:
             wide = [name for name in reached.counterexample if name in report.study.tolerances]
             values = ", ".join(f"{name} = {report.study.shown(name, reached.counterexample[name])}" for name in wide)
@@ -224,6 +224,11 @@ def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
         yield from _indices(odds)
     else:
         yield from chance_rows(odds, ", and at least one brake" if _one_corner(so) else "")
+
+
+def no_jump(unbounded: Sequence[str]) -> str:
+    """The claim of a certificate, as a row's name."""
+    return f"no jump within {box(unbounded)}" if unbounded else "no jump within all of them"
 
 
 def chance_rows(odds: Chance | None, more: str = "") -> Iterator[tuple[str, str]]:
@@ -284,13 +289,13 @@ def _aim(report: Report) -> str:
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
     if report.needed and not report.redesign:
         yield "nothing", "no change of one quantity or of several was found that does it"
-    yield from change_rows(report.study, report.redesign, _box(report.facts))
+    yield from change_rows(report.study, report.redesign, box(report.facts.unbounded))
 
 
 def change_rows(
-    study: Study, changes: Iterable[Change], box: str, never: str = "then it never jumps"
+    study: Study, changes: Iterable[Change], within: str, never: str = "then it never jumps"
 ) -> Iterator[tuple[str, str]]:
-    """What changes, and what is known of that; ``box`` is what a certificate is about, ``never`` what no jump means."""
+    """What changes, and what is known of it; ``within`` is what a certificate covers, and ``never`` the words for no jump."""
     for one in changes:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
@@ -298,7 +303,7 @@ def change_rows(
         then = never if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
-            known = f"proved for everything within {box}"
+            known = f"proved for everything within {within}"
         yield values, f"{then}; {known}"
 
 

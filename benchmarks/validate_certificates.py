@@ -1,9 +1,11 @@
 """Certificates of any model over random boxes: proved ones sampled, refuted ones followed, and both against closed forms.
 
-Run ``python -m benchmarks.validate_certificates [number] [seed] [store] [seconds]``: boxes of the models in turn. Finished parts go to
-the file ``store``, and a second call goes on from there. Of a box that is proved, points are followed one by one by a path with
-proved folds, which shares no tube with the certificate; of the article's model 10,000 points are held against its closed forms.
-At a counterexample the same path must end. Exits with 1 if anything contradicts.
+Run ``python -m benchmarks.validate_certificates [number] [seed] [store] [seconds] [claim]``: boxes of the models in turn. Finished
+parts go to the file ``store``, and a second call goes on from there. Of a box in which nothing is proved to jump, points are
+followed one by one by a path with proved folds, which shares no tube with the certificate; of the article's model 10,000 points
+are held against its closed forms. At a counterexample the same path must end. Of the other claims, "one equilibrium" and "no
+flutter", the equilibria at 500 points, of the article's model at 10,000, and at the counterexample are counted and told by their
+eigenvalues. Exits with 1 if anything contradicts.
 """
 
 from __future__ import annotations
@@ -20,8 +22,10 @@ from benchmarks import parts
 from spragsym.models.paths import first_end
 
 MODELS = ("kang_nam", "two_springs", "inclined_belt", "cubic_contact", "damped")
+#: One more, which flutters.
+STATES = (*MODELS, "mode_coupling")
 #: Points that are followed in a box that is proved, and points for closed forms.
-FOLLOWED, CLOSED = 4, 10_000
+FOLLOWED, CLOSED, COUNTED = 4, 10_000, 500
 #: Parts of a box.
 PARTS = 300
 
@@ -29,7 +33,12 @@ PARTS = 300
 def box(model: Any, rng: np.random.Generator) -> tuple[Any, Any]:
     """Corners about random values: two to four parameters within some percent."""
     middle = {"theta0": rng.uniform(0.3, 1.4), "mu0": rng.uniform(0.05, 1.0)}
-    middle |= {name: model.base[name] * 2 ** rng.uniform(-1, 1) for name in ("kappa", "sigma") if rng.random() < 0.6}
+    middle |= {
+        name: model.base[name] * 2 ** rng.uniform(-1, 1)
+        for name in ("kappa", "sigma")
+        if name in model.base and rng.random() < 0.6
+    }
+    middle = {name: value for name, value in middle.items() if name in model.parameters}
     size = {name: rng.choice([0.005, 0.02, 0.05]) for name in middle}
     low, high = (
         model.Parameters(**{name: value * (1 + side * size[name]) for name, value in middle.items()}) for side in (-1, 1)
@@ -40,6 +49,30 @@ def box(model: Any, rng: np.random.Generator) -> tuple[Any, Any]:
 def ends(model: Any, p: Any) -> bool:
     """Whether the state that is followed from no friction ends before that of a point."""
     return first_end(model, p.replace(mu0=0.0), "mu0", (0.0, float(p.mu0))) is not None
+
+
+def fails(eq: Any, claim: str) -> Any:
+    """At which points a claim is false, by their equilibria; those that are not decided do not count."""
+    if claim == "one equilibrium":
+        return (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole)
+    return (np.abs(eq.eigenvalues.real) * np.abs(eq.eigenvalues.imag) > 1e-9 * np.abs(eq.eigenvalues) ** 2).any(axis=(-2, -1))
+
+
+def about_states(number: int, seed: int, claim: str) -> dict[str, Any]:
+    """One box for a claim about all states."""
+    rng = np.random.default_rng([seed, number, len(claim)])
+    name = STATES[number % len(STATES)]
+    low, high = box(ss.load(name).search, rng)
+    begin = time.process_time()
+    found = ss.certify(low, high, claim, method="search", max_boxes=PARTS)
+    told = {"model": name, "outcome": found.outcome, "parts": found.boxes, "seconds": round(time.process_time() - begin, 2)}
+    wrong = False
+    if found.outcome == "refuted":
+        wrong = not fails(ss.equilibria(found.counterexample), claim)
+    if found.outcome == "proved":
+        points = low.replace(**within(low, high, rng, CLOSED if name == "kang_nam" else COUNTED))
+        wrong = bool(fails(ss.equilibria(points), claim).any())
+    return {**told, "wrong": int(wrong)}
 
 
 def within(low: Any, high: Any, rng: np.random.Generator, number: int) -> dict[str, Any]:
@@ -81,11 +114,15 @@ def one(number: int, seed: int) -> dict[str, Any]:
     return told
 
 
-def main(number: str = "200", seed: str = "1", store: str = "", seconds: str = "inf") -> int:
+def main(number: str = "200", seed: str = "1", store: str = "", seconds: str = "inf", claim: str = "no jump") -> int:
     """The boxes; 1 if anything contradicts."""
-    done = parts.run(map(str, range(int(number))), lambda part: one(int(part), int(seed)), store, float(seconds)).values()
+
+    def work(part: str) -> dict[str, Any]:
+        return one(int(part), int(seed)) if claim == "no jump" else about_states(int(part), int(seed), claim)
+
+    done = parts.run(map(str, range(int(number))), work, store, float(seconds)).values()
     counts = Counter((told["model"], told["outcome"]) for told in done)
-    for name in MODELS:
+    for name in MODELS if claim == "no jump" else STATES:
         print(name, {outcome: count for (model, outcome), count in sorted(counts.items()) if model == name})
     wrong = sum(told["wrong"] for told in done)
     spent = [told["seconds"] for told in done]
@@ -96,4 +133,4 @@ def main(number: str = "200", seed: str = "1", store: str = "", seconds: str = "
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:5]))
+    sys.exit(main(*sys.argv[1:6]))

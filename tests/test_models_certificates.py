@@ -135,8 +135,6 @@ def test_at_a_fold_and_without_friction() -> None:
 
 def test_what_is_asked() -> None:
     low, high = sets(ss.load("two_springs"), {"theta0": (0.5, 0.52), "mu0": (0.2, 0.3)})
-    with pytest.raises(ss.errors.ModelError, match="no flutter"):
-        ss.certify(low, high, "no flutter")
     with pytest.raises(ss.ParameterError, match="is not one of"):
         ss.certify(low, high, "nothing")
     with pytest.raises(ss.ParameterError, match="exchange the two"):

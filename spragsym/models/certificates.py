@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..design.certificates import Certificate
-from ..design.claims import CLAIMS
-from ..errors import ConvergenceError, ModelError, ParameterError
+from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..statics.results import Stability
 from .balance import Balance
 from .equilibria import equilibria
+from .state_certificates import STATES, certify_states, corner_values
 from .tubes import SMALL, Flags, Parts, Place, Tubes
 
 #: Parts at a time, and points at a time.
@@ -81,10 +81,8 @@ class Splitting:
         model = low.model
         self.model, self.vary, self.begin = model, vary, begin
         self.balance = Balance(model, contact=True)
-        ends = [dict(zip(self.balance.parameters, p.scalars(*self.balance.parameters), strict=True)) for p in (low, high)]
-        for name, one in ends[0].items():
-            if one > ends[1][name]:
-                raise ParameterError(f"low.{name} = {one:g} is above high.{name} = {ends[1][name]:g}; exchange the two")
+        corner = corner_values(self.balance, low, high)
+        ends = [dict(zip(self.balance.parameters, values.tolist(), strict=True)) for values in corner]
         if begin > ends[0][vary]:
             raise ParameterError(f"begin = {begin:g} is above low.{vary} = {ends[0][vary]:g}; begin where {vary} is lower")
         self.free = tuple(name for name in self.balance.parameters if ends[0][name] != ends[1][name] and name != vary)
@@ -216,20 +214,28 @@ def corners(low: FloatArray, high: FloatArray) -> FloatArray:
 
 
 def certify(
-    low: Any, high: Any, claim: str = "no jump", *, vary: str, begin: float = 0.0, max_boxes: int = 2000, refute: bool = True
+    low: Any,
+    high: Any,
+    claim: str = "no jump",
+    *,
+    vary: str | None,
+    begin: float | None = 0.0,
+    max_boxes: int = 2000,
+    refute: bool = True,
 ) -> Certificate:
-    """Prove for every point of a box of parameters that the followed state does not end, or find one at which it does.
+    """Prove a claim for every point of a box of parameters, or find a point at which it is false.
 
     Parameters
     ----------
     low, high : Parameters
         Two corners, scalars, of one model.
-    claim : {"no jump"}
-        The state that is stable and of smallest first coordinate in the middle of the box where ``vary`` begins, and what it
-        becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact, and meets no
-        other state.
+    claim : {"no jump", "one equilibrium", "no flutter"}
+        ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of the box where ``vary`` begins,
+        and what it becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact,
+        and meets no other state. ``"one equilibrium"``: there is one in contact. ``"no flutter"``: of no equilibrium in contact
+        does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27), without dampers.
     vary : str
-        The parameter that rises.
+        The parameter that rises, for ``"no jump"`` only.
     begin : float
         Its value where the state is taken up.
     max_boxes : int
@@ -246,14 +252,14 @@ def certify(
     -----
     Source: tubes around curves of states, see :mod:`spragsym.models.tubes`. A part is proved where the tube of all its points
     comes to the upper end of ``vary``; at a counterexample the tube of the point passes a fold below. A part that a fold crosses
-    is halved.
+    is halved. The other claims: :mod:`spragsym.models.state_certificates`.
     """
-    if claim != "no jump":
-        known = claim in CLAIMS
-        raise (ModelError if known else ParameterError)(
-            f"claim = {claim!r} is not there yet for the model {low.model.name}; give 'no jump'"
-            if known else f"claim = {claim!r} is not one of {', '.join(map(repr, CLAIMS))}"
-        )  # fmt: skip
+    if claim in STATES:
+        if vary is not None:
+            raise ParameterError(f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out")
+        return certify_states(low, high, claim, max_boxes, refute)
+    if claim != "no jump" or vary is None or begin is None:
+        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
     box = Splitting(low, high, vary, begin)
     # What goes on to the upper end goes on to every value below.
     box.whole.low[-1] = box.whole.high[-1]

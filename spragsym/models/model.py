@@ -380,10 +380,10 @@ class Model:
         self, low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None,
         begin: float | None = None, **options: Any,
     ) -> Certificate:  # fmt: skip
-        """Prove for every point of a box of parameters that the followed state does not end, or find one at which it does.
+        """Prove a claim for every point of a box of parameters, or find a point at which it is false.
 
-        ``vary`` is what rises, mu0 unless told otherwise, from ``begin``, the lower end of its range: see
-        :func:`spragsym.models.certificates.certify`.
+        For ``"no jump"`` ``vary`` is what rises, mu0 unless told otherwise, from ``begin``, the lower end of its range; the other
+        claims are ``"one equilibrium"`` and ``"no flutter"``: see :func:`spragsym.models.certificates.certify`.
 
         Examples
         --------
@@ -395,7 +395,8 @@ class Model:
         """
         from .certificates import certify
 
-        vary, begin = self._rising(vary, begin)
+        if claim == "no jump":
+            vary, begin = self._rising(vary, begin)
         return certify(low, high, claim, vary=vary, begin=begin, **options)
 
     @question

@@ -41,23 +41,43 @@ def classified(
     alone : ndarray
         Larger boxes in which that is the only one.
     """
-    shape = ends.shape[2:]
     with np.errstate(all="ignore"):
-        parameters = balance.prepared(Intervals.point(given))
-        q, values = list(Intervals(ends)), balance.arguments(parameters)
-        K = matrix(balance.by_coordinate("forces_jacobian", q, balance.directions(q, values, shape), values), shape)
-        parts = invariants(list(map(list, K)), list(map(list, matrix(balance.mass(q, values), shape))))
-        elementary, minors = (_signs(part, shape) for part in parts)
-        friction = stacked([balance.friction(values)], shape)[0].magnitude
-    # Without friction K is symmetric if the page's other forces have a potential; in lift-off there is no friction.
-    symmetric = bool(balance.model.about.get("symmetric"))
-    conservative = symmetric & ((friction <= NOTHING) | (balance.opens and not balance.contact))
+        elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
     codes, proved = _told(elementary, minors, conservative)
     for row in np.flatnonzero(~proved).tolist():
         again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], lambda M, K, damping: invariants(K, M))
         if again is not None:
             codes[row : row + 1], proved[row : row + 1] = _told(again[0], again[1], conservative[row : row + 1])
     return codes, proved
+
+
+def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> NDArray[np.bool_]:
+    """Boxes of coordinates and parameters all over which all κ are proved to be real, those that meet included.
+
+    Parameters
+    ----------
+    parameters : Intervals
+        From :meth:`Balance.prepared`, shape (…, N).
+    ends : ndarray
+        Shape (2, n, N).
+    """
+    _, minors, conservative = _over(balance, parameters, ends)
+    return np.asarray(conservative | (minors > 0).all(axis=0))
+
+
+def _over(
+    balance: Balance, parameters: Intervals, ends: FloatArray
+) -> tuple[NDArray[np.int8], NDArray[np.int8], NDArray[np.bool_]]:
+    """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
+    shape = ends.shape[2:]
+    q, values = list(Intervals(ends)), balance.arguments(parameters)
+    K = matrix(balance.by_coordinate("forces_jacobian", q, balance.directions(q, values, shape), values), shape)
+    parts = invariants(list(map(list, K)), list(map(list, matrix(balance.mass(q, values), shape))))
+    elementary, minors = (_signs(part, shape) for part in parts)
+    friction = stacked([balance.friction(values)], shape)[0].magnitude
+    # Without friction K is symmetric if the page's other forces have a potential; in lift-off there is no friction.
+    symmetric = bool(balance.model.about.get("symmetric"))
+    return elementary, minors, np.asarray(symmetric & ((friction <= NOTHING) | (balance.opens and not balance.contact)))
 
 
 def decay(

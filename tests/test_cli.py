@@ -176,6 +176,10 @@ MOTION = ["--theta0", "49", "--t-end", "20", "--backend", "scipy"]
 #: Command that writes → what it writes to, given a folder.
 WRITING = {
     "bifurcation": (["bifurcation", "--plot"], "a.svg"),
+    "onsets": (
+        ["onsets", "--model", "stick_slip", "--vary", "V=0.1:0.4", "--vary", "zeta=0.5:1.5", "--n", "4", "--plot"],
+        "a.svg",
+    ),
     "check": (["check", "--report"], "a.md"),
     "report": (["report", "--no-oscillation", str(Path(ss.__file__).parent / "studies/brake.toml"), "--html"], "a.html"),
     "simulate": (["simulate", *MOTION, "-o"], "a.csv"),

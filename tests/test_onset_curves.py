@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -149,6 +151,41 @@ def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
     assert [artist.get_linestyle() for artist in artists[:2]] == ["-", "--"]
     ends = [artist.get_xdata()[[0, -1]] for artist in artists[:2]]
     assert ends[0][1] == ends[1][0]
+
+
+def test_the_command_lists_the_curves_and_the_points_on_them(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    asked = ["onsets", "--model", "stick_slip", "--vary", "V=0:1", "--vary", "zeta=0:2", "--n", "8"]
+    told = json.loads(_printed([*asked, "--json"], capsys))
+    assert list(told) == ["model", "parameters", "curves", "points", "complete", "undecided", "remarks"]
+    found = ss.onset_curves(ss.load("stick_slip").Parameters(), ("V", "zeta"), 8, between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
+    assert [curve["V"] for curve in told["curves"]] == [curve.V.tolist() for curve in found.curves]
+    assert told["curves"][0]["criticality"] == found.curves[0].criticality.tolist()
+    (point,) = told["points"]
+    assert point["kind"] == "GH"
+    assert abs(point["V"] - found.changes["V"][0]) < 1e-12
+    text = _printed([*asked, "--plot", str(tmp_path / "map.svg")], capsys)
+    assert "gentle, dangerous" in text
+    assert "a curve that closes between two of them is not seen" in text
+    assert "GH" in (tmp_path / "map.svg").read_text(encoding="utf-8")
+
+
+def _printed(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
+    from spragsym.cli import main
+
+    with pytest.raises(SystemExit) as stop:
+        main(words)
+    told = capsys.readouterr()
+    assert stop.value.code == 0, told.err
+    return told.out
+
+
+def test_one_parameter_has_no_plane(capsys: pytest.CaptureFixture[str]) -> None:
+    from spragsym.cli import main
+
+    with pytest.raises(SystemExit) as stop:
+        main(["onsets", "--model", "mode_coupling"])
+    assert stop.value.code == 2
+    assert "give two different parameters with --vary" in capsys.readouterr().err
 
 
 def test_what_is_refused() -> None:

@@ -551,7 +551,8 @@ def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) 
         assert found.oscillation[key] == pytest.approx(getattr(right, key), rel=0.02, abs=1e-9)
     study.to_html(tmp_path / "page.html", found)
     text = (tmp_path / "page.html").read_text(encoding="utf-8")
-    assert text.count("<svg") == 2
+    assert text.count("<svg") == 3
+    assert "with a knock where they are dashed" in text
     assert found.verdict in text
     assert "http" not in text.replace("http://www.w3.org", "")
 

@@ -26,6 +26,7 @@ COMMANDS = {
     "check": ("check", "Hold the article against the derivation."),
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, flutter onsets, and cusps."),
+    "onsets": ("onsets", "Where oscillation sets in, over two parameters."),
     "folds": ("folds", "Folds along one parameter: what ends there."),
     "path": ("path", "A state followed as one parameter moves."),
     "critical": ("critical", "Where a state jumps first, and critical frictions."),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
@@ -17,6 +17,9 @@ from .points import points_of, print_points
 from .spans import Span, Typed, box, span, vary, within
 from .tables import busy, print_json
 from .targets import force, refuse
+
+if TYPE_CHECKING:
+    from ..figures.style import Sheet
 
 
 @of_model(statics=True)
@@ -54,8 +57,7 @@ def bifurcation(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    along = [span(case, typed, "") for typed in vary or [Typed(name, name) for name in case.model.axes]]
-    _check(vary, along, plot, force)
+    along = plane(case, vary, plot, force)
     line, (name, *_) = along[:1], (one.name for one in along)
     between, asked, p = line[0].between, box(case, within), case.set(name)
     damped = {"damping": False} if undamped else {}
@@ -91,8 +93,9 @@ def within_ranges(found: Any) -> Any:
     return replace(found.select(inside), region=region)
 
 
-def _check(vary: tuple[Typed, ...], along: list[Span], plot: Path | None, force: bool) -> None:
-    """Refuse, before anything is computed, what can't be drawn, and more than a plane."""
+def plane(case: Case, vary: tuple[Typed, ...], plot: Path | None, force: bool) -> list[Span]:
+    """What varies; refused, before anything is computed, are more than a plane, and what can't be drawn."""
+    along = [span(case, typed, "") for typed in vary or [Typed(name, name) for name in case.model.axes]]
     if len(along) > 2 or len({one.name for one in along}) < len(along):
         raise ParameterError(f"--vary {' --vary '.join(typed.text for typed in vary)}: give one parameter, or two different ones")
     if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
@@ -100,20 +103,31 @@ def _check(vary: tuple[Typed, ...], along: list[Span], plot: Path | None, force:
     if plot is not None and len(along) < 2:
         raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
     refuse([] if plot is None else [plot], force)
+    return along
+
+
+def written(path: Path, part: str, make: Callable[[], Sheet]) -> None:
+    """Draw a figure in its house's style, and write it."""
+    from ..figures import FORMATS
+    from ..figures.style import house_style
+
+    kind = path.suffix[1:]
+    with house_style(), busy(part):
+        make().savefig(path, format=kind, metadata=FORMATS[kind])
+    click.echo(f"drew {path}", err=True)
 
 
 def _draw(case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], cusps: Any, n: int) -> None:
     """The bifurcation set; by closed forms where the model has them for all of this plane."""
-    from ..figures import FORMATS, bifurcation_figure, model_figure
+    from ..figures import bifurcation_figure, model_figure
     from ..figures.models import window
-    from ..figures.style import house_style
 
-    kind, p = path.suffix[1:], case.set(*vary)
+    p = case.set(*vary)
     closed = case.has_closed("bifurcation_set") and vary == case.model.axes and not ranges
-    with house_style(), busy(f"drawing folds and cusps in the plane of {' and '.join(vary)}"):
+
+    def figure() -> Sheet:
         if closed:
-            figure = bifurcation_figure(p)  # type: ignore[arg-type]  # of the model with closed forms
-        else:
-            figure = model_figure(case.model.search, p, vary, between=window(case.model, vary, ranges, cusps), n=n)
-        figure.savefig(path, format=kind, metadata=FORMATS[kind])
-    click.echo(f"drew {path}", err=True)
+            return bifurcation_figure(p)  # type: ignore[arg-type]  # of the model with closed forms
+        return model_figure(case.model.search, p, vary, between=window(case.model, vary, ranges, cusps), n=n)
+
+    written(path, f"drawing folds and cusps in the plane of {' and '.join(vary)}", figure)

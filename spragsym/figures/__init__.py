@@ -36,6 +36,7 @@ from .models import (
     draw_onsets_of,
     model_figure,
     model_motion_figure,
+    stability_figure,
 )
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
@@ -89,6 +90,7 @@ __all__ = [
     "draw_spectrum",
     "mark_folds",
     "model_figure",
+    "stability_figure",
     "model_motion_figure",
     "motion_figure",
     "plot_equilibria",

@@ -93,8 +93,8 @@ def draw_bifurcation_set_of(model: Model, found: BifurcationSet, ax: Axes | None
 def draw_onset_curves_of(model: Model, found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     """Curves of Hopf points in the plane of two parameters, as maps of stability are printed; returns the artists.
 
-    Full where the onset is gentle, dashed where it is dangerous, dotted where that is undecided; dots where that changes, squares
-    for points of two conditions (Bogdanov–Takens, zero–Hopf, double Hopf).
+    Full where the onset is gentle, dashed where it is dangerous, dotted where that is undecided; dots where that changes (GH),
+    squares for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH).
 
     Parameters
     ----------
@@ -114,9 +114,13 @@ def draw_onset_curves_of(model: Model, found: OnsetCurves, ax: Axes | None = Non
         for begin, end in zip(begins, [*begins[1:], len(kinds) - 1], strict=True):
             part = slice(begin, end + 1)
             artists += ax.plot(across[part], up[part], styles[str(kinds[begin])], color=BLACK)
-    for marker, rows in (("o", found.changes), ("s", {name: getattr(found.points, name) for name in found.vary})):
+    changes = (["GH"] * len(found.changes["error"]), found.changes, "o")
+    points = (found.points.kind.tolist(), {name: getattr(found.points, name) for name in found.vary}, "s")
+    for labels, rows, marker in (changes, points):
         places = [_shown(model, name, rows[name]) for name in found.vary]
         artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
+        for text, place in zip(labels, zip(*places, strict=True), strict=True):
+            artists.append(ax.annotate(text, place, (3, 3), textcoords="offset points", fontsize="x-small"))
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
 
@@ -202,6 +206,29 @@ def draw_onsets_of(
                                  color=GREEN, markersize=3)  # fmt: skip
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
+
+
+@styled
+def stability_figure(model: Model, found: OnsetCurves) -> Sheet:
+    """The map of stability in the plane of two parameters: where oscillation sets in, gently or dangerously, as a figure.
+
+    Parameters
+    ----------
+    model : Model
+    found : OnsetCurves
+        Of ``model.onset_curves``.
+    """
+    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    draw_onset_curves_of(model, found, ax)
+    names = (*found.vary, *model.coordinates, "omega", "lyapunov", "lyapunov_error")
+    columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
+    number = np.concatenate([np.full(curve.omega.size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
+    open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
+    return figure.describe(
+        f"""Onsets of oscillation of {model.name}, gentle on full lines and dangerous on dashed ones, undecided on dotted ones.
+        Dots: the kind changes (GH); squares: curves end on folds (BT, ZH) or cross (HH).{open_boxes}""",
+        a={"curve": number, **columns},
+    )
 
 
 @styled

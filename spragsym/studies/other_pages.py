@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -21,6 +22,8 @@ from .study import Study
 
 #: Lines of a bifurcation set, and values along the friction.
 _LINES, _VALUES = 40, 240
+#: Lines on which onsets of oscillation are looked for.
+_ONSETS = 12
 
 
 def write_other_page(study: Study, report: ModelReport, path: Path) -> None:
@@ -45,20 +48,30 @@ def pictures(study: Study, report: ModelReport) -> Iterator[tuple[str, str]]:
         ax.axvspan(*friction, color=SKY, alpha=0.25, linewidth=0, zorder=0)
         ax.plot([report.mu_effective] * 2, ax.get_ylim(), color=BLUE, linewidth=0.8)
 
+    def with_brake(draw: Callable[[Axes], Any]) -> str:
+        def both(ax: Axes) -> None:
+            draw(ax)
+            low, high = np.degrees(ends["theta0"])
+            size = high - low, friction[1] - friction[0]
+            ax.add_patch(Rectangle((low, friction[0]), *size, facecolor=SKY, edgecolor=BLUE, alpha=0.6))
+            ax.plot([float(np.degrees(p.theta0))], [report.mu_effective], "o", color=BLUE, markersize=4.5, zorder=5)
+
+        return picture(both)
+
     if "theta0" in model.parameters:
+        plane, between = ("theta0", "mu0"), {"mu0": (0.0, top)}
         with suppress(SpragsymError):
-            found = model.bifurcation_set(here, ("theta0", "mu0"), _LINES, between={"mu0": (0.0, top)})
-
-            def plane(ax: Axes) -> None:
-                drawings.draw_bifurcation_set_of(model, found, ax)
-                low, high = np.degrees(ends["theta0"])
-                size = high - low, friction[1] - friction[0]
-                ax.add_patch(Rectangle((low, friction[0]), *size, facecolor=SKY, edgecolor=BLUE, alpha=0.6))
-                ax.plot([float(np.degrees(p.theta0))], [report.mu_effective], "o", color=BLUE, markersize=4.5, zorder=5)
-
+            folds = model.bifurcation_set(here, plane, _LINES, between=between)
             yield (
-                picture(plane),
+                with_brake(lambda ax: drawings.draw_bifurcation_set_of(model, folds, ax)),
                 "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding meet.",
+            )
+        with suppress(SpragsymError):
+            onsets = model.onset_curves(here, plane, _ONSETS, between=between)
+            yield (
+                with_brake(lambda ax: drawings.draw_onset_curves_of(model, onsets, ax)),
+                "The map of stability. On the lines oscillation sets in: gently where they are full, with a knock where they are "
+                "dashed; where they are dotted it is not known which.",
             )
     yield (
         picture(states),

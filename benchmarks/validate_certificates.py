@@ -5,7 +5,8 @@ parts go to the file ``store``, and a second call goes on from there. Of a box i
 followed one by one by a path with proved folds, which shares no tube with the certificate; of the article's model 10,000 points
 are held against its closed forms. At a counterexample the same path must end. Of the other claims, "one equilibrium" and "no
 flutter", the equilibria at 500 points, of the article's model at 10,000, and at the counterexample are counted and told by their
-eigenvalues. Exits with 1 if anything contradicts.
+eigenvalues. ``python -m benchmarks.validate_certificates brackets [samples]`` holds the proved bracket of the probability of a jump
+against samples, for three models with three tolerances. Exits with 1 if anything contradicts.
 """
 
 from __future__ import annotations
@@ -114,6 +115,38 @@ def one(number: int, seed: int) -> dict[str, Any]:
     return told
 
 
+#: Model, what rises, and the inclination about which there are tolerances.
+BRACKETS = (("two_springs", "mu0", 40.0), ("stribeck", "mu_s", 40.0), ("cubic_contact", "mu0", 45.0))
+
+
+def brackets(samples: str = "100000") -> int:
+    """The proved bracket of the probability, its width and how long it took, beside the interval of samples."""
+    wrong = 0
+    for name, vary, degrees in BRACKETS:
+        model = ss.load(name)
+        base = model.Parameters(theta0=np.radians(degrees))
+        jump = float(model.jump_value(base, vary, begin=0.0))
+        low, high = (
+            base.replace(
+                theta0=np.radians(degrees + 0.5 * side),
+                sigma=float(base.sigma) * (1 + 0.05 * side),
+                **{vary: jump * (1 + 0.07 * side)},
+            )
+            for side in (-1, 1)
+        )
+        begin = time.perf_counter()
+        few = model.jump_probability((low, high), vary=vary, begin=0.0, n=64, rng=1, replicates=2, max_boxes=8000)
+        spent = time.perf_counter() - begin
+        found = model.jump_probability((low, high), vary=vary, begin=0.0, n=int(samples), rng=2)
+        wrong += not (few.proved[0] <= found.high and found.low <= few.proved[1])
+        print(
+            f"{name}: proved {few.proved[0]:.4f} to {few.proved[1]:.4f}, {few.proved[1] - few.proved[0]:.4f} wide, in {spent:.0f} s; "
+            f"{found.n} samples {found.low:.4f} to {found.high:.4f}",
+            flush=True,
+        )
+    return int(wrong > 0)
+
+
 def main(number: str = "200", seed: str = "1", store: str = "", seconds: str = "inf", claim: str = "no jump") -> int:
     """The boxes; 1 if anything contradicts."""
 
@@ -133,4 +166,4 @@ def main(number: str = "200", seed: str = "1", store: str = "", seconds: str = "
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:6]))
+    sys.exit(brackets(*sys.argv[2:3]) if sys.argv[1:2] == ["brackets"] else main(*sys.argv[1:6]))

@@ -67,7 +67,7 @@ def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
     shares = np.random.default_rng(2).random((3, 200))
     values = box.whole.low + shares * (box.whole.high - box.whole.low)
-    outcome = box.settled(box.points(values), THIN)[0]
+    outcome = box.settled(box.points(values), THIN)[0].outcome
     names = dict(zip((*box.free, "mu0"), values, strict=True))
     jumps = ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])) < names["mu0"]
     assert (outcome != OPEN).mean() > 0.98
@@ -79,13 +79,31 @@ def test_outcomes_of_points_are_those_of_states_followed_one_by_one(name: str) -
     model = ss.load(name)
     box = Splitting(*sets(model, {"theta0": (0.9, 1.2), "mu0": (0.1, 0.4)}), "mu0", 0.0)
     values = box.whole.low + np.random.default_rng(3).random((2, 6)) * (box.whole.high - box.whole.low)
-    outcome = box.settled(box.points(values), THIN)[0]
+    outcome = box.settled(box.points(values), THIN)[0].outcome
     for (theta0, mu0), one in zip(values.T, outcome, strict=True):
         end = first_end(model, model.Parameters(theta0=theta0), "mu0", (0.0, mu0))
         assert one == (SAFE if end is None else ENDS)
 
 
-@pytest.mark.parametrize(("boxes", "width"), [(128, 0.7), pytest.param(2400, 0.08, marks=pytest.mark.thorough)])
+def test_pieces_lie_about_the_folds_of_all_their_points() -> None:
+    """The state is proved to go on below all, and to have ended above: nearly no farther apart than the folds themselves."""
+    box = Splitting(*sets(SEARCH, {**BOX, "mu0": (0.3, 0.9)}), "mu0", 0.0)
+    rng, spread, told = np.random.default_rng(4), [], []
+    for pieces, _, _ in box.run(lambda pieces: pieces.top - pieces.safe, 90, sharp=True):
+        for k in np.flatnonzero(np.isfinite(pieces.top - pieces.safe)):
+            shares = rng.choice([0.0, 0.5, 1.0, 0.25], (2, 12))
+            theta0, sigma = pieces.low[:-1, k, None] + shares * (pieces.high - pieces.low)[:-1, k, None]
+            assert box.free == ("theta0", "sigma")
+            folds = ss.jump_value(ss.Parameters.article(theta0=theta0, sigma=sigma), method="closed")
+            assert (pieces.safe[k] <= folds).all()
+            assert (folds <= pieces.top[k]).all()
+            spread.append(np.ptp(folds))
+            told.append(pieces.top[k] - pieces.safe[k])
+    assert len(told) > 80
+    assert np.median(np.divide(told, spread)) < 4
+
+
+@pytest.mark.parametrize(("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)])
 def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
     found = SEARCH.jump_probability(sets(SEARCH, BOX), n=256, rng=1, replicates=2, max_boxes=boxes)
     theirs = ss.jump_probability(sets(ss.load("kang_nam"), BOX), n=1 << 14, rng=1, sobol=False)

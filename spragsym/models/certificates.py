@@ -27,8 +27,8 @@ WIDE, THIN = 2.0**-6, 2.0**-14
 SLIGHT = 1e-6
 #: Most corners of a box that are looked at for a counterexample.
 CORNERS = 64
-#: Outcomes of a part; the last one: neither was proved, and it is not halved any more.
-OPEN, SAFE, ENDS, LEFT = 0, 1, -1, 2
+#: Outcomes of a part.
+OPEN, SAFE, ENDS = 0, 1, -1
 
 Outcomes: TypeAlias = NDArray[np.int64]
 
@@ -38,16 +38,26 @@ class Pieces:
     """Parts of a box, one a column: their ends, and the place at which the followed state begins, here or in what holds these.
 
     ``low`` and ``high`` have the shape (free + 1, N), the parameter that moves last; ``of``, (2, free, N), are the ends of the
-    parameters for which ``base`` is proved.
+    parameters for which ``base`` is proved. Up to ``safe`` of what moves the state is proved to go on, and above ``top`` to have
+    ended, for all of the piece; −inf and inf where nothing is known.
     """
 
     low: FloatArray
     high: FloatArray
     base: Place
     of: FloatArray
+    safe: FloatArray
+    top: FloatArray
 
     def __getitem__(self, rows: Any) -> Pieces:
-        return Pieces(self.low[:, rows], self.high[:, rows], self.base[rows], self.of[:, :, rows])
+        return Pieces(
+            self.low[:, rows], self.high[:, rows], self.base[rows], self.of[:, :, rows], self.safe[rows], self.top[rows]
+        )
+
+    @property
+    def outcome(self) -> Outcomes:
+        """Whether the state goes on to the upper end, or has ended below the lower one, of what moves."""
+        return np.where(self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN))
 
     def __len__(self) -> int:
         return int(self.low.shape[1])
@@ -56,13 +66,13 @@ class Pieces:
         """These, and others."""
         base = Place(*(np.concatenate([getattr(one.base, name) for one in (self, others)], axis=-1)
                        for name in ("z", "held", "room", "by_p", "sure")))  # fmt: skip
-        pairs = ((self.low, others.low), (self.high, others.high), (self.of, others.of))
-        low, high, of = (np.concatenate(pair, axis=-1) for pair in pairs)
-        return Pieces(low, high, base, of)
+        names = ("low", "high", "of", "safe", "top")
+        rest = {name: np.concatenate([getattr(one, name) for one in (self, others)], axis=-1) for name in names}
+        return Pieces(base=base, **rest)
 
     def divisible(self) -> NDArray[np.bool_]:
-        """Sides that have floats between their ends."""
-        return np.nextafter(self.low, np.inf) < self.high
+        """Sides of the free parameters that have floats between their ends."""
+        return np.nextafter(self.low[:-1], np.inf) < self.high[:-1]
 
     def halved(self, weight: FloatArray) -> Pieces:
         """Each cut across the side that matters most."""
@@ -93,7 +103,7 @@ class Splitting:
         parts = self._parts(one, other)
         start = self.tubes.place(parts.middles(), np.append(self._first(middle[:, 0]), begin)[:, None], self.tubes.n)
         start = replace(start, by_p=self.tubes.tangents(parts, start.z, self.tubes.n)[1])
-        self.whole = Pieces(one, other, start, np.stack([middle, middle]))
+        self.whole = Pieces(one, other, start, np.stack([middle, middle]), np.full(1, -np.inf), np.full(1, np.inf))
 
     def _parts(self, low: FloatArray, high: FloatArray) -> Parts:
         centre = 0.5 * (low[:-1] + high[:-1])
@@ -122,31 +132,35 @@ class Splitting:
 
     def points(self, values: FloatArray) -> Pieces:
         """Points of the box, shape (free + 1, N), as pieces of it."""
-        every = np.zeros(values.shape[1], dtype=np.int64)
-        return replace(self.whole[every], low=values, high=values)
+        return replace(self.whole[np.zeros(values.shape[1], dtype=np.int64)], low=values, high=values)
 
     # ---------------------------------------------------------------------------------------------------- decisions
 
-    def settled(self, pieces: Pieces, least: float) -> tuple[Outcomes, FloatArray, Pieces]:
-        """What is proved of each piece, how much each side matters where nothing is, and the pieces with their own beginnings."""
+    def settled(self, pieces: Pieces, least: float, sharp: bool = False) -> tuple[Pieces, FloatArray]:
+        """The pieces with what is proved of them and with their own beginnings, and how much each free side matters.
+
+        ``sharp`` asks for the narrowest ``safe`` and ``top``; else they only tell where the state ends from the pieces' ends.
+        """
         parts, start = self._begun(pieces)
         last, goal = self.tubes.n, pieces.high[-1]
         reached = self.tubes.followed(parts, start, goal, least)
-        out = np.where(reached.sure & (reached.z[last] == goal), SAFE, OPEN)
-        width = pieces.high - pieces.low
-        # As far as it got, by how far each parameter moves the state; what moves last does not make tubes narrower.
-        weight = SLIGHT * width / np.maximum(np.abs(pieces.high) + np.abs(pieces.low), 1e-300)
+        safe, top = np.where(reached.sure, reached.z[last], -np.inf), np.full(goal.size, np.inf)
+        width = (pieces.high - pieces.low)[:-1]
+        # As far as it got, by how far each parameter moves the state.
+        weight = SLIGHT * width / np.maximum(np.abs(pieces.high) + np.abs(pieces.low), 1e-300)[:-1]
         moves = (np.abs(reached.by_p) / np.maximum(np.abs(reached.z), SMALL)[:, None]).max(axis=0)
-        weight[:-1] += np.where(np.isfinite(moves), moves, 0.0) * width[:-1]
-        rows = np.flatnonzero((out == OPEN) & reached.sure & (reached.z[last] != start.z[last]))
+        weight += np.where(np.isfinite(moves), moves, 0.0) * width
+        rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.z[last]))
         if rows.size:
-            out[rows], moves = self.tubes.passed(parts[rows], reached[rows], pieces.low[-1, rows], goal[rows])
-            weight[:, rows] = 0.5 * width[:, rows] * np.concatenate([moves, np.ones((1, rows.size))])
+            safe[rows], top[rows], moves = self.tubes.passed(parts[rows], reached[rows], goal[rows], sharp)
+            weight[:, rows] = width[:, rows] * moves
         own = np.flatnonzero(start.sure)
         base, of = pieces.base[np.arange(len(pieces))], pieces.of.copy()
         base.put(own, start[own])
         of[:, :, own] = np.stack([pieces.low[:-1, own], pieces.high[:-1, own]])
-        return out, weight, replace(pieces, base=base, of=of)
+        # What holds of a piece holds of its halves.
+        known = {"safe": np.maximum(pieces.safe, safe), "top": np.minimum(pieces.top, top)}
+        return replace(pieces, base=base, of=of, **known), weight
 
     def _begun(self, pieces: Pieces) -> tuple[Parts, Place]:
         """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't be."""
@@ -177,32 +191,30 @@ class Splitting:
         return same
 
     def run(
-        self, share: Callable[[FloatArray, FloatArray], FloatArray], most: int
-    ) -> Iterator[tuple[Pieces, FloatArray, Outcomes]]:
-        """Pieces that were looked at with their shares and outcomes, the largest first, and those that are left.
+        self, share: Callable[[Pieces], FloatArray], most: int, sharp: bool = False
+    ) -> Iterator[tuple[Pieces, NDArray[np.bool_], int]]:
+        """Pieces in turn, those of which most is open first: which of them are not halved any more, and how many were looked at.
 
-        A piece that is open is halved, and is left where it is as thin as floats are, or after ``most`` pieces.
+        ``share`` is how much of a piece is open. What is open is halved, unless it is as thin as floats are or ``most`` pieces
+        were looked at: those that are left then come last.
         """
         pending, seen = self.whole, 0
         while len(pending) and seen < most:
-            shares = share(pending.low, pending.high)
-            order = np.argsort(-shares, kind="stable")
+            order = np.argsort(-share(pending), kind="stable")
             taken = order[: min(BATCH, most - seen)]
-            some, rest = pending[taken], pending[order[taken.size :]]
-            outcome, weight, some = self.settled(some, WIDE)
+            some, weight = self.settled(pending[taken], WIDE, sharp)
             seen += taken.size
-            yield some, shares[taken], outcome
-            thin = (outcome == OPEN) & ~some.divisible().any(axis=0)
-            if thin.any():
-                yield some[thin], shares[taken][thin], np.full(thin.sum(), LEFT)
-            open_ = (outcome == OPEN) & ~thin
-            pending = rest.then(some[open_].halved(weight[:, open_]))
+            last = (share(some) <= 0) | ~some.divisible().any(axis=0)
+            yield some, last, int(taken.size)
+            pending = pending[order[taken.size :]]
+            if not last.all():
+                pending = pending.then(some[~last].halved(weight[:, ~last]))
         if len(pending):
-            yield pending, share(pending.low, pending.high), np.full(len(pending), LEFT)
+            yield pending, np.ones(len(pending), dtype=np.bool_), 0
 
     def ending(self, values: FloatArray) -> Any:
         """Parameters at the first of some points, shape (free + 1, N), at which the state is proved to end, or None."""
-        ends = np.flatnonzero(self.settled(self.points(values), THIN)[0] == ENDS)
+        ends = np.flatnonzero(self.settled(self.points(values), THIN)[0].outcome == ENDS)
         return self.point(values[:, ends[0]]) if ends.size else None
 
 
@@ -263,21 +275,20 @@ def certify(
     box = Splitting(low, high, vary, begin)
     # What goes on to the upper end goes on to every value below.
     box.whole.low[-1] = box.whole.high[-1]
-    volume = (box.whole.high - box.whole.low).prod(axis=0, where=box.whole.high > box.whole.low)
+    volume = _volume(box.whole)[0]
     found = box.ending(corners(box.whole.low[:, 0], box.whole.high[:, 0])) if refute else None
     if found is not None:
         return Certificate(claim, "refuted", found, 1.0, 1)
-    seen, open_, left, decided = 0, 1.0, 0.0, True
+    seen, proved, left, decided = 0, 0.0, 0.0, True
 
-    def share(one: FloatArray, other: FloatArray) -> FloatArray:
-        part: FloatArray = (other - one).prod(axis=0, where=other > one) / volume
-        return part
+    def share(pieces: Pieces) -> FloatArray:
+        return np.where(pieces.outcome == OPEN, _volume(pieces) / volume, 0.0)
 
-    for pieces, shares, outcome in box.run(share, max_boxes):
-        seen += int((outcome != LEFT).sum())
-        open_ -= float(shares[outcome == SAFE].sum())
-        ends, rest = np.flatnonzero(outcome == ENDS), outcome == LEFT
-        left += float(shares[rest].sum())
+    for pieces, last, looked in box.run(share, max_boxes):
+        seen += looked
+        outcome, ends, rest = pieces.outcome, np.flatnonzero(pieces.outcome == ENDS), last & (pieces.outcome == OPEN)
+        proved += float((_volume(pieces) / volume)[outcome == SAFE].sum())
+        left += float(share(pieces)[rest].sum())
         decided &= not rest.any()
         if ends.size:
             found = box.point(pieces.high[:, ends[0]])
@@ -285,5 +296,12 @@ def certify(
             middles = np.concatenate([0.5 * (pieces.low + pieces.high)[:-1], pieces.high[-1:]])
             found = box.ending(middles[:, rest][:, :POINTS])
         if found is not None:
-            return Certificate(claim, "refuted", found, max(open_, 0.0), seen)
+            return Certificate(claim, "refuted", found, max(1.0 - proved, 0.0), seen)
     return Certificate(claim, "proved" if decided else "undecided", None, left, seen)
+
+
+def _volume(pieces: Pieces) -> FloatArray:
+    """Of each piece, over the sides that have a width."""
+    width = pieces.high - pieces.low
+    out: FloatArray = width.prod(axis=0, where=width > 0)
+    return out

@@ -14,7 +14,7 @@ from ..design.probability import JumpProbability, checked, estimated, sides
 from ..errors import ParameterError, ParameterTypeError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import ParameterSet
-from .certificates import ENDS, OPEN, POINTS, SAFE, THIN, Splitting
+from .certificates import ENDS, OPEN, POINTS, THIN, Pieces, Splitting
 
 #: Samples by default: each is followed.
 SAMPLES = 1 << 12
@@ -82,16 +82,24 @@ def bracket(base: Any, variables: Mapping[str, Any], vary: str, begin: float, ma
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
     low, high = (base.replace(**end) for end in ends)
     box = Splitting(low, high, vary, begin)
-    rows = [(place, laws[name]) for place, name in enumerate((*box.free, vary)) if name in laws]
+    rows = [(place, laws[name]) for place, name in enumerate(box.free) if name in laws]
 
-    def share(one: FloatArray, other: FloatArray) -> FloatArray:
-        part: FloatArray = np.prod([law.cdf(other[place]) - law.cdf(one[place]) for place, law in rows], axis=0)
-        return part
+    def of_free(pieces: Pieces) -> FloatArray:
+        parts = [law.cdf(pieces.high[place]) - law.cdf(pieces.low[place]) for place, law in rows]
+        return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
+
+    def up_to(pieces: Pieces, value: FloatArray) -> FloatArray:
+        """How probable it is that what moves is no larger."""
+        return np.asarray(laws[vary].cdf(value) if vary in laws else 1.0 * (value >= pieces.high[-1]))
+
+    def open_(pieces: Pieces) -> FloatArray:
+        return of_free(pieces) * (up_to(pieces, pieces.top) - up_to(pieces, pieces.safe))
 
     least, most = 0.0, 1.0
-    for _, shares, outcome in box.run(share, max_boxes):
-        least += float(shares[outcome == ENDS].sum())
-        most -= float(shares[outcome == SAFE].sum())
+    for pieces, last, _ in box.run(open_, max_boxes, sharp=True):
+        done = pieces[last]
+        least += float((of_free(done) * (1.0 - up_to(done, done.top))).sum())
+        most -= float((of_free(done) * up_to(done, done.safe)).sum())
     return max(0.0, least - ROUNDING), min(1.0, most + ROUNDING)
 
 
@@ -117,5 +125,6 @@ def _ends(base: ParameterSet, vary: str, begin: float, values: Mapping[str, Any]
     low, high = (base.replace(**{name: float(end(value)) for name, value in values.items()}) for end in (np.min, np.max))
     box = Splitting(low, high, vary, begin)
     rows = np.stack([np.broadcast_to(varied.get(name, values[name]), len(values[vary])) for name in (*box.free, vary)])
-    out = np.concatenate([box.settled(box.points(rows[:, i : i + POINTS]), THIN)[0] for i in range(0, rows.shape[1], POINTS)])
+    some = (box.points(rows[:, i : i + POINTS]) for i in range(0, rows.shape[1], POINTS))
+    out = np.concatenate([box.settled(points, THIN)[0].outcome for points in some])
     return np.where(out == OPEN, np.nan, np.where(out == ENDS, 1.0, 0.0))

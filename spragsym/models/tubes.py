@@ -35,6 +35,10 @@ NARROW, INFLATIONS, ROOM = 1e-9, 6, 0.1
 STEPS = 6
 #: Steps through a fold, the first one as a share of the straight way, and what counts as no size of a coordinate.
 TURNS, TURN, SMALL = 60, 0.25, 1e-3
+#: A step towards a fold that is this share of what is left to the goal is near enough to go over it.
+NEAR = 0.1
+#: For a sharp answer: a step that is this share of how far apart the folds of a part lie, and this one of the whole.
+CLOSE, SHARP = 0.05, 2.0**-12
 #: A slope that is not nothing.
 TINY = 1e-12
 #: A sum of a few products of floats, rounded up.
@@ -321,21 +325,22 @@ class Tubes:
             step[rows] = np.where(good, 2 * step[rows], 0.25 * (to - at.z[self.n]))
         return here
 
-    def passed(self, parts: Parts, start: Place, low: FloatArray, high: FloatArray) -> tuple[NDArray[np.int64], FloatArray]:
-        """What becomes of the states of a place as ``vary`` rises: 1 where all come to ``high``, −1 where all end below ``low``.
+    def passed(
+        self, parts: Parts, start: Place, goal: FloatArray, sharp: bool = False
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """How far all states of a place are proved to go on as ``vary`` rises, and above which value to have ended.
 
-        The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before, falls. 0 where neither is
-        proved; beside it how far each free parameter moves v, shape (free, N).
+        The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before, falls. The first is
+        ``start.z`` or more, and at least the goal where all come to it; the second is below the goal, else infinite. Beside
+        them how far each free parameter moves v, shape (free, N). A ``sharp`` answer is as near to the fold as the width of
+        the parts allows; else it only tells the two apart from the goal.
         """
-        out, moves = np.zeros(low.size, dtype=np.int64), np.zeros(parts.half.shape)
+        safe, top = start.z[self.n].copy(), np.full(goal.size, np.inf)
+        moves = np.zeros(parts.half.shape)
         for pivot, rows, by_v in self.pivots(parts, start):
-            for outcome, goal in ((-1, low), (1, high)):
-                left = np.flatnonzero(out[rows] == 0)
-                some = rows[left]
-                if some.size:
-                    found, moves[:, some] = self._passed(parts[some], start[some], goal[some], pivot, by_v[left], outcome)
-                    out[some[found]] = outcome
-        return out, moves
+            found = self._passed(parts[rows], start[rows], goal[rows], pivot, by_v, sharp)
+            safe[rows], top[rows], moves[:, rows] = found
+        return safe, top, moves
 
     def pivots(self, parts: Parts, start: Place) -> Iterator[tuple[int, Any, FloatArray]]:
         """The coordinate that moves most, over its size, where it does; the points for which it is that, and its slope by v."""
@@ -348,36 +353,45 @@ class Tubes:
                 yield pivot, rows, by_v[pivot, rows]
 
     def _passed(
-        self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, outcome: int
-    ) -> tuple[Flags, FloatArray]:
+        self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, sharp: bool
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
         towards, straight = np.sign(by_v), np.abs(by_v * (goal - start.z[self.n]))
         by_s, by_p = self.tangents(parts, start.z, pivot)
-        out, moves = np.zeros(goal.size, dtype=np.bool_), np.abs(by_p[self.n])
+        safe, top, highest = start.z[self.n].copy(), np.full(goal.size, np.inf), np.full(goal.size, -np.inf)
+        moves = np.abs(by_p[self.n])
         open_ = self.rises(parts, start.box(), by_s, pivot) == towards
+        rising = open_.copy()
         # All states of the place lie within the first segment.
         here, step = start[np.arange(goal.size)], np.maximum(TURN * straight, 2 * start.held[pivot])
         for _ in range(TURNS):
-            rows = np.flatnonzero(open_ & ~out & (step > LEAST * straight))
+            rows = np.flatnonzero(open_ & (step > LEAST * straight))
             if not rows.size:
                 break
             at, some = here[rows], parts[rows]
             good, end, tube = self.segment(some, at, at.z + by_s[:, rows] * (towards * step)[rows], pivot)
-            if outcome < 0:
-                good &= tube.high[self.n] < goal[rows]
-            else:
-                good[good] = self.rises(some[good], tube[:, good], by_s[:, rows[good]], pivot) == towards[rows[good]]
-            step[rows] *= np.where(good, 1.5, 0.25)
-            rows, end, some = rows[good], end[good], some[good]
+            up = np.zeros(rows.size, dtype=np.bool_)
+            up[good] = self.rises(some[good], tube[:, good], by_s[:, rows[good]], pivot) == towards[rows[good]]
+            good &= np.where(rising[rows], up, tube.high[self.n] < goal[rows])
+            # Near its fold v is as wide as the parts make it: there is no nearer.
+            near = NEAR * (goal[rows] - at.z[self.n])
+            if sharp:
+                wide = (moves[:, rows] * some.half).sum(axis=0)
+                near = np.minimum(near, CLOSE * wide + SHARP * (goal - start.z[self.n])[rows])
+            turns = rising[rows] & ~good & (np.abs(by_s[self.n, rows]) * step[rows] < near)
+            rising[rows[turns]] = False
+            step[rows] *= np.where(good, 1.5, np.where(turns, 0.5, 0.25))
+            rows, end, some, tube = rows[good], end[good], some[good], tube[:, good]
             if not rows.size:
                 continue
             here.put(rows, end)
             by_s[:, rows], by_p = self.tangents(some, end.z, pivot)
             moves[:, rows] = np.abs(by_p[self.n])
-            if outcome < 0:
-                out[rows] = self.rises(some, end.box(), by_s[:, rows], pivot) == -towards[rows]
-            else:
-                out[rows] = end.box().low[self.n] > goal[rows]
-        return out, moves
+            safe[rows] = np.where(rising[rows], end.box().low[self.n], safe[rows])
+            highest[rows] = np.maximum(highest[rows], tube.high[self.n])
+            falls = self.rises(some, end.box(), by_s[:, rows], pivot) == -towards[rows]
+            top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
+            open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
+        return safe, top, moves
 
 
 def carried(balance: Balance, given: FloatArray, row: int, values: FloatArray, q: FloatArray) -> FloatArray | None:

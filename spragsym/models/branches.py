@@ -1,7 +1,7 @@
-"""Which equilibria of a model at two values of a parameter lie on one branch, proved by boxes.
+"""Which equilibria of a model at two values of a parameter lie on one branch, proved by tubes.
 
-A box holds exactly one equilibrium for every value between the two: states in it are of one branch. The two that meet at a fold
-nearby differ in the sign of det K, which no branch changes between folds. A step that is too wide for that is halved.
+A tube holds one equilibrium for every value between the two, see :mod:`spragsym.models.tubes`. The two that meet at a fold nearby
+differ in the sign of det K, which no branch changes between folds. A step of which not all pairs are known so is halved.
 """
 
 from __future__ import annotations
@@ -15,18 +15,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
-from ..exact import boxes, certified_roots
-from ..exact.interval_arrays import FloatArray, Intervals
+from ..exact.interval_arrays import FloatArray
 from ..statics.results import Equilibria
 from .balance import Balance
 from .equilibria import columns, equilibria
-from .regions import region
+from .points import given_column
 from .stability import linearization
+from .tubes import Parts, Tubes
 
 #: Times a step is halved, and steps beyond which nothing more is hoped for.
 HALVINGS, MANY = 40, 500
-#: Boxes looked at for one step, and their least width, before it is halved for the first time; later more, and smaller ones.
-BUDGET, NARROW = 300, 2.0**-10
 #: Values of the parameter at the beginning and the end of a step.
 Step: TypeAlias = tuple[float, float]
 
@@ -61,8 +59,8 @@ def links(along: Along, stops: FloatArray, eq: Equilibria) -> list[dict[int, int
     proved: dict[Step, dict[int, int]] = {}
     halved: dict[Step, float] = {}
     pending = steps
-    for halvings in range(HALVINGS if steps else 0):
-        found = _by_boxes(along, pending, states, halvings)
+    for _ in range(HALVINGS if steps else 0):
+        found = _by_tubes(along, pending, states)
         proved |= found
         failed = [step for step in pending if step not in found]
         if not failed:
@@ -89,36 +87,29 @@ def _states(along: Along, eq: Equilibria, stop: int) -> _States:
     return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))))
 
 
-def _by_boxes(along: Along, steps: list[Step], states: Mapping[float, _States], halvings: int) -> dict[Step, dict[int, int]]:
-    """Pairs of slots in boxes that hold exactly one equilibrium for each value of a step, where that is so for all states.
-
-    Over a fold only for those that go through.
-    """
-    low, high = (
-        columns(along.p.replace(**{along.vary: np.array([extreme(step) for step in steps])}), along.balance.parameters)
-        for extreme in (min, max)
-    )
-    around, _ = region(along.balance, Intervals.between(low, high))
-    outcome = boxes.search(
-        along.balance,
-        around,
-        low,
-        high,
-        limits=along.balance.limits,
-        budget=BUDGET * (1 + halvings),
-        narrow=NARROW / 2.0**halvings,
-    )
-    roots = certified_roots.roots(along.balance, outcome, around, low, high)
+def _by_tubes(along: Along, steps: list[Step], states: Mapping[float, _States]) -> dict[Step, dict[int, int]]:
+    """Pairs of slots whose states a tube joins, of steps with all pairs known; over a fold those of states that go through."""
+    tubes, n = Tubes(along.balance, along.vary), along.balance.n
+    begun = [(k, slot) for k, (one, _) in enumerate(steps) for slot in range(states[one].q.shape[1])]
+    pairs: list[dict[int, int]] = [{} for _ in steps]
+    given = np.repeat(given_column(along.p, along.balance.parameters, (along.vary,)), len(begun), axis=1)
+    nothing = np.zeros((0, len(begun)))
+    parts = Parts(given, nothing, nothing)
+    z = np.array([[*states[steps[k][0]].q[:, slot], steps[k][0]] for k, slot in begun]).reshape(-1, n + 1).T
+    start = tubes.place(parts, z, n)
+    goal = np.array([steps[k][1] for k, _ in begun])
+    there = tubes.followed(parts, start, goal)
+    same = there.sure & (there.z[n] == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
+    for column in np.flatnonzero(same):
+        k, slot = begun[column]
+        away = np.abs(states[steps[k][1]].q - there.z[:n, column, None])
+        slots = np.flatnonzero((away <= there.room[:n, column, None]).all(axis=0))
+        if slots.size == 1:
+            pairs[k][slot] = int(slots[0])
     done = {}
-    for k, (one, two) in enumerate(steps):
-        begin, end = states[one].q, states[two].q
-        pairs = {}
-        for box in np.flatnonzero(roots.point == k):
-            slots = [np.flatnonzero(_holds(roots.alone[:, :, box], part)) for part in (begin, end)]
-            if slots[0].size == slots[1].size == 1:
-                pairs[int(slots[0][0])] = int(slots[1][0])
-        if _complete(along, pairs, (one, two), states[one], states[two]):
-            done[one, two] = pairs
+    for step, known in zip(steps, pairs, strict=True):
+        if _complete(along, known, step, states[step[0]], states[step[1]]):
+            done[step] = known
     return done
 
 
@@ -151,7 +142,7 @@ def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: 
 
 
 def _by_sign(pairs: Mapping[int, int], begin: FloatArray, end: FloatArray) -> dict[int, int]:
-    """Pairs of slots that boxes do not tell apart: between folds no branch changes the sign of its det K, so one of each does."""
+    """Pairs of slots that tubes do not reach: between folds no branch changes the sign of its det K, so one of each does."""
     left = [[k for k in range(signs.size) if k not in taken] for signs, taken in ((begin, pairs.keys()), (end, pairs.values()))]
     if not len(left[0]) == len(left[1]) <= 2:
         return {}
@@ -168,9 +159,3 @@ def _joined(step: Step, proved: Mapping[Step, dict[int, int]], halved: Mapping[S
     middle = halved[step]
     first, second = (_joined(part, proved, halved) for part in ((step[0], middle), (middle, step[1])))
     return {slot: second[place] for slot, place in first.items() if place in second}
-
-
-def _holds(box: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
-    """Which states, shape (n, number), lie in a box, shape (2, n)."""
-    out: NDArray[np.bool_] = np.logical_and.reduce((-box[0][:, None] <= states) & (states <= box[1][:, None]))
-    return out

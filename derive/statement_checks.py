@@ -216,8 +216,8 @@ def _check_places(page: Page) -> None:
         if any(part.free_symbols & rates for part in force.components):
             raise PageError(
                 force.line,
-                "this force holds a speed; one in proportion to it is page.damper(c, along=x), and friction is page.friction(…): "
-                f"{limits.NONLINEAR_DAMPER}",
+                "this force holds a speed; one in proportion to it is page.damper(c, along=x), and friction is page.friction(…); of any "
+                f"other, {limits.NONLINEAR_DAMPER}",
             )
     contact, sliding = page.normal, page.sliding
     if contact is not None and contact.gap is not None and not contact.gap.free_symbols & moving:
@@ -234,8 +234,8 @@ def _check_places(page: Page) -> None:
         if not sliding.belt.is_nonnegative:
             raise PageError(
                 sliding.line,
-                f"the belt's speed {sliding.belt} may be negative, and equilibria take friction along the belt's direction; give it the "
-                "domain >= 0, and let the coordinate point along the belt",
+                f"the belt's speed {sliding.belt} may be negative, and equilibria take friction along the belt's direction; let the "
+                "coordinate point along the belt, and give what stands in its speed domains with which it is >= 0",
             )
         if sliding.belt == 0:
             raise PageError(sliding.line, "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V")

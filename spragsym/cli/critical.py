@@ -18,6 +18,9 @@ from .spans import Span, Typed, span, vary
 from .states import placed
 from .tables import busy, print_json, print_table
 
+#: What is nearer to 0 than all normal floats is printed as 0.
+LEAST = 2.0**-1022
+
 
 @of_model(statics=True)
 @vary("What moves: a parameter, with --data a quantity of the file too; with a range, from its first end on. Default: {last}.")
@@ -76,7 +79,8 @@ def _or(value: float | None, word: str) -> float | str:
 
 def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str, Any]:
     """Where the state ends first, by closed forms where the model has them; ``searched`` says up to where."""
-    name, searched = along.name, tuple(along.unit * end for end in _ends(case, p, along, way))
+    ends = _ends(case, p, along, way)
+    name, searched = along.name, tuple(along.unit * end if abs(end) >= LEAST else 0.0 for end in ends)
     (entry,) = [entry for entry in case.model.about["parameters"] if entry["name"] == name]
     found: tuple[float, str, Mapping[str, float], float] | None = None
     if jumped:
@@ -89,7 +93,7 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str,
             row = int(np.abs(getattr(folds, name) - at).argmin())
             before = {key: float(column[row]) for key, column in folds.coordinates.items()}
             found = at, str(folds.kind[row]), before, float(folds.error[row])
-    elif (end := first_end(case.model.search, p, name, _ends(case, p, along, way))) is not None:
+    elif (end := first_end(case.model.search, p, name, ends)) is not None:
         found = end.value, end.kind, end.before, end.error
     value, kind, places, error = found or (math.nan, None, dict.fromkeys(case.model.coordinates, math.nan), math.nan)
     return {
@@ -115,6 +119,7 @@ def _ends(case: Case, p: Any, along: Span, way: str) -> tuple[float, float]:
 def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     """The frictions that decide; None for what can't be told, with the reason."""
     model, ask, remarks = case.model, case.ask, []
+    with_mu0, plane = _has(case)
 
     def told(name: str, question: Callable[[], Any]) -> Any:
         try:
@@ -126,7 +131,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     def jump() -> float | None:
         if None in case.values.values():  # of one that varies
             return None
-        if "mu0" not in model.parameters:
+        if not with_mu0:
             raise ParameterError(f"{model.name} has no mu0")
         value = float(model.jump_value(p, "mu0"))
         if math.isnan(value) and not case.has_closed("jump_value"):
@@ -134,6 +139,8 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
         return value
 
     def cusp() -> float | None:
+        if not plane:
+            raise ParameterError(f"{model.name} has not both theta0 and mu0")
         if case.has_closed("cusp_friction"):
             return float(model.cusp_friction(p))
         found = model.cusps(p, **ask)
@@ -143,6 +150,8 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
         return float(found.mu0.min(initial=math.inf)) if known else None
 
     def fold() -> Any:
+        if not plane:
+            raise ParameterError(f"{model.name} has not both theta0 and mu0")
         found = model.critical_friction(p, **ask)
         remarks.extend(f"mu_lowest: {text}" for text in found.remarks)
         return found if found.complete else None
@@ -156,12 +165,18 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     }, remarks  # fmt: skip
 
 
+def _has(case: Case) -> tuple[bool, bool]:
+    """Whether the model has μ₀, and both μ₀ and θ₀."""
+    return "mu0" in case.model.parameters, {"mu0", "theta0"} <= set(case.model.parameters)
+
+
 def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str]:
     """What each friction is, of those that the model has."""
     kind = frictions["kind_lowest"]
     place = f" (a {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
-    if "theta0" not in case.model.parameters:
-        return {"mu_jump": "mu_jump: it jumps there"}
+    with_mu0, both = _has(case)
+    if not both:
+        return {"mu_jump": "mu_jump: it jumps there"} if with_mu0 and vary != "mu0" else {}
     known = {} if vary == "theta0" else {"mu_jump": "mu_jump: at this angle it jumps there"}
     linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if case.has_closed("linear_critical_friction") else {}
     return known | {

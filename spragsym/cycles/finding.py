@@ -268,5 +268,5 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
     return (
         f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
         + (f" at {', '.join(places)}" if places else "")
-        + "; give a state nearer to a cycle, or other parameters"
+        + "; give a state nearer to a cycle, as near=simulate(p, t_end=…) of a longer motion, or ask fate(p) what it comes to"
     )

@@ -80,7 +80,8 @@ def equilibria(model: Model, p: Any, contact: bool = True, within: Mapping[str, 
         raise ParameterTypeError(f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off")
     balance = Balance(model, bool(contact))
     if not contact and not balance.opens:
-        raise ParameterError("contact = False: the contact of this model never opens, so it has no lift-off; use contact=True")
+        why = "has no contact that could open" if model.about["contact"]["gap"] is None else "has a contact that never opens"
+        raise ParameterError(f"contact = False: this model {why}, so it has no lift-off; leave contact out")
     given = columns(p, balance.parameters)
     found, around, whole = solved(balance, given, by_hand(balance.coordinates, within))
     return _arranged(balance, p, found, around, whole)

@@ -200,7 +200,8 @@ class _Way:
             # The float of the fold lies just beyond the states that meet there.
             stable = [MET, *stable] if self._stability_met(met) == Stability.STABLE else (stable or [MET])
         if not stable:
-            raise ParameterError(f"the first value, {self.vary} = {float(self.stops[0])!r}, has no equilibrium in contact")
+            at = f"the first value, {self.vary} = {float(self.stops[0])!r}"
+            raise ParameterError(f"{at}, has no equilibrium in contact; begin where there is one: at folds they begin and end")
         return (min if start == "small" else max)(stable, key=lambda slot: abs(self.state(0, slot)[0][0]))
 
     def _met(self, stop: int) -> int | None:

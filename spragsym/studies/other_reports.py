@@ -116,10 +116,12 @@ class ModelReport(Result):
             "jump at friction": self.mu_jump, "jump at angle, deg": self.theta0_jump_deg, "lowest cusp at friction": self.mu_cusp,
             "friction at the belt's speed": self.mu_effective, "margin to the largest friction, %": self.margin_percent,
         }  # fmt: skip
-        yield "Jump", [(name, "unknown" if value is None else _shown(value)) for name, value in numbers.items()]
+        if "mu0" in load(self.study.model).parameters:
+            yield "Jump", [(name, "unknown" if value is None else _shown(value)) for name, value in numbers.items()]
         for state in self.states:
             heading = "State" if state["current"] else "Another state"
-            yield heading, [(_WORDS.get(name, name), _shown(value)) for name, value in state.items() if name != "current"]
+            told = {name: value for name, value in state.items() if name != "current" and value is not None}
+            yield heading, [(_WORDS.get(name, name), _shown(value)) for name, value in told.items()]
         if self.certificate:
             rows = [(no_jump(self.study.unbounded), self.certificate["outcome"])]
             for name, one in (self.certificate["counterexample"] or {}).items():
@@ -158,12 +160,12 @@ def model_report(
     law = "friction_at_speed" if "V" in _known(study) else "friction_at_rest"
     full, works = other_models.friction(model, p, "friction_at_rest"), other_models.friction(model, p, law)
     fraction = works / full if full else 1.0
-    if "V" not in _known(study):
+    if "V" in model.parameters and "V" not in _known(study):
         warnings.append("V is not given: friction is taken at full slip, and no oscillation is looked for")
     elif fraction < 0.95:
         warnings.append(f"the belt is so slow that friction works at {100 * fraction:.3g} % of {full:.4g}; check d and V")
     at = p.replace(mu0=fraction * p.mu0) if "mu0" in model.parameters else p
-    turns, complete = _folds(model, p)
+    turns, complete = _folds(model, p, warnings)
     jump = _jump(model, p, "mu0", (0.0, 1.1 * max(turns, default=1.0)), warnings)
     angle = _jump(model, at, "theta0", tuple(map(math.radians, _ANGLES)), warnings)
     high = (
@@ -171,9 +173,10 @@ def model_report(
     )
     current = _current(model, at, warnings)
     states = tuple(model_states(model, at, scales, current))
+    eq = model.equilibria(at)
+    if not eq.complete:
+        warnings.append(f"that these are all states is not proved: {'; '.join(eq.remarks)}")
     cycle = _oscillation(model, p, scales, warnings) if oscillation and {"V", "d"} <= _known(study) else None
-    if not complete:
-        warnings.append("that these are all states and folds is not proved here")
     reached, odds = tolerated(study, n) if certificate and "mu0" in model.parameters else (None, None)
     target = safety * high if high > 0 else math.nan
     sprags = jump is not None and (jump < target or (reached is not None and reached["outcome"] == "refuted"))
@@ -182,7 +185,7 @@ def model_report(
         jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,
         100 * (jump / high - 1) if jump is not None and not math.isnan(jump) and high > 0 else None,
         states, turns, cycle, reached, odds, proposed, target, complete, tuple(warnings),
-        _verdict(study, jump, high, states, complete), study,
+        _verdict(study, model, jump, high, states, complete), study,
     )  # fmt: skip
 
 
@@ -190,9 +193,16 @@ def _known(study: Study) -> set[str]:
     return set(study.quantities)
 
 
-def _verdict(study: Study, jump: float | None, high: float, states: tuple[dict[str, Any], ...], complete: bool) -> str:
+def _verdict(
+    study: Study, model: Any, jump: float | None, high: float, states: tuple[dict[str, Any], ...], complete: bool
+) -> str:
     stable = sum(state["stable"] for state in states)
-    count = f"there {'is one state' if len(states) == 1 else f'are {len(states)} states'} of sliding in contact, {stable} stable"
+    about = model.about
+    where = " of sliding" if about["friction"] else ""
+    where += " in contact" if about["contact"]["gap"] is not None else ""
+    count = f"there {'is one state' if len(states) == 1 else f'are {len(states)} states'}{where}, {stable} stable"
+    if "mu0" not in model.parameters:
+        return f"With the model {study.model} {count}; it has no mu0 along which a jump would be looked for."
     if jump is None or math.isnan(high):
         return f"With the model {study.model} {count}; whether it sprags is not known."
     if math.isnan(jump) and not complete:
@@ -292,11 +302,15 @@ def _ends_of(values: list[Any]) -> list[float] | None:
     return [min(known), max(known)] if known else None
 
 
-def _folds(model: Any, p: Any) -> tuple[tuple[float, ...], bool]:
+def _folds(model: Any, p: Any, warnings: list[str]) -> tuple[tuple[float, ...], bool]:
+    """Folds along μ₀, and whether all of them are known up to where they are sought."""
     if "mu0" not in model.parameters:
         return (), False
     try:
         found = model.folds(p, "mu0")
-    except SpragsymError:
+    except SpragsymError as reason:
+        warnings.append(f"folds along mu0 are not known: {reason}")
         return (), False
+    if not found.complete:
+        warnings.append(f"that these are all folds along mu0 is not proved: {'; '.join(found.remarks)}")
     return tuple(sorted(float(value) for value in found.mu0)), found.decided and found.whole

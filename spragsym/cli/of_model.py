@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import inspect
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -88,7 +89,8 @@ class OfModel(click.Command):
         self, *args: Any, kind: Callable[[Range], Any] = Number, start: bool = False, statics: bool = False, **more: Any
     ) -> None:
         super().__init__(*args, **more)
-        self.kind, self.start, self.statics, self.own, self.text = kind, start, statics, self.params, self.help
+        self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
+        self.text = inspect.cleandoc(self.help or "")
         self._be_about(load(USUAL))
 
     def _be_about(self, model: Model) -> None:
@@ -147,9 +149,13 @@ class OfModel(click.Command):
                 low, high = math.degrees(allowed.low), math.degrees(allowed.high)
                 allowed = Range(low, high, allowed.open_low, remedy, allowed.closed_high)
                 meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
-            shown = default is not None and (float(f"{default:.7g}") == default or f"{default:.7g}")
+            exact = default is not None and float(f"{default:.7g}") == default
+            # Click puts a default that is told in words into parentheses.
+            rounded = "" if default is None or exact else f"  [default: {default:.7g}]"
             flags = (*options_of(self.model.about, name), name)
-            options.append(click.Option(flags, type=self.kind(allowed), default=default, show_default=shown, help=f"{meaning}."))
+            options.append(
+                click.Option(flags, type=self.kind(allowed), default=default, show_default=exact, help=f"{meaning}.{rounded}")
+            )
         return options
 
     def _state(self) -> tuple[str, ...]:

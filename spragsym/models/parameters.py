@@ -70,7 +70,7 @@ def _again(where: str, values: dict[str, Any]) -> Any:
 def _range(entry: Mapping[str, Any]) -> Range:
     low, high = (default if entry[end] is None else entry[end] for end, default in (("low", -math.inf), ("high", math.inf)))
     # Of the article's remedies only what is true of any page: which mirror image a belt has is not.
-    remedy = MIRRORED if entry["name"] in ("mu0", "V") else ""
+    remedy = MIRRORED if entry["name"] in ("mu0", "V") else f"it is the {entry['meaning']}"
     remedy = "angles are radians; use numpy.radians for degrees" if entry["unit"] == "rad" else remedy
     return Range(low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"])
 

@@ -161,6 +161,9 @@ def test_what_is_asked() -> None:
     with pytest.raises(ss.ParameterError, match="give vary"):
         ss.certify(p, p, "no jump")
     assert ss.certify(p, p, "no jump", vary="mu_s").outcome == "proved"
+    with pytest.raises(ss.ParameterError, match=r"kappa has no least value in \(0, inf\); give begin"):
+        ss.certify(p, p, "no jump", vary="kappa")
+    assert ss.certify(p, p, "no jump", vary="kappa", begin=1e-3).outcome == "proved"
     model = ss.load("two_springs")
     with pytest.raises(ss.ParameterError, match="independent"):
         model.jump_probability((low, high), correlation={("theta0", "mu0"): 0.5}, max_boxes=4, n=16, replicates=2)

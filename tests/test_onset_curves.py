@@ -12,6 +12,8 @@ from scipy import optimize
 
 import spragsym as ss
 from benchmarks.validate_criticality import accelerations
+from spragsym.models.balance import Balance
+from spragsym.models.stability import linearization
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
 SETS = (
@@ -139,6 +141,29 @@ def test_zero_hopf_points(with_folds: Any) -> None:
         assert np.abs(pair.real).max() < 1e-9
         apart = np.hypot(with_folds.changes["theta0"] - P["theta0"], with_folds.changes["V"] - P["V"])
         assert (apart > 1e-3).all()
+
+
+def test_where_friction_alone_damps_all_points_are_known() -> None:
+    """Where friction is 0 all conditions hold but that of a fold: its slope, a factor of them, is divided out."""
+    model = ss.load("kang_nam")
+    points = ss.onset_curves(model.Parameters(), n=2, between={"theta0": (0.3, 1.3), "mu0": (0.0, 1.5)}).points
+    assert points.complete
+    assert points.kind.tolist() == ["ZH", "ZH"]
+    for row in range(2):
+        p = model.Parameters(**{name: float(getattr(points, name)[row]) for name in model.parameters})
+        state = np.array([[points.x[row]], [points.y[row]]])
+        M, C, K = (part[:, :, 0] for part in linearization(Balance(model, True), state, columns(p)))
+        assert abs(np.linalg.det(K)) < 1e-12
+        # The pair is ± iω for any size of the only entry of C.
+        for damping in (C, C / C[0, 0]):
+            whole = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, K), -np.linalg.solve(M, damping)]])
+            roots = np.linalg.eigvals(whole)
+            assert np.abs(roots[np.abs(roots.imag) > 0.01].real).max() < 1e-8
+
+
+def columns(p: Any) -> Any:
+    """Parameters as the linearization takes them."""
+    return np.array([[float(value)] for value in p.scalars(*p.model.parameters)])
 
 
 def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:

@@ -131,35 +131,54 @@ class Hopf(Plain):
         return (hurwitz(characteristic(at)),)
 
 
-class BogdanovTakens(Plain):
-    """Two roots λ are 0: the two lowest coefficients of det(λ² M + λ C + K) are."""
+class Damped(Plain):
+    """A condition on the coefficients of det(λ² M + λ C + K).
+
+    Where nothing but the slope c of the friction law damps, and that the coordinate ``along``, the odd ones are c times what
+    they are for c = 1, and the even ones do not depend on it. Then 1 stands for c: else all holds where c is 0.
+    """
 
     order = 0
+
+    def __init__(self, along: int | None = None) -> None:
+        self.along = along
+
+    def coefficients(self, at: State) -> list[Any]:
+        """Of λ, the lowest first."""
+        if self.along is None:
+            return characteristic(at)
+        K = at.stiffness()
+        places = range(len(K))
+        return of_pencil(at.mass(), [[int(i == j == self.along) for j in places] for i in places], K)
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The values that must vanish, which each such condition has."""
+        raise NotImplementedError
+
+
+class BogdanovTakens(Damped):
+    """Two roots λ are 0: the two lowest coefficients are."""
 
     def equations(self, at: State) -> Sequence[Any]:
         """The coefficients."""
-        return tuple(characteristic(at)[:2])
+        return tuple(self.coefficients(at)[:2])
 
 
-class ZeroHopf(Plain):
+class ZeroHopf(Damped):
     """One root λ is 0, and two others have the sum 0."""
-
-    order = 0
 
     def equations(self, at: State) -> Sequence[Any]:
         """The lowest coefficient, and Hurwitz's determinant of the others."""
-        a = characteristic(at)
+        a = self.coefficients(at)
         return a[0], hurwitz(a[1:])
 
 
-class DoubleHopf(Plain):
+class DoubleHopf(Damped):
     """All four roots λ of two coordinates come in pairs with the sum 0: the odd coefficients are 0."""
-
-    order = 0
 
     def equations(self, at: State) -> Sequence[Any]:
         """The coefficients."""
-        a = characteristic(at)
+        a = self.coefficients(at)
         return a[1], a[3]
 
 

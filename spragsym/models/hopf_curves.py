@@ -22,7 +22,7 @@ from ..statics.points import Points
 from . import stability
 from .balance import Balance
 from .bifurcation import on_lines, require_lines, rows_of
-from .bifurcation_conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
+from .bifurcation_conditions import BogdanovTakens, Damped, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
 from .defining_systems import Condition
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 #: Halvings by which a point with l₁ = 0 is enclosed.
 HALVINGS = 30
 #: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
-KINDS: Mapping[str, type[Condition]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "HH": DoubleHopf}
+KINDS: Mapping[str, type[Damped]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "HH": DoubleHopf}
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,18 +146,25 @@ def onset_curves(
 
 def _condition(balance: Balance) -> Condition:
     """Where a pair crosses: without the slope of the friction law as a factor where that is all that damps."""
+    along = _damped_by_friction(balance)
+    return Hopf() if along is None else FrictionHopf(along)
+
+
+def _damped_by_friction(balance: Balance) -> int | None:
+    """The coordinate along which the friction law damps, where nothing else damps any of several."""
     friction = balance.model.about["friction"]
     alone = friction is not None and friction["along"] in balance.coordinates and not balance.model.about["dampers"]
-    return FrictionHopf(balance.coordinates.index(friction["along"])) if alone and balance.n > 1 else Hopf()
+    return balance.coordinates.index(friction["along"]) if alone and balance.n > 1 else None
 
 
 def _points(balance: Balance, p: Any, vary: Sequence[str], given: FloatArray, spans: FloatArray) -> Points:
     """All points of all kinds."""
-    kinds, parts = [], []
+    kinds, parts, along = [], [], _damped_by_friction(balance)
     for kind, condition in KINDS.items():
-        if (kind == "HH" and balance.n != 2) or (kind == "ZH" and balance.n < 2):
+        # With friction's damping alone the coefficient of λ³ is its slope times a mass.
+        if (kind == "HH" and (balance.n != 2 or along is not None)) or (kind == "ZH" and balance.n < 2):
             continue
-        found = search(balance, vary, condition(), given, spans)
+        found = search(balance, vary, condition(along), given, spans)
         middle = found.roots.middle
         kept = np.array([kind == "BT" or _oscillates(balance, given, vary, state, kind) for state in middle.T], dtype=np.bool_)
         parts.append(replace(found, roots=picked(found.roots, kept)))

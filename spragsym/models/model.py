@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from types import ModuleType
@@ -557,10 +556,10 @@ class Model:
         name = vary or "mu0"
         if name not in self.parameters:
             raise ParameterError(f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}")
-        low = self.Parameters.ranges[name].low
-        if begin is None and not math.isfinite(low):
-            raise ParameterError(f"{name} has no lower end; give begin, from where it rises")
-        return name, low if begin is None else begin
+        allowed = self.Parameters.ranges[name]
+        if begin is None and not allowed.contains(allowed.low):
+            raise ParameterError(f"{name} has no least value in {allowed}; give begin, from where it rises")
+        return name, allowed.low if begin is None else begin
 
     def _two(self, vary: Sequence[str] | None) -> Sequence[str]:
         if vary is None and len(self.axes) < 2:

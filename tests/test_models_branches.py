@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,8 @@ import pytest
 from scipy.optimize import fsolve
 
 import spragsym as ss
+from spragsym.models.balance import Balance
+from spragsym.models.branches import Along, _by_tubes, _states
 from tests.conftest import Once
 
 #: A pad with a shoe, which slides, dips and turns.
@@ -79,3 +82,16 @@ def test_a_pair_that_is_born_far_away_does_not_stop_a_path(pad: Any) -> None:
     for mu in np.linspace(values[0], values[1], 60):
         state = fsolve(by_hand, state, args=(mu,), xtol=1e-13)
     assert state == pytest.approx(q[1], abs=1e-9)
+
+
+def test_an_angle_after_a_turn_is_the_same_state() -> None:
+    """States are listed within one turn, and a state that is followed may leave it."""
+    rod = ss.load("sprag_rod")
+    stops, nothing = np.array([0.5, 0.6]), np.empty(0)
+    along = Along(Balance(rod, contact=True), rod.Parameters(theta0=0.5), "theta0", nothing, nothing.astype(str))
+    eq = along.equilibria(stops)
+    begin, end = (_states(along, eq, stop) for stop in (0, 1))
+    later = replace(end, q=end.q + 2 * np.pi)
+    (pairs,) = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later}).values()
+    assert pairs == {slot: slot for slot in range(int(eq.count[0]))}
+    assert len(pairs) == 3

@@ -61,7 +61,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
         from ..figures import stability_figure
 
         written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(case.model, found))
-    curves = [{"criticality": curve.criticality.tolist(), **_columns(case, curve, found, along)} for curve in found.curves]
+    curves = [{"criticality": curve.criticality.tolist(), **_columns(case, curve, along)} for curve in found.curves]
     points = _points(case, found, along)
     undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), list(found.points.remarks)
     if json_output:
@@ -82,7 +82,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
     click.echo(f"Onsets: sought on {n} lines of either parameter; a curve that closes between two of them is not seen")
 
 
-def _columns(case: Case, curve: OnsetCurve, found: OnsetCurves, along: Sequence[Span]) -> dict[str, list[float]]:
+def _columns(case: Case, curve: OnsetCurve, along: Sequence[Span]) -> dict[str, list[float]]:
     """A curve in the units of the answer."""
     omega, per = case.units.rate("omega")
     every = {span.title: span.unit * getattr(curve, span.name) for span in along}

@@ -89,7 +89,7 @@ def _states(along: Along, eq: Equilibria, stop: int) -> _States:
 
 def _by_tubes(along: Along, steps: list[Step], states: Mapping[float, _States]) -> dict[Step, dict[int, int]]:
     """Pairs of slots whose states a tube joins, of steps with all pairs known; over a fold those of states that go through."""
-    tubes, n = Tubes(along.balance, along.vary), along.balance.n
+    tubes, n, around = Tubes(along.balance, along.vary), along.balance.n, along.balance.around
     begun = [(k, slot) for k, (one, _) in enumerate(steps) for slot in range(states[one].q.shape[1])]
     pairs: list[dict[int, int]] = [{} for _ in steps]
     given = np.repeat(given_column(along.p, along.balance.parameters, (along.vary,)), len(begun), axis=1)
@@ -102,7 +102,10 @@ def _by_tubes(along: Along, steps: list[Step], states: Mapping[float, _States]) 
     same = there.sure & (there.z[n] == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
     for column in np.flatnonzero(same):
         k, slot = begun[column]
-        away = np.abs(states[steps[k][1]].q - there.z[:n, column, None])
+        away = states[steps[k][1]].q - there.z[:n, column, None]
+        # An angle that goes around is listed once, within one turn.
+        away[around] -= 2 * np.pi * np.round(away[around] / (2 * np.pi))
+        away = np.abs(away)
         slots = np.flatnonzero((away <= there.room[:n, column, None]).all(axis=0))
         if slots.size == 1:
             pairs[k][slot] = int(slots[0])

@@ -542,7 +542,7 @@ def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) 
     file = tmp_path / "brake.toml"
     file.write_text(other, encoding="utf-8")
     study = ss.Study.from_file(file)
-    found = study.model_report(certificate=False, redesign=False)
+    found = study.report(probability=False, redesign=False)
     assert found.oscillation is not None
     right = ss.Study(brake(mu0=0.45)).report(probability=False, redesign=False).oscillation
     assert right is not None
@@ -562,7 +562,7 @@ def test_another_model_is_told_what_to_change(tmp_path: Path) -> None:
     """With k_3 = 0 cubic_contact is the article's model: tubes and closed forms propose the same single changes, nearly."""
     rows = {"k": "180 N/mm ± 15 %", "k_c": "1500 N/mm", "theta0": "52 deg", "mu0": "[0.3, 0.35]"}
     other = of_model("cubic_contact", rows, tmp_path / "other.toml")
-    found = other.model_report(oscillation=False, certificate=False)
+    found = other.report(oscillation=False, probability=False)
     right = of_model("kang_nam", rows, tmp_path / "brake.toml").report(probability=False, oscillation=False)
     single = [change for change in right.redesign if len(change.after) == 1]
     assert found.redesign is not None
@@ -586,7 +586,7 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     rows += ['model = "stribeck"', 'mu_s = "0.45"', 'mu_k = "0.3"', 'v_s = "0.5 m/s"']
     file = tmp_path / "brake.toml"
     file.write_text("\n".join(rows), encoding="utf-8")
-    found = ss.Study.from_file(file).model_report(oscillation=False, certificate=False, redesign=False)
+    found = ss.Study.from_file(file).report(oscillation=False, probability=False, redesign=False)
     assert found.mu_jump is None
     assert any("no mu0" in one for one in found.warnings)
     assert found.states

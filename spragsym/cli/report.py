@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,11 +55,9 @@ def report(
     from ..studies import Study
 
     study = Study.from_file(file)
-    if study.model == "kang_nam":
-        found: Report | ModelReport = study.report(oscillation=oscillation, safety=safety, progress=sys.stderr.isatty())
-    else:
-        with busy("computing states, jumps, tolerances, what to change, and the oscillation (--no-oscillation leaves that out)"):
-            found = study.model_report(oscillation=oscillation, safety=safety)
+    on_terminal = sys.stderr.isatty()
+    with nullcontext() if on_terminal else busy("computing the report; --no-oscillation leaves the motion out"):
+        found = study.report(oscillation=oscillation, safety=safety, progress=on_terminal)
     if html is not None:
         study.to_html(html, found)
         click.echo(f"wrote {html}", err=True)

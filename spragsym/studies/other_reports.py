@@ -17,6 +17,7 @@ from . import other_models
 from .model_states import contact_force, model_states, spring_force
 from .other_tolerances import tolerated
 from .redesigns import Change, changes
+from .reports import Tell, teller
 from .study import Study
 from .texts import box, chance_json, chance_rows, change_json, change_rows, no_jump
 from .tolerances import Chance
@@ -151,9 +152,18 @@ def _shown(value: Any) -> str:
 
 
 def model_report(
-    study: Study, oscillation: bool = True, certificate: bool = True, n: int = POINTS, redesign: bool = True, safety: float = 1.2
-) -> ModelReport:
-    """All states in contact at the friction that works, where the state of small deformation jumps, and the cycle."""
+    study: Study, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2,
+    n: int = POINTS, progress: bool = False,
+) -> ModelReport:  # fmt: skip
+    """All states at the friction that works, where the state of small deformation jumps, and the cycle."""
+    tell = teller(progress)
+    try:
+        return _report(study, probability, redesign, oscillation, safety, n, tell)
+    finally:
+        tell("")
+
+
+def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int, tell: Tell) -> ModelReport:
     model = load(study.model)
     p, scales = other_models.dimensionless(study.model, study.values)
     warnings: list[str] = []
@@ -165,6 +175,7 @@ def model_report(
     elif fraction < 0.95:
         warnings.append(f"the belt is so slow that friction works at {100 * fraction:.3g} % of {full:.4g}; check d and V")
     at = p.replace(mu0=fraction * p.mu0) if "mu0" in model.parameters else p
+    tell("folds, jumps and states")
     turns, complete = _folds(model, p, warnings)
     jump = _jump(model, p, "mu0", (0.0, 1.1 * max(turns, default=1.0)), warnings)
     angle = _jump(model, at, "theta0", tuple(map(math.radians, _ANGLES)), warnings)
@@ -176,10 +187,14 @@ def model_report(
     eq = model.equilibria(at)
     if not eq.complete:
         warnings.append(f"that these are all states is not proved: {'; '.join(eq.remarks)}")
-    cycle = _oscillation(model, p, scales, warnings) if oscillation and {"V", "d"} <= _known(study) else None
-    reached, odds = tolerated(study, n) if certificate and "mu0" in model.parameters else (None, None)
+    moving = oscillation and {"V", "d"} <= _known(study)
+    tell("the oscillation (--no-oscillation leaves it out)" if moving else "")
+    cycle = _oscillation(model, p, scales, warnings) if moving else None
+    tell("the proof for all within the tolerances, and the probability of a jump")
+    reached, odds = tolerated(study, n) if probability and "mu0" in model.parameters else (None, None)
     target = safety * high if high > 0 else math.nan
     sprags = jump is not None and (jump < target or (reached is not None and reached["outcome"] == "refuted"))
+    tell("what to change")
     proposed = changes(study, target) if redesign and sprags else None
     return ModelReport(
         jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,

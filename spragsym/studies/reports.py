@@ -115,6 +115,8 @@ class Report(Result):
 
 #: Says what is computed now; nothing, for an empty text.
 Tell = Callable[[str], None]
+#: Points that a probability is estimated from.
+POINTS = 4096
 
 
 def teller(show: bool) -> Tell:
@@ -130,7 +132,7 @@ def teller(show: bool) -> Tell:
 
 
 def report(
-    study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int, progress: bool
+    study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int = POINTS, progress: bool
 ) -> Report:
     """The report of a study; see :meth:`Study.report`."""
     tell = teller(progress)

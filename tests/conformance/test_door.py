@@ -182,7 +182,7 @@ def test_the_friction_that_works_is_the_models_own_law(tmp_path: Path) -> None:
         "F_L": '"0.007 N"', "k_x": '"0.007 N/m"', "k": '"0.1 N/m"', "k_y": '"0 N/m"', "V": '"0.05 m/s"', "d": '"10 s/m"',
     }  # fmt: skip
     brake.write_text("\n".join(["[brake]", *(f"{name} = {value}" for name, value in rows.items())]), encoding="utf-8")
-    report = ss.Study.from_file(brake).model_report(oscillation=False, certificate=False, redesign=False)
+    report = ss.Study.from_file(brake).report(oscillation=False, probability=False, redesign=False)
     assert report.mu_effective == pytest.approx(0.5 * math.tanh(0.5), rel=1e-14)
 
 

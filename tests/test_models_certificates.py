@@ -167,3 +167,10 @@ def test_what_is_asked() -> None:
     model = ss.load("two_springs")
     with pytest.raises(ss.ParameterError, match="independent"):
         model.jump_probability((low, high), correlation={("theta0", "mu0"): 0.5}, max_boxes=4, n=16, replicates=2)
+
+
+def test_a_fold_just_above_a_box_is_no_obstacle() -> None:
+    """Where no tube goes over the fold below the box's upper end, one goes up to that end."""
+    ranges = {"theta0": (1.122806, 1.134091), "mu0": (0.863472, 0.87215), "sigma": (0.06078, 0.061391)}
+    found = ss.certify(*sets(ss.load("inclined_belt"), ranges), "no jump", max_boxes=20)
+    assert found.outcome == "proved"

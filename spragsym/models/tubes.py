@@ -338,8 +338,12 @@ class Tubes:
         safe, top = start.z[self.n].copy(), np.full(goal.size, np.inf)
         moves = np.zeros(parts.half.shape)
         for pivot, rows, by_v in self.pivots(parts, start):
-            found = self._passed(parts[rows], start[rows], goal[rows], pivot, by_v, sharp)
-            safe[rows], top[rows], moves[:, rows] = found
+            safe[rows], top[rows], moves[:, rows] = self._passed(parts[rows], start[rows], goal[rows], pivot, by_v, sharp)
+            left = np.flatnonzero((safe[rows] < goal[rows]) & np.isinf(top[rows]))
+            if left.size and not sharp:
+                # The fold lies just above the goal, or a tube over it does.
+                some, v = rows[left], by_v[left]
+                safe[some], _, moves[:, some] = self._passed(parts[some], start[some], goal[some], pivot, v, sharp, over=False)
         return safe, top, moves
 
     def pivots(self, parts: Parts, start: Place) -> Iterator[tuple[int, Any, FloatArray]]:
@@ -353,8 +357,9 @@ class Tubes:
                 yield pivot, rows, by_v[pivot, rows]
 
     def _passed(
-        self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, sharp: bool
+        self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, sharp: bool, over: bool = True
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """As :meth:`passed`, for one pivot; ``over`` says whether the tube goes over the fold, or up to it only."""
         towards, straight = np.sign(by_v), np.abs(by_v * (goal - start.z[self.n]))
         by_s, by_p = self.tangents(parts, start.z, pivot)
         safe, top, highest = start.z[self.n].copy(), np.full(goal.size, np.inf), np.full(goal.size, -np.inf)
@@ -377,7 +382,7 @@ class Tubes:
             if sharp:
                 wide = (moves[:, rows] * some.half).sum(axis=0)
                 near = np.minimum(near, CLOSE * wide + SHARP * (goal - start.z[self.n])[rows])
-            turns = rising[rows] & ~good & (np.abs(by_s[self.n, rows]) * step[rows] < near)
+            turns = over & rising[rows] & ~good & (np.abs(by_s[self.n, rows]) * step[rows] < near)
             rising[rows[turns]] = False
             step[rows] *= np.where(good, 1.5, np.where(turns, 0.5, 0.25))
             rows, end, some, tube = rows[good], end[good], some[good], tube[:, good]

@@ -91,8 +91,9 @@ def speed(number: int) -> None:
 
 # ------------------------------------------------------------------------------------------------------------ models
 
-#: Two-coordinate models whose jump values have no closed forms, how far friction rises, and points followed one by one in a part.
-MODELS, FAR, FOLLOWED = ("two_springs", "cubic_contact", "inclined_belt", "hertz_contact", "damped"), 2.0, 6
+#: Two-coordinate models whose jump values have no closed forms, how far friction rises, points of a part, and of these followed
+#: one by one.
+MODELS, FAR, PART, FOLLOWED = ("two_springs", "cubic_contact", "inclined_belt", "hertz_contact", "damped"), 2.0, 4000, 6
 
 
 def of_model(part: str) -> dict[str, Any]:
@@ -123,7 +124,7 @@ def of_model(part: str) -> dict[str, Any]:
 
 def validate_models(number: int, seed: int = 7, store: str = "", seconds: float = np.inf) -> int:
     """How many values of models without closed forms are not where the state ends that is followed."""
-    names = [f"{MODELS[i % len(MODELS)]} {1000 * seed + i} {min(500, number - 500 * i)}" for i in range(-(-number // 500))]
+    names = [f"{MODELS[i % len(MODELS)]} {1000 * seed + i} {min(PART, number - PART * i)}" for i in range(-(-number // PART))]
     done = parts.run(names, of_model, store, seconds)
     print(
         "| model | points | of them jump | points a second at once | one after the other | largest difference |\n|---|---|---|---|---|---|"

@@ -23,7 +23,7 @@ from .tubes import Parts, Tubes
 from .turning_points import past, turned
 
 #: Points at a time.
-BLOCK = 1024
+BLOCK = 4096
 #: The least step of a tube, over the whole way.
 THIN = 2.0**-14
 #: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
@@ -191,8 +191,10 @@ class Followed:
             to = rows[left[found]]
             out.value[to], out.state[:, to] = fold.z[n, found], fold.z[:n, found]
             out.error[to] = np.maximum(fold.high - fold.z[n], fold.z[n] - fold.low)[found]
-            decided[left[found]] = True
-            left, at = left[~found], at[~found]
+            # What turns back beyond the goal has come to it.
+            known = found | (fold.sure & (fold.low > goal[left] if self.forward > 0 else fold.high < goal[left]))
+            decided[left[known]] = True
+            left, at = left[~known], at[~known]
             at = past(tubes, parts[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
         return decided
 

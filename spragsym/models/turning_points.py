@@ -16,9 +16,10 @@ SECANTS, MET = 40, 1e-9
 #: Half the width of the last segment, over the size of the coordinate: v differs by its square there.
 LAST = 1e-6
 #: Share of the way to the fold of a segment, the smallest one that is tried, and segments at most.
-SHARE, LEAST, SEGMENTS = 0.65, 0.01, 60
-#: The first step where the curve is steep, over the way there if it stayed as steep, and steps at most.
-STEEP, STEPS = 0.25, 24
+SHARE, LEAST, SEGMENTS = 0.65, 1e-4, 400
+#: The first step where the curve is steep, over the way there if it stayed as steep, and over the size of the coordinate at
+#: most; the least one over the first, and steps at most.
+STEEP, WIDE, SMALLEST, STEPS = 0.25, 0.1, 1e-4, 100
 
 
 @dataclass(frozen=True)
@@ -58,9 +59,10 @@ def past(tubes: Tubes, parts: Parts, start: Place, forward: int, by: FloatArray)
     for pivot, rows, by_v in tubes.pivots(parts, start):
         here, some, towards = start[rows], parts[rows], forward * np.sign(by_v)
         by_s = tubes.tangents(some, here.z, pivot)[0]
-        step, goal = STEEP * np.abs(by_v * by[rows]), start.z[tubes.n, rows] + forward * by[rows]
+        step = np.minimum(STEEP * np.abs(by_v * by[rows]), WIDE * _size(here.z[pivot]))
+        goal = start.z[tubes.n, rows] + forward * by[rows]
         open_ = tubes.rises(some, here.box(), by_s, pivot) == forward * towards
-        least = LEAST * step
+        least = SMALLEST * step
         for _ in range(STEPS):
             on = np.flatnonzero(open_ & ((goal - here.z[tubes.n]) * forward > 0) & (step > least))
             if not on.size:

@@ -181,7 +181,10 @@ class Mechanics:
         return total
 
     def tidy(self, expression: sp.Expr) -> sp.Expr:
-        """In the fewest terms: by c² + s² = 1, either square of every direction may go; common factors stand outside."""
+        """In the fewest terms: by c² + s² = 1, either square of every direction may go; common factors stand outside.
+
+        Each parameter stands once where it can: an interval of it counts once, too.
+        """
         # Kept whole: expanded, they may overflow, or become sums of logarithms.
         nodes = sorted(expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression), key=sp.default_sort_key)
         kept = {1 / line.l: sp.Dummy() for line in self.lines} | {node: sp.Dummy() for node in nodes}
@@ -190,11 +193,13 @@ class Mechanics:
         shortest = shortest.xreplace(turned)
         kept |= turned
         circles = [(line.c, line.s) for line in self.lines] + [(kept[c], kept[s]) for c, s in waves(sp.Tuple(*turned))]
+        circles += [(angle.c, angle.s) for angle in self.angles]
         for cosine, sine in circles:
             if shortest.has(cosine, sine):
                 forms = [reduce_circles(shortest, (pair,)) for pair in ((cosine, sine), (sine, cosine))]
                 shortest = min(forms, key=lambda form: len(sp.Add.make_args(form)))
-        return sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
+        whole = sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
+        return sp.collect(whole, tuple(map(number, self.parameters)))
 
     def _quotients(self, expression: sp.Expr) -> set[sp.Expr]:
         """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and sine, as 1/(1 + cos² v²) is none."""

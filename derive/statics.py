@@ -41,8 +41,23 @@ def hessian(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, ...], ...], ...]:
 def by_parameters(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
     """Derivatives of the residuals by the parameters, and by μ as the last."""
     return tuple(
-        tuple(model.tidy(model.derivative(row, symbol)) for symbol in (*parameters(model), MU)) for row in model.residuals
+        tuple(_shortest(model, model.tidy(model.derivative(row, symbol))) for symbol in (*parameters(model), MU))
+        for row in model.residuals
     )
+
+
+def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
+    """With dx = c l and dy = s l of springs where that makes it shorter: what is left of a tension's terms is narrower then."""
+    for line in model.lines:
+        for part, along in ((line.dx, line.c * line.l), (line.dy, line.s * line.l)):
+            other = sp.factor_terms(sp.expand(expression).subs(sp.expand(part), along))
+            expression = min(expression, other, key=lambda form: len(form.free_symbols))
+    return expression
+
+
+def squared_lengths(model: Mechanics) -> tuple[sp.Expr, ...]:
+    """l² of every spring in the fewest terms: whatever the angles are, their cosines and sines count once."""
+    return tuple(model.tidy(line.dx**2 + line.dy**2) for line in model.lines)
 
 
 def module(model: Mechanics) -> Module:
@@ -70,6 +85,7 @@ def module(model: Mechanics) -> Module:
         (
             function("geometry", "The vector from the mass's end of every spring to its anchor, and its undeformed length.", place,
                      tuple((line.dx, line.dy, line.rest) for line in model.lines), "((dx, dy, rest), …)"),
+            function("squared_lengths", "The squared length of every spring.", place, squared_lengths(model), "(l_1², …)"),
             function("contact_gap", "The gap: contact where it is not positive.", place,
                      sp.S.Zero if model.gap is None else model.gap, "gap"),
             function("mirror", "The image of a state in the model's mirror, if it has one: see \"mirror\" in model.json.", place,

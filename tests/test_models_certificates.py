@@ -9,6 +9,7 @@ import pytest
 from scipy import stats
 
 import spragsym as ss
+from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.certificates import ENDS, OPEN, SAFE, THIN, Splitting
 from spragsym.models.paths import first_end
 from spragsym.models.tubes import Parts
@@ -167,6 +168,40 @@ def test_what_is_asked() -> None:
     model = ss.load("two_springs")
     with pytest.raises(ss.ParameterError, match="independent"):
         model.jump_probability((low, high), correlation={("theta0", "mu0"): 0.5}, max_boxes=4, n=16, replicates=2)
+
+
+def test_slopes_over_a_box_are_about_as_narrow_as_they_are() -> None:
+    """A stiffness that stands twice, and a length whose cosine and sine are free of each other, made them four times as wide."""
+    ranges = {"theta0": (0.873, 0.908), "sigma": (0.11, 0.162), "alpha": (0.0055, 0.0081)}
+    model = ss.load("cubic_contact")
+    box = Splitting(*sets(model, ranges), "mu0", 0.0)
+    parts, z = box._parts(box.whole.low, box.whole.high), box.whole.base.z
+    slopes = box.tubes.slopes(parts, Intervals.point(z))[..., 0]
+    shares = np.random.default_rng(1).uniform(-1, 1, (3, 2000))
+    points = Parts(np.repeat(parts.fixed, 2000, axis=1), parts.centre + parts.half * shares, np.full((3, 2000), 1e-9))
+    sampled = box.tubes._floats(points, np.repeat(z, 2000, axis=1))[1]
+    low, high = sampled.min(axis=-1), sampled.max(axis=-1)
+    assert (slopes.low <= low).all()
+    assert (high <= slopes.high).all()
+    K = (slice(None), slice(0, 2))
+    assert ((slopes.high - slopes.low)[K] < 1.5 * (high - low)[K]).all()
+    by_sigma = 3 + box.free.index("sigma")
+    assert ((slopes.high - slopes.low)[:, by_sigma] < 1e-3).all()
+
+
+@pytest.mark.thorough
+def test_tolerances_of_five_quantities_are_proved() -> None:
+    """Springs of 15 %, an angle of 1°: 38,649 parts before, in twenty seconds."""
+    ranges = {
+        "theta0": (0.8901, 0.9251), "kappa": (0.000455, 0.000496), "alpha": (0.005513, 0.008118), "sigma": (0.1102, 0.1624),
+        "mu0": (0.3, 0.6),
+    }  # fmt: skip
+    low, high = sets(ss.load("cubic_contact"), ranges)
+    assert ss.certify(low, high, "no jump", max_boxes=3000).outcome == "proved"
+    rng = np.random.default_rng(3)
+    inside = {name: rng.uniform(*ends, 2000) for name, ends in ranges.items()}
+    p = ss.load("cubic_contact").Parameters(**inside)
+    assert not (ss.jump_value(p, "mu0") <= inside["mu0"]).any()
 
 
 def test_a_fold_just_above_a_box_is_no_obstacle() -> None:

@@ -21,6 +21,8 @@ from .tubes import SMALL, Flags, Parts, Place, Tubes
 
 #: Parts at a time, and points at a time.
 BATCH, POINTS = 1024, 1024
+#: Fewer parts than this take as long as so many.
+FEW = 64
 #: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
 WIDE, THIN = 2.0**-6, 2.0**-14
 #: What the relative width of a side counts beside its effect on the state.
@@ -74,14 +76,22 @@ class Pieces:
         """Sides of the free parameters that have floats between their ends."""
         return np.nextafter(self.low[:-1], np.inf) < self.high[:-1]
 
-    def halved(self, weight: FloatArray) -> Pieces:
-        """Each cut across the side that matters most."""
+    def divided(self, weight: FloatArray) -> Pieces:
+        """Each cut across the side that matters most, and few of them again and again, until a step takes them all at once."""
+        pieces, weight = self._halved(weight)
+        while 0 < len(pieces) < FEW and pieces.divisible().any(axis=0).all():
+            pieces, weight = pieces._halved(weight)
+        return pieces
+
+    def _halved(self, weight: FloatArray) -> tuple[Pieces, FloatArray]:
         column = np.arange(len(self))
         side = np.where(self.divisible(), weight, -1.0).argmax(axis=0)
         middle = 0.5 * (self.low[side, column] + self.high[side, column])
         low, high = self.low.copy(), self.high.copy()
         low[side, column], high[side, column] = middle, middle
-        return replace(self, high=high).then(replace(self, low=low))
+        weight = weight.copy()
+        weight[side, column] *= 0.5
+        return replace(self, high=high).then(replace(self, low=low)), np.concatenate([weight, weight], axis=1)
 
 
 class Splitting:
@@ -208,7 +218,7 @@ class Splitting:
             yield some, last, int(taken.size)
             pending = pending[order[taken.size :]]
             if not last.all():
-                pending = pending.then(some[~last].halved(weight[:, ~last]))
+                pending = pending.then(some[~last].divided(weight[:, ~last]))
         if len(pending):
             yield pending, np.ones(len(pending), dtype=np.bool_), 0
 

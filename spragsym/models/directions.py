@@ -5,13 +5,20 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
+
 from ..exact.interval_arrays import Intervals, stacked
 from ..exact.interval_functions import atan2, length, unit_vector
 from ..exact.jets import Jet, argument, binomial_series, change, constant, turned
 
 
-def direction(dx: Any, dy: Any, shape: tuple[int, ...]) -> tuple[Any, Any, Any]:
+def direction(dx: Any, dy: Any, shape: tuple[int, ...], square: Any = None) -> tuple[Any, Any, Any]:
     """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of them.
+
+    Parameters
+    ----------
+    square : optional
+        The squared length without its changes, where another form of it is known that may be narrower.
 
     Notes
     -----
@@ -19,6 +26,8 @@ def direction(dx: Any, dy: Any, shape: tuple[int, ...]) -> tuple[Any, Any, Any]:
     from the sharp enclosures of c, s and l, not from quotients of intervals.
     """
     c, s, L = _at(dx, dy, shape)
+    if square is not None:
+        L = Intervals(np.fmin(L.ends, as_intervals(square, shape).sqrt().ends))
     order = max((part.order for part in (dx, dy) if isinstance(part, Jet)), default=0)
     if not order:
         return c, s, L
@@ -50,7 +59,7 @@ def turning(
     Its derivatives are those of the spring's angle less those of the angle at rest: algebra in sharp enclosures of direction and
     length. They hold at every point off the ray, and so on either side of it, but no mean value theorem holds across it.
     """
-    cosine, sine = (_as_intervals(part, shape) for part in value)
+    cosine, sine = (as_intervals(part, shape) for part in value)
     phi = atan2(sine, cosine, side)
     order = max((part.order for part in (*vector, *rest) if isinstance(part, Jet)), default=0)
     if not order:
@@ -65,7 +74,7 @@ def turning(
 
 def _at(dx: Any, dy: Any, shape: tuple[int, ...]) -> tuple[Intervals, Intervals, Intervals]:
     """Direction and length without their changes."""
-    along, across = (_as_intervals(constant(part), shape) for part in (dx, dy))
+    along, across = (as_intervals(constant(part), shape) for part in (dx, dy))
     return *unit_vector(along, across), length(along, across)
 
 
@@ -75,5 +84,5 @@ def _turn(dx: Any, dy: Any, c: Intervals, s: Intervals, L: Intervals, order: int
     return (hx * c + hy * s) / L, (hy * c - hx * s) / L
 
 
-def _as_intervals(value: Any, shape: tuple[int, ...]) -> Intervals:
+def as_intervals(value: Any, shape: tuple[int, ...]) -> Intervals:
     return stacked([value], shape)[0]

@@ -16,6 +16,8 @@ from .laws import XP
 
 #: Where an angle is searched that comes around after a turn: beyond π to either side, so that no state is near the border.
 TURN = np.pi + 0.02
+#: Of the cosine of an angle a width that is rounding.
+ROUNDED = 1e-9
 
 
 class Model(Protocol):
@@ -169,8 +171,17 @@ class Forces:
             or −1 that on one side of the ray, with 0 anything from −π to π.
         """
         steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(self.geometry(q, values))]
-        parts = [part for dx, dy in steps for part in direction(dx, dy, shape)]
+        squares = self._squared_lengths(q, values)
+        parts = [part for (dx, dy), square in zip(steps, squares, strict=True) for part in direction(dx, dy, shape, square)]
         return parts + self._turnings(q, values, shape, steps, parts, sides) if self.torsions else parts
+
+    def _squared_lengths(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+        """l² of every spring without its changes, where an angle is so wide that its form counts; else None."""
+        if not any(_is_wide(values[code]) for parts in self.angles.values() for code in parts):
+            return [None] * self.springs
+        fixed = [jets.constant(part) for part in (*q, *self._listed(values, "statics"))]
+        found: Sequence[Any] = undecorated(self.model.statics.squared_lengths)(*fixed, xp=XP)
+        return found
 
     def _turnings(
         self,
@@ -271,6 +282,12 @@ class Forces:
 
 def _is_nothing(values: Intervals) -> bool:
     return values.ends.size > 0 and not values.ends.any()
+
+
+def _is_wide(part: Any) -> bool:
+    """Whether an argument, or what it is without its changes, is wider than by rounding."""
+    value = jets.constant(part)
+    return isinstance(value, Intervals) and bool(((value.ends[0] + value.ends[1]) > ROUNDED).any())
 
 
 def _is_none(stiffness: Any) -> bool:

@@ -31,6 +31,8 @@ from .points import arranged, given_column, picked, ranges, search
 if TYPE_CHECKING:
     from .model import Model
 
+#: Points of the plane that are nearer than this share of its scales are one.
+SAME = 1e-9
 #: Halvings by which a point with l₁ = 0 is enclosed.
 HALVINGS = 30
 #: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
@@ -128,8 +130,9 @@ def onset_curves(
     given = given_column(p, balance.parameters, vary)
     condition = _condition(balance)
     points = _points(balance, p, vary, given, spans)
-    found = on_lines(balance, vary, condition, given, spans, n, rows_of(balance, vary, points)[:, points.kind == "BT"])
-    lines = _Lines(model, balance, tuple(vary), given, found.curves)
+    ends = rows_of(balance, vary, points)[:, points.kind == "BT"]
+    found = on_lines(balance, vary, condition, given, spans, n, ends)
+    lines = _Lines(model, balance, tuple(vary), given, found.curves, ends)
     curves, changes = [], []
     for chain in found.chains:
         for states in lines.oscillating(chain):
@@ -196,13 +199,18 @@ class _Lines:
     vary: tuple[str, ...]
     given: FloatArray
     curves: FoldCurves
+    ends: FloatArray  #: Bogdanov–Takens points, one a column
 
     def oscillating(self, states: FloatArray) -> list[FloatArray]:
-        """The parts of a chain on which a pair is imaginary; on the others two real eigenvalues have the sum 0."""
+        """The parts of a chain on which a pair is imaginary; on the others two real eigenvalues have the sum 0.
+
+        At a Bogdanov–Takens point both are 0, and rounding would say what they are: it belongs to the curve that ends there.
+        """
         if not states.shape[1]:
             return []
         omega = np.array([self.omega(state) for state in states.T])
-        kept = omega > 0
+        off = np.abs(states[:, :, None] - self.ends[:, None]) / self.curves.scale[:, None, None]
+        kept = (omega > 0) | (off.max(axis=0) < SAME).any(axis=1)
         cuts = np.flatnonzero(np.diff(kept)) + 1
         return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[0]]
 

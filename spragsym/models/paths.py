@@ -132,7 +132,6 @@ class _Way:
         self.model, self.vary, self.balance = model, vary, Balance(model, contact=True)
         self.p = p
         low, high = float(along.min()), float(along.max())
-        self.ends_at = low, high
         # Folds on the ends are inside of what is searched.
         allowed: Range = p.ranges.get(vary, Range(-np.inf, np.inf))
         low = max(low - BESIDE * max(1.0, abs(low)), allowed.low)
@@ -144,7 +143,9 @@ class _Way:
                 "path needs a range without them"
             )
         self.ends = [self.folds, *self._touches((low, high))]
-        self.at, self.kinds = self._column(vary), self._column("kind")
+        at = self._snapped(along)
+        self.within = (at >= along.min()) & (at <= along.max())
+        self.at, self.kinds = at[self.within], self._column("kind")
         self.stops, self.wanted = self._stops(along)
         self.eq = equilibria(model, p.replace(**{vary: self.stops}))
         if not self.eq.decided.all():
@@ -152,11 +153,17 @@ class _Way:
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
         self.links = links(Along(self.balance, p, vary, self.at, self.kinds), self.stops, self.eq)
 
+    def _snapped(self, along: FloatArray) -> FloatArray:
+        """Where states vanish; on a value that lies within the error of that, the value: another search rounds otherwise."""
+        at, error = (np.concatenate([getattr(points, key) for points in self.ends]) for key in (self.vary, "error"))
+        off = np.abs(at[:, None] - along)
+        near = off.argmin(axis=1)
+        return np.where(off[np.arange(at.size), near] <= error, along[near], at)
+
     def _column(self, name: str) -> NDArray[Any]:
         """A column of all points at which states vanish on the way."""
-        at, column = (np.concatenate([getattr(points, key) for points in self.ends]) for key in (self.vary, name))
-        chosen: NDArray[Any] = column[(at >= self.ends_at[0]) & (at <= self.ends_at[1])]
-        return chosen
+        column: NDArray[Any] = np.concatenate([getattr(points, name) for points in self.ends])[self.within]
+        return column
 
     def _touches(self, span: tuple[float, float]) -> list[Points]:
         """Where an equilibrium gets into contact or out of it."""

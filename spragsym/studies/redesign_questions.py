@@ -26,7 +26,7 @@ SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
 #: Slices of a certificate, and boxes of each: where few do not decide, a design a little further off is proved sooner.
 _SLICES, _BOXES = (1, 4, 16), 120
 #: Slices and boxes of a certificate by tubes, which take longer, points at which it is refuted, and changes that get one.
-_FEW_SLICES, _FEW_BOXES, _FEW_POINTS, _MOST = (4,), 300, 64, 4
+_FEW_SLICES, _FEW_BOXES, _FEW_POINTS, _MOST = (4,), 3000, 64, 4
 
 
 @dataclass(frozen=True)

@@ -193,7 +193,6 @@ class Mechanics:
         shortest = shortest.xreplace(turned)
         kept |= turned
         circles = [(line.c, line.s) for line in self.lines] + [(kept[c], kept[s]) for c, s in waves(sp.Tuple(*turned))]
-        circles += [(angle.c, angle.s) for angle in self.angles]
         for cosine, sine in circles:
             if shortest.has(cosine, sine):
                 forms = [reduce_circles(shortest, (pair,)) for pair in ((cosine, sine), (sine, cosine))]

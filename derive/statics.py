@@ -7,6 +7,7 @@ from collections.abc import Callable
 import sympy as sp
 
 from . import laws, balance_rows, symmetry
+from .algebra import reduce_circles
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
@@ -57,7 +58,15 @@ def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
 
 def squared_lengths(model: Mechanics) -> tuple[sp.Expr, ...]:
     """l² of every spring in the fewest terms: whatever the angles are, their cosines and sines count once."""
-    return tuple(model.tidy(line.dx**2 + line.dy**2) for line in model.lines)
+    squares = []
+    for line in model.lines:
+        square = model.tidy(line.dx**2 + line.dy**2)
+        for angle in model.angles:
+            if square.has(angle.c, angle.s) and square.is_polynomial(angle.c, angle.s):
+                forms = [reduce_circles(square, (pair,)) for pair in ((angle.c, angle.s), (angle.s, angle.c))]
+                square = min(square, *forms, key=lambda form: len(sp.Add.make_args(sp.expand(form))))
+        squares.append(square)
+    return tuple(squares)
 
 
 def module(model: Mechanics) -> Module:

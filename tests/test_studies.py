@@ -286,10 +286,20 @@ def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: s
         study.to_html(tmp_path / name, report)
     text = (tmp_path / "a.html").read_text(encoding="utf-8")
     assert text == (tmp_path / "b.html").read_text(encoding="utf-8")
-    assert text.count("<svg") == 3
+    assert text.count("<svg") == 4
+    assert "with a knock where they are dashed" in text
     assert report.verdict in text
     assert "src=" not in text
     assert "http" not in text.replace("http://www.w3.org", "")
+
+
+def test_without_a_belt_no_map_says_where_oscillation_sets_in(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    file = tmp_path / "brake.toml"
+    file.write_text("\n".join(row for row in BRAKE.splitlines() if not row.startswith(("V ", "d "))), encoding="utf-8")
+    study = ss.Study.from_file(file)
+    study.to_html(tmp_path / "page.html", study.report(probability=False, redesign=False))
+    assert "The map of stability" not in (tmp_path / "page.html").read_text(encoding="utf-8")
 
 
 def test_friction_that_was_measured(tmp_path: Path) -> None:

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Rectangle
 
 from ..errors import SpragsymError
 from ..figures import models as drawings
@@ -17,13 +14,11 @@ from ..figures.style import BLUE, SKY
 from ..models.load import load
 from . import other_models
 from .other_reports import ModelReport
-from .pages import document, picture
+from .pages import document, picture, stability_map, with_brake
 from .study import Study
 
 #: Lines of a bifurcation set, and values along the friction.
 _LINES, _VALUES = 40, 240
-#: Lines on which onsets of oscillation are looked for.
-_ONSETS = 12
 
 
 def write_other_page(study: Study, report: ModelReport, path: Path) -> None:
@@ -48,31 +43,14 @@ def pictures(study: Study, report: ModelReport) -> Iterator[tuple[str, str]]:
         ax.axvspan(*friction, color=SKY, alpha=0.25, linewidth=0, zorder=0)
         ax.plot([report.mu_effective] * 2, ax.get_ylim(), color=BLUE, linewidth=0.8)
 
-    def with_brake(draw: Callable[[Axes], Any]) -> str:
-        def both(ax: Axes) -> None:
-            draw(ax)
-            low, high = np.degrees(ends["theta0"])
-            size = high - low, friction[1] - friction[0]
-            ax.add_patch(Rectangle((low, friction[0]), *size, facecolor=SKY, edgecolor=BLUE, alpha=0.6))
-            ax.plot([float(np.degrees(p.theta0))], [report.mu_effective], "o", color=BLUE, markersize=4.5, zorder=5)
-
-        return picture(both)
-
     if "theta0" in model.parameters:
-        plane, between = ("theta0", "mu0"), {"mu0": (0.0, top)}
         with suppress(SpragsymError):
-            folds = model.bifurcation_set(here, plane, _LINES, between=between)
+            folds = model.bifurcation_set(here, ("theta0", "mu0"), _LINES, between={"mu0": (0.0, top)})
             yield (
-                with_brake(lambda ax: drawings.draw_bifurcation_set_of(model, folds, ax)),
+                with_brake(study, here, friction, lambda ax: drawings.draw_bifurcation_set_of(model, folds, ax)),
                 "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding meet.",
             )
-        with suppress(SpragsymError):
-            onsets = model.onset_curves(here, plane, _ONSETS, between=between)
-            yield (
-                with_brake(lambda ax: drawings.draw_onset_curves_of(model, onsets, ax)),
-                "The map of stability. On the lines oscillation sets in: gently where they are full, with a knock where they are "
-                "dashed; where they are dotted it is not known which.",
-            )
+        yield from stability_map(study, here, friction, top)
     yield (
         picture(states),
         f"All states of sliding over the friction, {model.coordinates[0]} without units (one is "

@@ -5,12 +5,14 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from ..errors import SpragsymError
 from .reports import Report
 from .study import Study
 from .texts import sections
@@ -18,6 +20,8 @@ from .texts import sections
 if TYPE_CHECKING:
     from .other_reports import ModelReport
 
+#: Lines on which onsets of oscillation are looked for.
+_ONSETS = 12
 _STYLE = """
 body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:58rem;margin:2rem auto;padding:0 1rem}
 h1{font-size:1.5rem;margin-bottom:.3rem}h2{font-size:1.1rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}
@@ -91,6 +95,7 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         "The displacement along the belt as the friction rises from 0 (red, with its jumps); grey: all states, full where "
         "stable. Shaded: the friction within its tolerances.",
     )
+    yield from stability_map(study, p, (low, high), max(1.0, 1.15 * high))
     if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
         shares = report.probability.sobol
         yield (
@@ -99,6 +104,37 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         )
     if report.oscillation is not None and report.oscillation.alive:
         yield from _of_motion(study, report)
+
+
+def stability_map(study: Study, p: Any, friction: tuple[float, float], top: float) -> Iterator[tuple[str, str]]:
+    """Where oscillation sets in, over angle and friction up to ``top``; nothing where the belt or its law is not known."""
+    from ..figures import models as drawings
+
+    if not {"V", "d"} & set(p.model.parameters) <= set(study.quantities):
+        return
+    with suppress(SpragsymError):
+        onsets = p.model.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
+        yield (
+            with_brake(study, p, friction, lambda ax: drawings.draw_onset_curves_of(p.model, onsets, ax)),
+            "The map of stability. On the lines oscillation sets in: gently where they are full, with a knock where they are "
+            "dashed; where they are dotted it is not known which.",
+        )
+
+
+def with_brake(study: Study, p: Any, friction: tuple[float, float], draw: Callable[[Any], Any]) -> str:
+    """A picture over angle and friction, with the brake and its tolerances in it."""
+    from matplotlib.patches import Rectangle
+
+    from ..figures.style import BLUE, SKY
+
+    def both(ax: Any) -> None:
+        draw(ax)
+        low, high = (float(np.degrees(end)) for end in (study.quantities["theta0"].low, study.quantities["theta0"].high))
+        size = high - low, friction[1] - friction[0]
+        ax.add_patch(Rectangle((low, friction[0]), *size, facecolor=SKY, edgecolor=BLUE, alpha=0.6))
+        ax.plot([float(np.degrees(p.theta0))], [float(p.mu0)], "o", color=BLUE, markersize=4.5, zorder=5)
+
+    return picture(both)
 
 
 def _of_motion(study: Study, report: Report) -> Iterator[tuple[str, str]]:

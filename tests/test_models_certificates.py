@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -111,6 +112,57 @@ def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: fl
     assert found.proved[0] <= theirs.low < theirs.high <= found.proved[1]
     assert found.proved[1] - found.proved[0] < width
     assert found.low <= theirs.probability <= found.high
+
+
+#: Its state ends where mu0 kappa = 2/(3√3).
+SOFTENING = '''r"""A mass on a spring that softens, pressed on a belt by a given force.
+
+::
+
+    |--/\\/\\/--[m]--> x
+"""
+
+from ..model import Page, exp
+
+page = Page("A mass on a spring that softens, pressed on a belt by a given force.")
+
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness of the spring")
+L_0 = page.unit("L_0", "m", "length")
+
+mu0 = page.parameter("mu0", "1", "friction coefficient at full slip", ">= 0", 0.3)
+F_L = page.parameter("F_L", "N", "normal force", ">= 0", 0.5, becomes="kappa")
+c = page.parameter("c", "N/m^3", "softening of the spring", "> 0", 1.0, becomes="gamma")
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness of the friction law", "> 0", 10.0)
+
+x = page.coordinate("x", "m", "displacement along the belt")
+
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.potential(k * x**2 / 2 - c * x**4 / 4)
+page.normal_force(F_L)
+page.friction(x, V, lambda v: mu0 * (1 - exp(-d * v)), at_rest=mu0)
+'''
+
+
+@pytest.mark.thorough
+def test_probability_bracket_and_shares_are_those_of_a_closed_form(tmp_path: Path) -> None:
+    """mu0 and kappa uniform in [0, 1]: P = 1 − A + A ln A, and the variance of P given one of them is 1 − A² + 2 A ln A − P²."""
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder
+
+    (tmp_path / "softening.py").write_text(SOFTENING, encoding="utf-8")
+    folder.write_page(tmp_path / "softening.py", tmp_path / "softening")
+    model, A = ss.load(tmp_path / "softening"), 2 / (3 * np.sqrt(3))
+    P = 1 - A + A * np.log(A)
+    first = (1 - A**2 + 2 * A * np.log(A) - P**2) / (P * (1 - P))
+    found = model.jump_probability({"mu0": (0.0, 1.0), "kappa": (0.0, 1.0)}, n=1 << 13, rng=1, sobol=True, max_boxes=400)
+    assert found.low < P < found.high
+    assert found.proved[0] <= P <= found.proved[1] < found.proved[0] + 0.01
+    for name in ("mu0", "kappa"):
+        assert found.first[name] == pytest.approx(first, abs=0.02)
+        assert found.total[name] == pytest.approx(1 - first, abs=0.02)
+    np.testing.assert_allclose(model.jump_value(model.Parameters(kappa=np.array([0.5, 1.0]))), [2 * A, A], rtol=1e-12)
 
 
 def test_the_bracket_of_a_law_without_an_end() -> None:

@@ -102,6 +102,25 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     assert isinstance(problem, ss.SpragsymError)
 
 
+@pytest.mark.thorough
+def test_a_page_with_the_map_of_stability(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    for options in ([], ["--model", "inclined_belt"]):
+        texts = []
+        for more in (["--onsets"], ["--onsets"], []):
+            out = tmp_path / f"{len(texts)}{len(options)}.html"
+            assert CliRunner().invoke(explore, ["--out", str(out), "--no-open", *options, *more]).exit_code == 0
+            texts.append(out.read_text(encoding="utf-8"))
+        assert texts[0] == texts[1]
+        assert texts[0].count("<svg") == texts[2].count("<svg") + 1
+        assert "Where oscillation sets in" not in texts[2]
+        (command,) = re.findall(r"spragsym (onsets [^<]*)</pre>", texts[0])
+        told = json.loads(CliRunner().invoke(cli, command.split()).stdout)
+        assert told["curves"]
+    problem = CliRunner().invoke(explore, ["--model", "stick_slip", "--onsets", "--out", str(out), "--force"]).exception
+    assert "leave it out" in str(problem)
+
+
 def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
     monkeypatch.setattr("spragsym.cli.explore.webbrowser.open", opened.append)

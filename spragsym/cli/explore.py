@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import webbrowser
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,9 +14,11 @@ import click
 from .. import assumed
 from ..errors import MissingExtraError, ParameterError
 from ..explorer import Derived, Preset, Units, explorer_page, model_page, model_preset
+from ..explorer.presets import article_presets
 from .commands import command
 from .export import of_model
 from .of_model import page_of
+from .tables import busy
 from .targets import force, holds, refuse
 
 if TYPE_CHECKING:
@@ -24,6 +27,8 @@ if TYPE_CHECKING:
 
 #: The model that the exported JavaScript solves with proofs.
 ARTICLE_MODEL = "kang_nam"
+#: Lines of either parameter on which onsets are sought.
+_LINES = 20
 
 
 @command()
@@ -47,10 +52,13 @@ ARTICLE_MODEL = "kang_nam"
     help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {ARTICLE_MODEL}]",
 )
 @click.option(
+    "--onsets", is_flag=True, help="With the map of stability, at the values that the page begins with; takes some seconds."
+)
+@click.option(
     "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."
 )
 @force
-def explore(out: Path, data: Path | None, model: str | None, unopened: bool, force: bool) -> None:
+def explore(out: Path, data: Path | None, model: str | None, onsets: bool, unopened: bool, force: bool) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
     It shows the mechanism, the plane of inclination and friction, the surface of all equilibria, every state at a point,
@@ -64,7 +72,7 @@ def explore(out: Path, data: Path | None, model: str | None, unopened: bool, for
     Examples:
       spragsym explore
       spragsym explore --data brake.toml
-      spragsym explore --model two_springs --out two_springs.html
+      spragsym explore --model two_springs --onsets --out two_springs.html
       spragsym explore --out web/explorer.html --no-open
 
     \b
@@ -72,7 +80,7 @@ def explore(out: Path, data: Path | None, model: str | None, unopened: bool, for
     """
     study = None if data is None else _study(data, model)
     name = study.model if study is not None else model or ARTICLE_MODEL
-    text = _article(study) if name == ARTICLE_MODEL else _other(name, study)
+    text = _article(study, onsets) if name == ARTICLE_MODEL else _other(name, study, onsets)
     out = _page_name(out)
     if not holds(out, text):
         refuse([out], force)
@@ -104,28 +112,51 @@ def _study(path: Path, model: str | None) -> Study:
     return study
 
 
-def _article(study: Study | None) -> str:
+def _article(study: Study | None, onsets: bool) -> str:
     """The article's page, at the user's point with belt speed and steepness of the friction law if the file has them."""
     if study is None:
-        return explorer_page()
+        return explorer_page(onsets=_map(article_presets()[0].point, ARTICLE_MODEL, None, onsets))
     drive = {"V": assumed.V, "d": assumed.D} | (study.parameters.belt() if study.moves else {})
     preset = Preset.of(f"Your data: {study.source}", study.dimensionless)
-    return explorer_page([preset], V=float(drive["V"]), d=float(drive["d"]), units=_units(study))
+    drawn = _map({**preset.point, **drive}, ARTICLE_MODEL, study, onsets)
+    return explorer_page([preset], V=float(drive["V"]), d=float(drive["d"]), units=_units(study), onsets=drawn)
 
 
-def _other(name: str, study: Study | None) -> str:
+def _other(name: str, study: Study | None, onsets: bool) -> str:
     """The page of another model, at the user's point if there is one."""
     from ..models import load
 
     model = load(name)
     derived = _derived(model)
     if study is None:
-        return model_page(model, derived)
+        return model_page(model, derived, onsets=_map(model.base, name, None, onsets))
     from ..studies.other_models import dimensionless
 
     point, _ = dimensionless(study.model, study.values)
     values = {key: getattr(point, key) for key in model.parameters}
-    return model_page(model, derived, [model_preset(f"Your data: {study.source}", model, values)], _units(study))
+    preset = model_preset(f"Your data: {study.source}", model, values)
+    return model_page(model, derived, [preset], _units(study), _map(preset.point, name, study, onsets))
+
+
+def _map(point: Mapping[str, Any], name: str, study: Study | None, asked: bool) -> tuple[str, str]:
+    """The map of stability at a point of a model, and the command that prints its numbers; empty where nobody asks for it."""
+    if not asked:
+        return "", ""
+    from ..figures.models import draw_onset_curves_of, window
+    from ..models import load
+    from ..studies.pages import picture
+
+    model = load(name)
+    if len(model.axes) != 2:
+        raise ParameterError(f"--onsets: {name} has no two parameters that vary; leave it out")
+    ends = window(model, model.axes, {})
+    with busy("searching for onsets (--onsets)"):
+        p = model.Parameters(**{key: value for key, value in point.items() if value is not None})
+        found = model.onset_curves(p, model.axes, _LINES, between=ends)
+    taken = f"--data {study.source}" if study is not None else f"--model {name}"
+    spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.axes)
+    command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
+    return picture(lambda ax: draw_onset_curves_of(model, found, ax)), command
 
 
 def _derived(model: Model) -> Derived:

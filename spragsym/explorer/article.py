@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from importlib import resources
 
 from ..assumed import D, V
-from .page import asset, filled, motion_part, page, parameter_part, points
+from .page import asset, filled, motion_part, onsets_part, page, parameter_part, points
 from .presets import Preset, article_presets
 from .units import Units
 
@@ -16,7 +16,9 @@ _START = """explorer.start({
 _SOURCE = "Model: J. Kang and J. Nam, Applied Sciences 10 (2020) 2748."
 
 
-def explorer_page(presets: Sequence[Preset] = (), *, V: float = V, d: float = D, units: Units | None = None) -> str:
+def explorer_page(
+    presets: Sequence[Preset] = (), *, V: float = V, d: float = D, units: Units | None = None, onsets: tuple[str, str] = ("", "")
+) -> str:
     """The explorer as one HTML page that needs no network.
 
     Parameters
@@ -27,6 +29,8 @@ def explorer_page(presets: Sequence[Preset] = (), *, V: float = V, d: float = D,
         Belt speed and steepness of the friction law that the motion begins with.
     units : Units, optional
         Units of the user's own, in which states, forces and motion are shown.
+    onsets : pair of str
+        The map of stability as SVG, and the command that prints its numbers.
 
     Returns
     -------
@@ -47,6 +51,7 @@ def explorer_page(presets: Sequence[Preset] = (), *, V: float = V, d: float = D,
     )
     parts = {
         "MOTION": motion_part("Solid: x; dashed: y.", assumed),
+        "ONSETS": onsets_part(*onsets),
         "PARAMETERS": parameter_part(units),
         "SCALES": "Lengths in units of L₀, forces in k_c L₀."
         if units is None

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..models.parameters import options_of
-from .page import asset, escaped, filled, motion_part, page, parameter_part, points
+from .page import asset, escaped, filled, motion_part, onsets_part, page, parameter_part, points
 from .presets import Preset
 from .units import Units
 
@@ -50,7 +50,9 @@ class Derived:
     ties: tuple[tuple[str, ...], tuple[str, ...]]
 
 
-def model_page(model: Model, derived: Derived, presets: Sequence[Preset] = (), units: Units | None = None) -> str:
+def model_page(
+    model: Model, derived: Derived, presets: Sequence[Preset] = (), units: Units | None = None, onsets: tuple[str, str] = ("", "")
+) -> str:
     """A page that shows a model: mechanism, states along a parameter, states at a point, motion in time.
 
     Parameters
@@ -63,6 +65,8 @@ def model_page(model: Model, derived: Derived, presets: Sequence[Preset] = (), u
         Points of the user's own; the page begins at the first of them, and the base values follow.
     units : Units, optional
         Units of the user's own.
+    onsets : pair of str
+        The map of stability as SVG, and the command that prints its numbers.
 
     Returns
     -------
@@ -78,6 +82,7 @@ def model_page(model: Model, derived: Derived, presets: Sequence[Preset] = (), u
         "DRAWING": derived.drawing,
         "PARAMETERS": parameter_part(units),
         "MOTION": motion_part(f"Lines: {lines}.", ""),
+        "ONSETS": onsets_part(*onsets),
     }
     return page(
         f"{model.name} explorer",

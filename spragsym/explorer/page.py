@@ -81,6 +81,20 @@ def parameter_part(units: Units | None) -> str:
     return filled(asset("parameters.html"), {"UNITS": about}).rstrip()
 
 
+def onsets_part(drawing: str, command: str) -> str:
+    """The part of a page with the map of stability as SVG, and the command that prints its numbers; nothing without a map."""
+    if not drawing:
+        return ""
+    return f"""<section aria-labelledby="onsets_title">
+<h2 id="onsets_title">Where oscillation sets in</h2>
+<div class="drawing" style="background: white; max-width: 34rem">{drawing}</div>
+<p class="note">The map of stability at the values that this page begins with, drawn when it was made: gently on full lines,
+with a knock on dashed ones; which of the two is not known on dotted ones. Dots: this changes (GH);
+squares: curves end on folds (BT, ZH) or cross (HH). Its numbers, with proofs:</p>
+<pre class="scroll" tabindex="0" aria-label="Command that computes the onsets">{escaped(command)}</pre>
+</section>"""
+
+
 def motion_part(lines: str, assumed: str) -> str:
     """The part of a page on the motion in time, with words on its lines and on what is assumed."""
     return filled(asset("motion.html"), {"LINES": lines, "ASSUMED": assumed})

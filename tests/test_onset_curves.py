@@ -103,6 +103,68 @@ def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[An
     assert (curves.changes["error"] < 1e-5).all()
 
 
+#: Two modes that a spring couples; friction feeds the first, a damper takes from the second.
+TWO_MODES = '''r"""Two modes on a belt: friction feeds one of them, a damper takes from the other.
+
+::
+
+    |--/\\/\\/--[m]--> x,  y across
+     ==================>  V
+"""
+
+from ..model import Page
+
+page = Page("Two coupled modes of one mass: a falling friction law feeds the first, a damper takes from the second.")
+
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness along the belt")
+N_0 = page.unit("N_0", "N", "normal force")
+
+k_y = page.parameter("k_y", "N/m", "stiffness across the belt", ">= 0", 1.5, becomes="kappa")
+g = page.parameter("g", "N/m", "stiffness that couples the two", ">= 0", 0.4, becomes="gamma")
+c = page.parameter("c", "N s/m", "damper across the belt", ">= 0", 0.3, becomes="zeta")
+mu_s = page.parameter("mu_s", "1", "largest friction coefficient", ">= 0", 0.5)
+v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.5)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 1.0)
+
+x = page.coordinate("x", "m", "displacement along the belt")
+y = page.coordinate("y", "m", "displacement across it")
+
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+page.spring(k, along=x)
+page.spring(k_y, along=y)
+page.spring(g, along=x + y)
+page.damper(c, along=y)
+page.normal_force(N_0)
+page.friction(x, V, lambda v: 2 * mu_s * v * v_s / (v**2 + v_s**2))
+'''
+
+
+def test_a_double_hopf_point_in_closed_form(tmp_path: Path) -> None:
+    """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its roots are imaginary."""
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder
+
+    (tmp_path / "two_modes.py").write_text(TWO_MODES, encoding="utf-8")
+    folder.write_page(tmp_path / "two_modes.py", tmp_path / "two_modes")
+    p = ss.load(tmp_path / "two_modes").Parameters()
+    fed = 2 * 0.5 * 0.5 * (1.0**2 - 0.5**2) / (1.0**2 + 0.5**2) ** 2
+    curves = ss.onset_curves(p, vary=("kappa", "zeta"), n=12, between={"kappa": (0.2, 2.5), "zeta": (0.0, 0.8)})
+    points = curves.points
+    assert points.complete
+    assert points.kind.tolist() == ["HH"]
+    np.testing.assert_allclose([points.kappa[0], points.zeta[0]], [1.0, fed], rtol=0, atol=float(points.error[0]) + 1e-15)
+    # Curves come near it from all sides: 1 + γ, κ + γ and γ are the stiffnesses, and Hurwitz's determinant is 0 on each of them.
+    g = float(p.gamma)
+    for curve in curves.curves:
+        k, z = np.asarray(curve.kappa), np.asarray(curve.zeta)
+        b = [(1 + g) * (k + g) - g * g, z * (1 + g) - fed * (k + g), 1 + k + 2 * g - fed * z, z - fed]
+        np.testing.assert_allclose(b[3] * b[2] * b[1], b[1] ** 2 + b[3] ** 2 * b[0], rtol=0, atol=1e-12)
+    ends = np.array([[curve.kappa[k] - 1.0, curve.zeta[k] - fed] for curve in curves.curves for k in (0, -1)])
+    near = ends[np.hypot(*ends.T) < 0.1]
+    assert {tuple(np.sign(row).tolist()) for row in near} == {(1, 1), (1, -1), (-1, 1), (-1, -1)}
+
+
 def test_bogdanov_takens_points() -> None:
     """Two zero eigenvalues of equations written by hand, at a fold; a curve of onsets ends there."""
     p = damped(1)

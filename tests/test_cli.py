@@ -423,6 +423,11 @@ def test_completion_of_commands_and_options(start: Start) -> None:
         (["equilibria", "--theta0", "49", "--sigma", "0"], USAGE, ["sigma = 0", "(0, inf)"]),
         (["equilibria", "--theta0", "49", "--mu0", "-0.3"], USAGE, ["--mu0 = -0.3 is"]),
         (["equilibria", "--theta0", "180.00000000000003"], USAGE, ["--theta0 = 180.00000000000003"]),
+        (
+            ["critical", "--theta0", "49", "--vary", "mu0=0:1", "--vary", "theta0"],
+            USAGE,
+            ["--vary", "mu0=0:1, theta0", "give it once"],
+        ),
         (["bifurcation", "--plot", "a.txt"], USAGE, ["a.txt", ".pdf, .png or .svg"]),
         (["bifurcation", "--plot", "missing/a.pdf"], FAILED, ["missing/a.pdf", "another path"]),
         (["simulate", "--theta0", "49", "--t-end", "-1"], USAGE, ["--t-end = -1"]),

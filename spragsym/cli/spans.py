@@ -58,8 +58,17 @@ class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
 
 
 def vary(text: str, multiple: bool = False) -> Callable[[F], F]:
-    """``--vary``."""
-    return click.option("--vary", type=Vary(), metavar="NAME[=FROM:TO]", multiple=multiple, help=text)
+    """``--vary``; where one parameter varies, a second one is refused, and not taken in place of the first."""
+    callback = None if multiple else _only
+    return click.option("--vary", type=Vary(), metavar="NAME[=FROM:TO]", multiple=True, callback=callback, help=text)
+
+
+def _only(context: click.Context, option: click.Parameter, given: tuple[Typed, ...]) -> Typed | None:
+    if len(given) > 1:
+        raise click.BadParameter(
+            f"{', '.join(one.text for one in given)}: here one parameter varies; give it once", context, option
+        )
+    return given[0] if given else None
 
 
 def within(function: F) -> F:

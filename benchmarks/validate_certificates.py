@@ -59,7 +59,8 @@ def ends(model: Any, p: Any) -> bool:
 def leaves(model: Any, p: Any) -> bool | None:
     """Whether motions from where a state ends leave beyond that friction and stay before it; None where no motion tells.
 
-    Which ones stay is told by the state just before its end: what is left behind is three times as far away.
+    Which ones stay is told by the state just before its end: what gets no farther than that has not left, what gets three times as
+    far has. In between, as beside a cusp, where the next state is near, a motion does not tell.
     """
     end = first_end(model, p.replace(mu0=0.0), "mu0", (0.0, float(p.mu0)))
     if end is None or end.kind != "fold":
@@ -74,7 +75,7 @@ def leaves(model: Any, p: Any) -> bool | None:
             p.replace(mu0=end.value * (1 + side * BESIDE), d=STEEP / float(p.V)), start=[*q, *[0.0] * len(q)], t_end=LONG
         )
         off.append(float(np.abs(getattr(motion, first) - q[0]).max()))
-    return bool(off[1] > 3 * near) if off[0] < 3 * near else None
+    return None if off[0] > 3 * near or near < off[1] <= 3 * near else bool(off[1] > near)
 
 
 def fails(eq: Any, claim: str) -> Any:

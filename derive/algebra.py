@@ -28,6 +28,12 @@ def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
     return polynomial
 
 
+def fewest_terms(polynomial: sp.Expr, cosine: sp.Symbol, sine: sp.Symbol) -> sp.Expr:
+    """By c² + s² = 1 either square may go: whichever leaves fewer terms."""
+    forms = [reduce_circles(polynomial, (pair,)) for pair in ((cosine, sine), (sine, cosine))]
+    return min(forms, key=lambda form: len(sp.Add.make_args(form)))
+
+
 def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit circles.
 

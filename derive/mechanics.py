@@ -20,7 +20,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from .algebra import reduce_circles
+from .algebra import fewest_terms
 from .model import Datum, Page, PageError, Point, Torsion, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
@@ -195,8 +195,7 @@ class Mechanics:
         circles = [(line.c, line.s) for line in self.lines] + [(kept[c], kept[s]) for c, s in waves(sp.Tuple(*turned))]
         for cosine, sine in circles:
             if shortest.has(cosine, sine):
-                forms = [reduce_circles(shortest, (pair,)) for pair in ((cosine, sine), (sine, cosine))]
-                shortest = min(forms, key=lambda form: len(sp.Add.make_args(form)))
+                shortest = fewest_terms(shortest, cosine, sine)
         whole = sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
         return sp.collect(whole, tuple(map(number, self.parameters)))
 

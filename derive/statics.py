@@ -7,7 +7,7 @@ from collections.abc import Callable
 import sympy as sp
 
 from . import laws, balance_rows, symmetry
-from .algebra import reduce_circles
+from .algebra import fewest_terms
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
@@ -63,8 +63,8 @@ def squared_lengths(model: Mechanics) -> tuple[sp.Expr, ...]:
         square = model.tidy(line.dx**2 + line.dy**2)
         for angle in model.angles:
             if square.has(angle.c, angle.s) and square.is_polynomial(angle.c, angle.s):
-                forms = [reduce_circles(square, (pair,)) for pair in ((angle.c, angle.s), (angle.s, angle.c))]
-                square = min(square, *forms, key=lambda form: len(sp.Add.make_args(sp.expand(form))))
+                other = fewest_terms(square, angle.c, angle.s)
+                square = min(square, other, key=lambda form: len(sp.Add.make_args(sp.expand(form))))
         squares.append(square)
     return tuple(squares)
 

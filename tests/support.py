@@ -56,6 +56,15 @@ def as_mpf(value: Fraction) -> mpmath.mpf:
     return mpmath.mpf(value.numerator) / value.denominator
 
 
+def model_of(text: str, name: str, place: Path) -> Any:
+    """The model of a page, derived in a folder."""
+    from spragsym.derive import folder
+
+    (place / f"{name}.py").write_text(text, encoding="utf-8")
+    folder.write_page(place / f"{name}.py", place / name)
+    return ss.load(place / name)
+
+
 def generated(name: str) -> ModuleType:
     """A module of generated algebra."""
     return importlib.import_module(f"{generated_package.__name__}.{name}")

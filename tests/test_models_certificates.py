@@ -14,7 +14,7 @@ from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.certificates import ENDS, OPEN, SAFE, THIN, Splitting
 from spragsym.models.paths import first_end
 from spragsym.models.tubes import Parts
-from tests.support import few
+from tests.support import few, model_of
 
 SEARCH = ss.load("kang_nam").search
 BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
@@ -149,11 +149,7 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * v)), at_rest=mu0)
 def test_probability_bracket_and_shares_are_those_of_a_closed_form(tmp_path: Path) -> None:
     """mu0 and kappa uniform in [0, 1]: P = 1 − A + A ln A, and the variance of P given one of them is 1 − A² + 2 A ln A − P²."""
     pytest.importorskip("sympy")
-    from spragsym.derive import folder
-
-    (tmp_path / "softening.py").write_text(SOFTENING, encoding="utf-8")
-    folder.write_page(tmp_path / "softening.py", tmp_path / "softening")
-    model, A = ss.load(tmp_path / "softening"), 2 / (3 * np.sqrt(3))
+    model, A = model_of(SOFTENING, "softening", tmp_path), 2 / (3 * np.sqrt(3))
     P = 1 - A + A * np.log(A)
     first = (1 - A**2 + 2 * A * np.log(A) - P**2) / (P * (1 - P))
     found = model.jump_probability({"mu0": (0.0, 1.0), "kappa": (0.0, 1.0)}, n=1 << 13, rng=1, sobol=True, max_boxes=400)

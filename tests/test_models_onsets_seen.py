@@ -15,6 +15,7 @@ from benchmarks import validate_gaps
 from spragsym.cli import cli
 from spragsym.models import points, stability
 from tests.conftest import Once
+from tests.support import model_of
 
 PAD = '''r"""A pad."""
 from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
@@ -55,13 +56,9 @@ page.friction(x, V, lambda v: (mu_k + (mu_s - mu_k) * exp(-Abs(v) / v_s)) * (1 -
 @pytest.fixture(scope="module")
 def pad(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
     pytest.importorskip("sympy")
-    from spragsym.derive import folder
 
     def derived() -> str:
-        out = tmp_path_factory.mktemp("pad")
-        (out / "pad.py").write_text(PAD, encoding="utf-8")
-        folder.write_page(out / "pad.py", out / "pad")
-        return str(out / "pad")
+        return str(model_of(PAD, "pad", tmp_path_factory.mktemp("pad")).where)
 
     return ss.load(Path(once("pad", derived)))
 
@@ -166,11 +163,7 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0
 def test_a_mode_that_nothing_damps_hides_no_onset(tmp_path: Path) -> None:
     """Its pair is on the axis for all frictions, so that no condition tells where another one gets there."""
     pytest.importorskip("sympy")
-    from spragsym.derive import folder
-
-    (tmp_path / "lonely.py").write_text(LONELY, encoding="utf-8")
-    folder.write_page(tmp_path / "lonely.py", tmp_path / "lonely")
-    model = ss.load(tmp_path / "lonely")
+    model = model_of(LONELY, "lonely", tmp_path)
     alpha, sigma, zeta, kappa, V, d = 0.9, 0.3, 0.03, 0.05, 0.5, 10.0
 
     def growth(mu: float) -> float:

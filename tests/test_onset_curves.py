@@ -14,6 +14,7 @@ import spragsym as ss
 from benchmarks.validate_criticality import accelerations
 from spragsym.models.balance import Balance
 from spragsym.models.stability import linearization
+from tests.support import model_of
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
 SETS = (
@@ -143,11 +144,7 @@ page.friction(x, V, lambda v: 2 * mu_s * v * v_s / (v**2 + v_s**2))
 def test_a_double_hopf_point_in_closed_form(tmp_path: Path) -> None:
     """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its roots are imaginary."""
     pytest.importorskip("sympy")
-    from spragsym.derive import folder
-
-    (tmp_path / "two_modes.py").write_text(TWO_MODES, encoding="utf-8")
-    folder.write_page(tmp_path / "two_modes.py", tmp_path / "two_modes")
-    p = ss.load(tmp_path / "two_modes").Parameters()
+    p = model_of(TWO_MODES, "two_modes", tmp_path).Parameters()
     fed = 2 * 0.5 * 0.5 * (1.0**2 - 0.5**2) / (1.0**2 + 0.5**2) ** 2
     curves = ss.onset_curves(p, vary=("kappa", "zeta"), n=12, between={"kappa": (0.2, 2.5), "zeta": (0.0, 0.8)})
     points = curves.points

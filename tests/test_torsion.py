@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib.util
 import itertools
 import json
@@ -424,6 +425,19 @@ def test_a_folder_of_the_old_approximation_is_refused(model: Any, tmp_path: Path
     (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
     with pytest.raises(StoreError, match="up to 41 degrees only; derive the page again"):
         ss.load(folder)
+
+
+def test_a_folder_without_what_the_search_calls_is_refused(model: Any, tmp_path: Path) -> None:
+    """It was derived when lengths over boxes were taken from their parts."""
+    folder = tmp_path / "old"
+    shutil.copytree(model.where, folder)
+    old = (folder / "statics.py").read_text(encoding="utf-8").replace("def squared_lengths", "def lengths")
+    (folder / "statics.py").write_text(old, encoding="utf-8")
+    about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+    about["files"]["statics.py"] = hashlib.sha256(old.encode()).hexdigest()
+    (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
+    with pytest.raises(StoreError, match=r"without squared_lengths\); derive the page again"):
+        ss.load(folder).statics
 
 
 def test_a_number_is_no_inclination_at_rest(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import sys
 import webbrowser
 from collections.abc import Mapping
@@ -114,11 +115,14 @@ def _study(path: Path, model: str | None) -> Study:
 
 def _article(study: Study | None, onsets: bool) -> str:
     """The article's page, at the user's point with belt speed and steepness of the friction law if the file has them."""
+    from ..models import load
+
+    model = load(ARTICLE_MODEL)
     if study is None:
-        return explorer_page(onsets=_map(article_presets()[0].point, ARTICLE_MODEL, None, onsets))
+        return explorer_page(onsets=_map(model, article_presets()[0].point, None, onsets))
     drive = {"V": assumed.V, "d": assumed.D} | (study.parameters.belt() if study.moves else {})
     preset = Preset.of(f"Your data: {study.source}", study.dimensionless)
-    drawn = _map({**preset.point, **drive}, ARTICLE_MODEL, study, onsets)
+    drawn = _map(model, {**preset.point, **drive}, study, onsets)
     return explorer_page([preset], V=float(drive["V"]), d=float(drive["d"]), units=_units(study), onsets=drawn)
 
 
@@ -129,31 +133,29 @@ def _other(name: str, study: Study | None, onsets: bool) -> str:
     model = load(name)
     derived = _derived(model)
     if study is None:
-        return model_page(model, derived, onsets=_map(model.base, name, None, onsets))
+        return model_page(model, derived, onsets=_map(model, model.base, None, onsets))
     from ..studies.other_models import dimensionless
 
     point, _ = dimensionless(study.model, study.values)
     values = {key: getattr(point, key) for key in model.parameters}
     preset = model_preset(f"Your data: {study.source}", model, values)
-    return model_page(model, derived, [preset], _units(study), _map(preset.point, name, study, onsets))
+    return model_page(model, derived, [preset], _units(study), _map(model, preset.point, study, onsets))
 
 
-def _map(point: Mapping[str, Any], name: str, study: Study | None, asked: bool) -> tuple[str, str]:
+def _map(model: Model, point: Mapping[str, Any], study: Study | None, asked: bool) -> tuple[str, str]:
     """The map of stability at a point of a model, and the command that prints its numbers; empty where nobody asks for it."""
     if not asked:
         return "", ""
     from ..figures.models import draw_onset_curves_of, window
-    from ..models import load
     from ..studies.pages import picture
 
-    model = load(name)
     if len(model.axes) != 2:
-        raise ParameterError(f"--onsets: {name} has no two parameters that vary; leave it out")
+        raise ParameterError(f"--onsets: {model.name} has no two parameters that vary; leave it out")
     ends = window(model, model.axes, {})
     with busy("searching for onsets (--onsets)"):
         p = model.Parameters(**{key: value for key, value in point.items() if value is not None})
         found = model.onset_curves(p, model.axes, _LINES, between=ends)
-    taken = f"--data {study.source}" if study is not None else f"--model {name}"
+    taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
     spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.axes)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
     return picture(lambda ax: draw_onset_curves_of(model, found, ax)), command

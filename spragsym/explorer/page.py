@@ -90,7 +90,7 @@ def onsets_part(drawing: str, command: str) -> str:
 <div class="drawing" style="background: white; max-width: 34rem">{drawing}</div>
 <p class="note">The map of stability at the values that this page begins with, drawn when it was made: gently on full lines,
 with a knock on dashed ones; which of the two is not known on dotted ones. Dots: this changes (GH);
-squares: curves end on folds (BT, ZH) or cross (HH). Its numbers, with proofs:</p>
+squares: curves end on folds (BT, ZH) or cross (HH). Its numbers:</p>
 <pre class="scroll" tabindex="0" aria-label="Command that computes the onsets">{escaped(command)}</pre>
 </section>"""
 

@@ -26,6 +26,9 @@ _KEYS = frozenset((
     "dampers", "friction", "mirror", "springs", "files",
 ))  # fmt: skip
 
+#: What the package calls that folders of an earlier version lack, by module.
+_WRITTEN = {"statics": ("squared_lengths",)}
+
 _LOADED: dict[str, Model] = {}
 _LOCK = threading.RLock()
 
@@ -116,7 +119,13 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
         )
 
     def module(part: str) -> ModuleType | None:
-        return _module(folder, where, part) if f"{part}.py" in about["files"] else None
+        if f"{part}.py" not in about["files"]:
+            return None
+        found = _module(folder, where, part)
+        missing = [name for name in _WRITTEN.get(part, ()) if not hasattr(found, name)]
+        if missing:
+            raise StoreError(f"{folder} was derived by another version (without {', '.join(missing)}); derive the page again")
+        return found
 
     room = f"{__package__.rpartition('.')[0]}.{where}"
     if where == folder.name and importlib.util.find_spec(room):  # a shipped model with closed forms

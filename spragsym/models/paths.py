@@ -155,14 +155,18 @@ class _Way:
 
     def _snapped(self, along: FloatArray) -> FloatArray:
         """Where states vanish; on a value that lies within the error of that, the value: another search rounds otherwise."""
-        at, error = (np.concatenate([getattr(points, key) for points in self.ends]) for key in (self.vary, "error"))
+        at, error = self._every(self.vary), self._every("error")
         off = np.abs(at[:, None] - along)
         near = off.argmin(axis=1)
         return np.where(off[np.arange(at.size), near] <= error, along[near], at)
 
+    def _every(self, name: str) -> NDArray[Any]:
+        """A column of all points at which states vanish."""
+        return np.concatenate([getattr(points, name) for points in self.ends])
+
     def _column(self, name: str) -> NDArray[Any]:
-        """A column of all points at which states vanish on the way."""
-        column: NDArray[Any] = np.concatenate([getattr(points, name) for points in self.ends])[self.within]
+        """The same of those on the way."""
+        column: NDArray[Any] = self._every(name)[self.within]
         return column
 
     def _touches(self, span: tuple[float, float]) -> list[Points]:

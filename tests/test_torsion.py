@@ -437,7 +437,7 @@ def test_a_folder_without_what_the_search_calls_is_refused(model: Any, tmp_path:
     about["files"]["statics.py"] = hashlib.sha256(old.encode()).hexdigest()
     (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
     with pytest.raises(StoreError, match=r"without squared_lengths\); derive the page again"):
-        ss.load(folder).statics
+        _ = ss.load(folder).statics
 
 
 def test_a_number_is_no_inclination_at_rest(tmp_path: Path) -> None:

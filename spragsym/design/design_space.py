@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -33,10 +33,25 @@ _CLEAR = 1e-9
 
 
 @dataclass(frozen=True)
+class Design:
+    """One design, whatever its quantities are: ``given`` by name with their ``ranges``, and what they are for the model.
+
+    ``parameters`` gives the model's own from the quantities, of any number type; ``made`` another design, of the caller's kind,
+    from those that changed; ``of_model`` is the class of the model's sets.
+    """
+
+    given: Mapping[str, Any]
+    ranges: Mapping[str, Range]
+    parameters: Callable[[Mapping[str, Any]], dict[str, Any]]
+    made: Callable[[Mapping[str, float]], Any]
+    of_model: type[ParameterSet]
+
+
+@dataclass(frozen=True)
 class Space:
     """Designs around one: z = 0 is ``origin``, and a quantity changes by z times its ``scale``."""
 
-    base: ParameterSet | PhysicalParameters
+    design: Design
     names: tuple[str, ...]
     origin: FloatArray
     scale: FloatArray
@@ -50,17 +65,15 @@ class Space:
             values = np.maximum(
                 np.where((z <= low) & (low * self.scale == -self.origin), 0.0, values), 0.0
             )  # no lower end is less
-        return _given(self.base) | {name: values[..., j] for j, name in enumerate(self.names)}
+        return {**self.design.given, **{name: values[..., j] for j, name in enumerate(self.names)}}
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:
         """Parameters of the model of designs z."""
-        quantities = self.quantities(z)
-        return dimensionless(quantities) if isinstance(self.base, PhysicalParameters) else quantities
+        return self.design.parameters(self.quantities(z))
 
     def sets(self, z: FloatArray) -> ParameterSet:
         """The same as a set of the model, of the shape of z without its last axis."""
-        kind = Parameters if isinstance(self.base, PhysicalParameters) else type(self.base)
-        return kind(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
+        return self.design.of_model(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
 
     def slopes(self, z: FloatArray) -> dict[str, FloatArray]:
         """Slopes of each parameter by z at one design: by a complex step, exact to rounding."""
@@ -72,18 +85,15 @@ class Space:
                 out[name][j] = np.imag(value) / step
         return out
 
-    def made(self, z: FloatArray) -> ParameterSet | PhysicalParameters:
-        """One design, of the kind of ``base``."""
-        values = {name: float(value) for name, value in self.quantities(z).items() if name in self.names}
-        if isinstance(self.base, ParameterSet):
-            return self.base.replace(**values)
-        return PhysicalParameters(**{**_all_given(self.base), **values})
+    def made(self, z: FloatArray) -> Any:
+        """One design, of the kind of the first."""
+        return self.design.made({name: float(value) for name, value in self.quantities(z).items() if name in self.names})
 
     def limits(self) -> tuple[FloatArray, FloatArray]:
         """The smallest and the largest z that each quantity allows."""
         low, high = np.empty(len(self.names)), np.empty(len(self.names))
         for j, name in enumerate(self.names):
-            allowed = _range(self.base, name)
+            allowed = self.design.ranges[name]
             clear = _CLEAR * max(abs(float(self.origin[j])), float(self.scale[j]))
             low[j] = (allowed.low + (clear if allowed.open_low else 0.0) - self.origin[j]) / self.scale[j]
             high[j] = (allowed.high - clear - self.origin[j]) / self.scale[j]
@@ -91,20 +101,20 @@ class Space:
 
 
 def space(
-    base: ParameterSet | PhysicalParameters, scale: Mapping[str, float] | None, change: Iterable[str] | None, what: str = "scale"
-) -> Space:
+    base: ParameterSet | PhysicalParameters | Design, scale: Mapping[str, float] | None, change: Iterable[str] | None,
+    what: str = "scale",
+) -> Space:  # fmt: skip
     """The quantities named in ``change``, or all that have a scale; without a scale each is measured by its own value."""
-    known = _names(base)
+    design = base if isinstance(base, Design) else _design(base)
     tolerances = dict(scale or {})
     names = tuple(tolerances if change is None else ([change] if isinstance(change, str) else change))
     for name in (*names, *tolerances):
-        if name not in known:
+        if name not in design.given:
             place = "scale" if name in tolerances else what
-            raise ParameterError(f"{name!r} in {place} is not a quantity here; the quantities are {', '.join(known)}")
+            raise ParameterError(f"{name!r} in {place} is not a quantity here; the quantities are {', '.join(design.given)}")
     if not names:
-        raise ParameterError(f"{what} names no quantity that may change; name at least one of {', '.join(known)}")
-    given = _given(base)
-    origin = np.array([as_number(name, given[name]) for name in names])
+        raise ParameterError(f"{what} names no quantity that may change; name at least one of {', '.join(design.given)}")
+    origin = np.array([as_number(name, design.given[name]) for name in names])
     if scale is None and (origin == 0).any():
         zero = names[int(np.flatnonzero(origin == 0)[0])]
         raise ParameterError(f"{zero} = 0 has no relative change; give scale with a tolerance for it")
@@ -112,31 +122,18 @@ def space(
     if missing:
         raise ParameterError(f"scale has no entry for {missing[0]!r}, which is to change; give its tolerance")
     sizes = [as_number(f"scale[{name!r}]", tolerances[name], POSITIVE) for name in names] if scale is not None else np.abs(origin)
-    return Space(base, names, origin, np.asarray(sizes, dtype=float))
+    return Space(design, names, origin, np.asarray(sizes, dtype=float))
 
 
-def _names(base: ParameterSet | PhysicalParameters) -> tuple[str, ...]:
-    """Quantities that the jump depends on: of the article's model with friction that works fully."""
+def _design(base: ParameterSet | PhysicalParameters) -> Design:
+    """Of a set its parameters; of a brake all that the jump depends on where friction works fully."""
     if isinstance(base, PhysicalParameters):
-        return PHYSICAL
-    return NAMES if isinstance(base, Parameters) else tuple(base.ranges)
-
-
-def _given(base: ParameterSet | PhysicalParameters) -> dict[str, Any]:
-    if isinstance(base, ParameterSet):
-        names = _names(base)
-        return dict(zip(names, base.scalars(*names), strict=True))
-    return {name: getattr(base, name) for name in PHYSICAL}
-
-
-def _all_given(base: PhysicalParameters) -> dict[str, Any]:
-    return {field.name: getattr(base, field.name) for field in fields(base)}
-
-
-def _range(base: ParameterSet | PhysicalParameters, name: str) -> Range:
-    if isinstance(base, ParameterSet):
-        return base.ranges[name]
-    return RANGES[name] if name in RANGES else range_of(name)
+        given = {name: getattr(base, name) for name in PHYSICAL}
+        ranges = {name: RANGES[name] if name in RANGES else range_of(name) for name in PHYSICAL}
+        return Design(given, ranges, dimensionless, lambda changed: replace(base, **changed), Parameters)
+    names = NAMES if isinstance(base, Parameters) else tuple(base.ranges)
+    given = dict(zip(names, base.scalars(*names), strict=True))
+    return Design(given, base.ranges, dict, lambda changed: base.replace(**changed), type(base))
 
 
 def dimensionless(values: Mapping[str, Any]) -> dict[str, Any]:

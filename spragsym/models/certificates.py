@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
@@ -14,10 +14,10 @@ from ..design.certificates import Certificate
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..statics.results import Stability
-from .balance import Balance
 from .equilibria import equilibria
 from .state_certificates import STATES, certify_states, corner_values
 from .tubes import SMALL, Flags, Parts, Place, Tubes
+from .varying_units import BalanceInUnits, Unit
 
 #: Parts at a time, and points at a time.
 BATCH, POINTS = 1024, 1024
@@ -97,15 +97,18 @@ class Pieces:
 class Splitting:
     """A state followed over a box of parameters, from one value of the parameter that moves to those in the box."""
 
-    def __init__(self, low: Any, high: Any, vary: str, begin: float) -> None:
+    def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
         model = low.model
         self.model, self.vary, self.begin = model, vary, begin
-        self.balance = Balance(model, contact=True)
-        corner = corner_values(self.balance, low, high)
-        ends = [dict(zip(self.balance.parameters, values.tolist(), strict=True)) for values in corner]
+        self.balance = BalanceInUnits(model, True, units or {})
+        corner = corner_values(model.parameters, low, high)
+        ends = [dict(zip(model.parameters, values.tolist(), strict=True)) for values in corner]
+        for end, side in zip(ends, ("low", "high"), strict=True):
+            end |= {name: getattr(unit, side) for name, unit in self.balance.units.items()}
         if begin > ends[0][vary]:
             raise ParameterError(f"begin = {begin:g} is above low.{vary} = {ends[0][vary]:g}; begin where {vary} is lower")
-        self.free = tuple(name for name in self.balance.parameters if ends[0][name] != ends[1][name] and name != vary)
+        matter = {*self.balance.balanced, *self.balance.matter} - {vary}
+        self.free = tuple(name for name in self.balance.parameters if name in matter and ends[0][name] != ends[1][name])
         self.tubes = Tubes(self.balance, vary, self.free)
         self.fixed = np.array([[ends[0][name]] for name in self.balance.parameters])
         one, other = (np.array([[end[name]] for name in (*self.free, vary)]) for end in ends)
@@ -120,15 +123,9 @@ class Splitting:
         half = np.maximum(high[:-1] - centre, centre - low[:-1])
         return Parts(np.repeat(self.fixed, low.shape[1], axis=1), centre, half)
 
-    def _at(self, values: FloatArray) -> dict[str, float]:
-        """All parameters by name."""
-        names = dict(zip(self.balance.parameters, self.fixed[:, 0].tolist(), strict=True))
-        return {**names, **dict(zip((*self.free, self.vary), values.tolist(), strict=False))}
-
     def _first(self, middle: FloatArray) -> FloatArray:
         """The stable state of smallest first coordinate in the middle of the box, where what moves begins."""
-        p = self.model.Parameters(**{**self._at(middle), self.vary: self.begin})
-        eq = equilibria(self.model, p)
+        eq = equilibria(self.model, self.point(np.append(middle, self.begin)))
         stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
         if not eq.decided or not stable.size:
             raise ConvergenceError(f"no state in the middle of the box is known to be stable at {self.vary} = {self.begin:g}")
@@ -138,7 +135,10 @@ class Splitting:
 
     def point(self, values: FloatArray) -> Any:
         """The parameters at a point of the box."""
-        return self.model.Parameters(**self._at(values))
+        fixed = dict(zip(self.balance.parameters, self.fixed[:, 0].tolist(), strict=True))
+        moved = dict(zip((*self.free, self.vary), values.tolist(), strict=True))
+        found = self.balance.scaled({**fixed, **moved})
+        return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
 
     def points(self, values: FloatArray) -> Pieces:
         """Points of the box, shape (free + 1, N), as pieces of it."""
@@ -244,6 +244,7 @@ def certify(
     begin: float | None = 0.0,
     max_boxes: int = 2000,
     refute: bool = True,
+    units: Mapping[str, Unit] | None = None,
 ) -> Certificate:
     """Prove a claim for every point of a box of parameters, or find a point at which it is false.
 
@@ -264,6 +265,8 @@ def certify(
         Parts of the box to look at before what is left is given back as undecided.
     refute : bool
         Also look for a point where the claim is false.
+    units : mapping of str to Unit, optional
+        Units of measure that have tolerances too, for ``"no jump"``: the corners are those at their base values.
 
     Returns
     -------
@@ -282,7 +285,7 @@ def certify(
         return certify_states(low, high, claim, max_boxes, refute)
     if claim != "no jump" or vary is None or begin is None:
         raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
-    box = Splitting(low, high, vary, begin)
+    box = Splitting(low, high, vary, begin, units)
     # What goes on to the upper end goes on to every value below.
     box.whole.low[-1] = box.whole.high[-1]
     volume = _volume(box.whole)[0]

@@ -57,6 +57,8 @@ class Forces:
         self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
         self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])
+        #: Parameters on which the balance depends, and not the motion alone.
+        self.balanced: list[str] = [entry["name"] for entry in about["parameters"] if entry["role"] == "both"]
         #: Parameters that may be 0.
         self.may_vanish = [
             entry["name"]

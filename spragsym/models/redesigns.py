@@ -72,13 +72,19 @@ def redesign(
     if len(wanted) != len(target) or not wanted:
         raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
 
+    return reaching(model, space(p, scale, change, "change"), wanted, begin)
+
+
+def reaching(model: Any, designs: Space, wanted: Mapping[str, float], begin: float | None) -> Redesign:
+    """The nearest of some designs whose followed state ends at no value below those that are wanted."""
+
     def jumps(some: Any, name: str, limit: float) -> Ends:
         return Followed(model, some, name, "up", begin, limit).ends(patient=False)
 
     def solved(one: Any, name: str) -> float:
         return float(jump_value(model, one, name, begin=begin))
 
-    return redesigned(space(p, scale, change, "change"), wanted, jumps, solved, RAYS, begin=begin)
+    return redesigned(designs, wanted, jumps, solved, RAYS, begin=begin)
 
 
 def _safe(designs: Space, radius: float, vary: str, begin: float) -> bool:

@@ -8,7 +8,7 @@ those of the whole do.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
@@ -138,7 +138,7 @@ class _Box:
         self.model = low.model
         self.balance = Balance(self.model, contact=True)
         self.holds, self.fails = STATES[claim]
-        ends = corner_values(self.balance, low, high)
+        ends = corner_values(self.balance.parameters, low, high)
         nowhere = np.full((2, self.balance.n, 1), np.inf)
         self.whole = Parts(ends[0][:, None], ends[1][:, None], np.ones(1), nowhere)
 
@@ -217,10 +217,10 @@ class _Box:
         return np.asarray(out)
 
 
-def corner_values(balance: Balance, low: Any, high: Any) -> tuple[FloatArray, FloatArray]:
+def corner_values(names: Sequence[str], low: Any, high: Any) -> tuple[FloatArray, FloatArray]:
     """Parameters of two corners of a box, each of shape (P,)."""
-    one, other = (np.array(p.scalars(*balance.parameters)) for p in (low, high))
-    for name, least, most in zip(balance.parameters, one, other, strict=True):
+    one, other = (np.array(p.scalars(*names)) for p in (low, high))
+    for name, least, most in zip(names, one, other, strict=True):
         if least > most:
             raise ParameterError(f"low.{name} = {least:g} is above high.{name} = {most:g}; exchange the two")
     return one, other

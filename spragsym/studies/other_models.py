@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..models.load import load
+from ..parameters import Range
 from .units import dimension, registry
 
 
@@ -63,14 +64,26 @@ def bases(name: str, values: Mapping[str, Any]) -> dict[str, tuple[float, str]]:
 
 def dimensionless(name: str, values: Mapping[str, Any]) -> tuple[Any, dict[str, float]]:
     """The parameters of a model from its quantities in SI, and the scales of length, time and force; of many brakes arrays."""
-    model, units = load(name), bases(name, values)
+    units = bases(name, values)
     scales = {"length": scale_of("m", units), "time": scale_of("s", units), "force": scale_of("N", units)}
-    given = {}
-    for entry in model.about["parameters"]:
+    return load(name).Parameters(**groups(name, values)), scales
+
+
+def groups(name: str, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The dimensionless parameters by name, from quantities in SI of any number type."""
+    units, given = bases(name, values), {}
+    for entry in about(name)["parameters"]:
         quantity, unit = entry["quantity"], entry["quantity_unit"]
         if quantity in values:
             given[entry["name"]] = values[quantity] / (1.0 if unit in ("1", "rad") else scale_of(unit, units))
-    return model.Parameters(**given), scales
+    return given
+
+
+def ranges(name: str) -> dict[str, Range]:
+    """Where its quantities may lie in SI: units of measure are positive, others are as their parameters."""
+    model = load(name)
+    found = {entry["name"]: Range(0.0, open_low=True) for entry in model.about["units"]}
+    return found | {entry["quantity"]: model.Parameters.ranges[entry["name"]] for entry in model.about["parameters"]}
 
 
 def friction(model: Any, p: Any, law: str) -> float:

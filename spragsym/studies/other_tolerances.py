@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from ..design.probability import estimated, variable
 from ..exact.interval_arrays import Intervals, stacked
-from ..models.balance import Balance
 from ..models.certificates import certify
 from ..models.jumps import Followed
 from ..models.load import load
+from ..models.varying_units import BalanceInUnits, Unit
 from ..parameters import FloatArray, Range
 from . import other_models
 from .study import Study
 from .tolerances import Chance, correlated, counterexample, distributions, told, values_at, varied
 
-#: Slices of each unit that has a tolerance, on which several parameters depend: more of them until the claim is decided.
-_SLICES = (1, 4)
-#: Parts of one slice, and points at which counterexamples are looked for.
-_BOXES, _POINTS = 2000, 512
+#: Parts of the tolerances, and points at which counterexamples are looked for.
+_BOXES, _POINTS = 4000, 512
+#: Some roundings of half a unit each.
+ROUNDED = 2.0**-48
 
 
 def tolerated(study: Study, n: int) -> tuple[dict[str, Any], Chance | None]:
@@ -33,15 +33,14 @@ def tolerated(study: Study, n: int) -> tuple[dict[str, Any], Chance | None]:
     return reached, chance(study, n)
 
 
-def certificate_of(study: Study, slices: tuple[int, ...] = _SLICES, boxes: int = _BOXES, points: int = _POINTS) -> dict[str, Any]:
+def certificate_of(study: Study, boxes: int = _BOXES, points: int = _POINTS) -> dict[str, Any]:
     """Whether any brake within the tolerances jumps: proved, refuted by a brake in the file's units, or undecided.
 
     Notes
     -----
-    Source: :func:`spragsym.models.certificates.certify` over boxes of the model's parameters that enclose the tolerances, rounded
-    outward. Quantities that are the units of others, on which many parameters depend, are cut into slices until the boxes are
-    narrow enough. The friction of the proof is μ₀ itself, or the one that works at the belt's speed where a law may say more
-    there; that of a counterexample is the one that works.
+    Source: :func:`spragsym.models.certificates.certify` over a box of the model's parameters and of the quantities that are their
+    units, rounded outward. The friction of the proof is μ₀ itself, or the one that works at the belt's speed where a law may say
+    more there; that of a counterexample is the one that works.
     """
     point = counterexample(study, points, jumping)
     if point is not None:
@@ -50,21 +49,9 @@ def certificate_of(study: Study, slices: tuple[int, ...] = _SLICES, boxes: int =
             for name, value in point.items() if name in study.tolerances
         }  # fmt: skip
         return _told("refuted", 0.0, 0, shown)
-    seen = 0
-    for number in slices:
-        parts, left = list(_slices(study, number)), 0
-        for done, part in enumerate(parts, 1):
-            low, high = _corners(study, part)
-            found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=boxes, refute=False)
-            seen += found.boxes
-            if found.outcome != "proved":
-                left = len(parts) - done + 1
-                break
-        if not left:
-            return _told("proved", 0.0, seen, None)
-        if len(parts) == 1 and number > 1:
-            break
-    return _told("undecided", left / len(parts), seen, None)
+    low, high, units = box(study)
+    found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=boxes, refute=False, units=units)
+    return _told(found.outcome, found.undecided, found.boxes, None)
 
 
 def _told(outcome: str, undecided: float, boxes: int, example: Any) -> dict[str, Any]:
@@ -100,37 +87,40 @@ def ending(study: Study, values: Mapping[str, Any], friction: float | None = Non
     return out
 
 
-def _slices(study: Study, number: int) -> Iterator[dict[str, tuple[float, float]]]:
-    """Ends of all quantities, those that are units of others cut into parts."""
-    ends = {name: (one.low, one.high) for name, one in study.quantities.items()}
-    units = [name for name in other_models.bases(study.model, study.values) if ends[name][0] < ends[name][1]]
-    cuts = ([*itertools.pairwise(np.linspace(*ends[name], number + 1).tolist())] for name in units)
-    for chosen in itertools.product(*cuts):
-        yield ends | dict(zip(units, chosen, strict=True))
+def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
+    """Corners between which all brakes within the tolerances lie, rounded outward, and units of measure that have tolerances too.
 
-
-def _corners(study: Study, ends: Mapping[str, tuple[float, float]]) -> tuple[Any, Any]:
-    """The model's parameters between which all brakes between some ends lie, rounded outward."""
-    model = load(study.model)
-    units = {entry["name"]: entry["unit"] for entry in model.about["units"]}
+    The corners are those of the parameters at the study's own units; the upper friction is no less than what works anywhere.
+    """
+    model, bases = load(study.model), other_models.bases(study.model, study.values)
+    kinds = {name: unit for name, (_, unit) in bases.items()}
+    powers: dict[str, dict[str, float]] = {name: {} for name in bases}
     low, high = {}, {}
     for entry in model.about["parameters"]:
         name, unit, allowed = entry["name"], entry["quantity_unit"], model.Parameters.ranges[entry["name"]]
-        if entry["quantity"] not in ends:
+        if entry["quantity"] not in study.quantities:
             continue
-        least, most = ends[entry["quantity"]]
-        scales = [1.0, 1.0]
-        for base, power in other_models.exponents(unit, units).items() if unit not in ("1", "rad") else ():
-            powers = sorted(end**power for end in ends[base])
-            scales = [scales[0] * powers[0], scales[1] * powers[1]]
-        found = [end / scale for end in (least, most) for scale in scales]
-        off = 0.0 if unit in ("1", "rad") else 2.0**-48  # some roundings of half a unit each
-        low[name] = max(min(found) - off * abs(min(found)), allowed.low)
-        high[name] = min(max(found) + off * abs(max(found)), allowed.high)
+        given, pure = study.quantities[entry["quantity"]], unit in ("1", "rad")
+        for base, power in ({} if pure else other_models.exponents(unit, kinds)).items():
+            powers[base] |= {name: -power} if power else {}
+        ends = _outward(given.low, given.high, 1.0 if pure else other_models.scale_of(unit, bases), 0.0 if pure else ROUNDED)
+        low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)
+    units = {}
+    for base, of in powers.items():
+        given = study.quantities[base]
+        if of and given.low < given.high:
+            units[f"{base}/{base}_0"] = Unit(*_outward(given.low, given.high, study.values[base], ROUNDED), of)
     corners = model.Parameters(**low), model.Parameters(**high)
     if "V" not in study.quantities:
-        return corners
-    law = Balance(model, True, "friction_at_speed")
-    columns = (np.array([[value] for value in corner.scalars(*law.parameters)]) for corner in corners)
+        return *corners, units
+    law = BalanceInUnits(model, True, units, "friction_at_speed")
+    columns = (
+        np.array([[value] for value in (*corner.scalars(*model.parameters), *(getattr(unit, side) for unit in units.values()))])
+        for corner, side in zip(corners, ("low", "high"), strict=True)
+    )
     works = law.friction(law.arguments(law.prepared(Intervals.between(*columns))))
-    return corners[0], corners[1].replace(mu0=max(high["mu0"], float(stacked([works], (1,)).high[0, 0])))
+    return corners[0], corners[1].replace(mu0=max(high["mu0"], float(stacked([works], (1,)).high[0, 0]))), units
+
+
+def _outward(low: float, high: float, scale: float, off: float) -> tuple[float, float]:
+    return low / scale * (1 - math.copysign(off, low)), high / scale * (1 + math.copysign(off, high))

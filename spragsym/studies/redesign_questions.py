@@ -6,16 +6,18 @@ import inspect
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from ..design import redesign
-from ..design.design_space import PHYSICAL, dimensionless
+from ..design.design_space import PHYSICAL, Design, dimensionless, space
 from ..design.events import have_jumped
 from ..design.jump_values import first_jumps
 from ..errors import ParameterError
 from ..models.balance import Balance
 from ..models.load import load
+from ..models.redesigns import reaching
 from ..parameters import FloatArray, Parameters, PhysicalParameters
 from . import other_models, other_tolerances
 from .study import Study
@@ -25,8 +27,8 @@ from .tolerances import Jumping, brakes, certificate, jumping, values_at
 SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
 #: Slices of a certificate, and boxes of each: where few do not decide, a design a little further off is proved sooner.
 _SLICES, _BOXES = (1, 4, 16), 120
-#: Slices and boxes of a certificate by tubes, which take longer, points at which it is refuted, and changes that get one.
-_FEW_SLICES, _FEW_BOXES, _FEW_POINTS, _MOST = (4,), 3000, 64, 4
+#: Boxes of a certificate by tubes, which take longer, points at which it is refuted, and changes that get one.
+_FEW_BOXES, _FEW_POINTS, _MOST = 3000, 64, 4
 
 
 @dataclass(frozen=True)
@@ -118,14 +120,24 @@ def _any(study: Study) -> Questions:
         return True
 
     def outcome(study: Study) -> str:
-        return str(other_tolerances.certificate_of(study, _FEW_SLICES, _FEW_BOXES, _FEW_POINTS)["outcome"])
+        return str(other_tolerances.certificate_of(study, _FEW_BOXES, _FEW_POINTS)["outcome"])
 
     def jump(study: Study, values: Mapping[str, float]) -> float:
         return float(model.jump_value(other_models.dimensionless(study.model, values)[0], "mu0"))
 
+    matter = _that_matter(study)
+
+    def joint(study: Study, names: tuple[str, ...], target: float, scale: Mapping[str, float]) -> dict[str, float] | None:
+        names = names if len(names) > 1 else matter[:3]
+        design = Design(
+            study.values, other_models.ranges(study.model), partial(other_models.groups, study.model), dict, model.Parameters
+        )
+        found = reaching(model, space(design, {name: scale[name] for name in names}, None), {"mu0": target}, 0.0)
+        return {name: study.values[name] + step for name, step in found.change.items()} or None
+
     return Questions(
-        _that_matter(study), inside, values_at, other_tolerances.ending, other_tolerances.jumping, outcome, jump,
-        lambda study, names, target, scale: None, 32, 8, 3, _MOST, (0.0, 0.03, 0.3), (1 << 8, 1 << 11),
+        matter, inside, values_at, other_tolerances.ending, other_tolerances.jumping, outcome, jump, joint,
+        32, 8, 3, _MOST, (0.0, 0.03, 0.3), (1 << 8, 1 << 11),
     )  # fmt: skip
 
 

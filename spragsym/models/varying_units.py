@@ -1,0 +1,94 @@
+"""The balance of forces where the units of measure have tolerances too: dimensional analysis, p = P u₁^e₁ u₂^e₂ ….
+
+P is a parameter as the base values of the page's units make it dimensionless, and u is a unit's value over its base value. Many
+parameters depend on one unit; the chain rule keeps that, where boxes of the parameters themselves would take each for its own.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from operator import mul
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact.interval_arrays import Intervals, stacked
+from .balance import Balance
+from .forces import Model
+from .laws import XP
+
+
+@dataclass(frozen=True)
+class Unit:
+    """Ends of a unit over its base value, and the power of it in each parameter that depends on it."""
+
+    low: float
+    high: float
+    powers: Mapping[str, float]
+
+
+class BalanceInUnits(Balance):
+    """The same balance, with units among its parameters after those of the page."""
+
+    def __init__(self, model: Model, contact: bool, units: Mapping[str, Unit], law: str = "friction_at_rest") -> None:
+        super().__init__(model, contact, law)
+        self.units = units
+        #: Parameters of the balance that depend on each unit; a unit on which none does matters to the motion alone.
+        self.scaling = {unit: [name for name in self.balanced if name in one.powers] for unit, one in units.items()}
+        self.matter = [unit for unit, names in self.scaling.items() if names]
+        #: p/P as arguments of their own, by parameter.
+        self.factors = {name: f"{name}/P" for name in self.parameters if any(name in unit.powers for unit in units.values())}
+        self.parameters += units
+        self.codes += [*units, *self.factors.values()]
+
+    def scaled(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """P and u by name with the page's parameters p in place of P, and beside them p/P; of any number type."""
+        found = dict(values)
+        for name, code in self.factors.items():
+            powers = ((values[key], unit.powers[name]) for key, unit in self.units.items() if name in unit.powers)
+            found[code] = reduce(mul, itertools.starmap(_power, powers))
+            found[name] = _times(values[name], found[code])
+        return found
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """Arguments of the generated functions, units and p/P."""
+        found = self.scaled(dict(zip(self.parameters, bounds, strict=True)))
+        shape = bounds.shape[1:]
+        known = super().prepared(stacked([found[name] for name in self.parameters], shape))
+        return Intervals(np.concatenate([known.ends, *(found[code].ends[:, None] for code in self.factors.values())], axis=1))
+
+    def floats(self, columns: NDArray[np.float64]) -> dict[str, Any]:
+        """The same of floats, by name."""
+        found = self.scaled(dict(zip(self.parameters, columns, strict=True)))
+        return found | super().floats(np.stack([found[name] for name in self.parameters]))
+
+    def by_parameters(
+        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
+    ) -> list[list[Any]]:
+        """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
+        needed = sorted({part for name in names for part in self.scaling.get(name, [name])})
+        rows = super().by_parameters(needed, q, directions, values, xp)
+        return [[self._slope(name, dict(zip(needed, row, strict=True)), values) for name in names] for row in rows]
+
+    def _slope(self, name: str, slopes: Mapping[str, Any], values: Mapping[str, Any]) -> Any:
+        if name in self.units:
+            powers = self.units[name].powers
+            return sum(slopes[key] * values[key] * powers[key] for key in self.scaling[name]) / values[name]
+        return slopes[name] * values[self.factors[name]] if name in self.factors else slopes[name]
+
+
+def _power(value: Any, power: float) -> Any:
+    whole = int(power)
+    if whole == power:
+        return value**whole if whole > 0 else 1 / value**-whole
+    return XP.exp(power * XP.log(value)) if isinstance(value, Intervals) else value**power
+
+
+def _times(value: Any, factor: Any) -> Any:
+    """Their product; an end that is 0 stays so."""
+    product = value * factor
+    return Intervals(np.where(value.ends == 0, 0.0, product.ends)) if isinstance(value, Intervals) else product

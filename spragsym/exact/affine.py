@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .interval_arrays import FUNCTION_ULPS
+from .interval_arrays import FUNCTION_ULPS, Intervals, raised
 from .number_types import repeated_product
 from .rounded import UNIT
 
@@ -91,6 +91,29 @@ class Affine:
         # What the terms lose is below three of these units where they are small, and below what is of second order elsewhere.
         error = (size * (size * self.error) + beyond + 4 * UNIT * size) * _SLACK
         return Affine(inverse, -inverse * (inverse * self.terms), np.where(least > 0, error, np.inf))
+
+    @classmethod
+    def between(cls, interval: Intervals) -> Affine:
+        """Anything in an interval, of which nothing is known but that."""
+        middle = interval.middle
+        error = np.maximum(interval.high - middle, middle - interval.low) * _SLACK + _TINY
+        return cls(middle, np.zeros((1, *middle.shape)), np.where(np.isfinite(error), error, np.inf))
+
+    def interval(self) -> Intervals:
+        """The interval in which the numbers lie."""
+        radius = self.radius()
+        return Intervals(raised(np.stack([radius - self.value, radius + self.value])))
+
+    @staticmethod
+    def linear(x: Affine, middle: Affine, slopes: Intervals) -> Affine:
+        """f(x) from f(m) at the value m of x, and f′ over all of x."""
+        slope, reach = slopes.middle, x.radius()
+        off = np.maximum(slopes.high - slope, slope - slopes.low) * reach
+        terms = slope * x.terms
+        rounding = UNIT * (np.abs(middle.value) + np.abs(terms).sum(axis=0))
+        error = (np.abs(slope) * x.error + off + middle.error + rounding) * _SLACK + _TINY
+        known = np.isfinite(error) & np.isfinite(middle.value)
+        return Affine(np.where(known, middle.value, 0.0), np.where(known, terms, 0.0), np.where(known, error, np.inf))
 
     def rows(self, index: Any) -> Affine:
         """Those of some boxes."""

@@ -51,7 +51,7 @@ def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
     """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n, N)."""
     Y = inverse(slopes.middle)
-    return _solved(_product(Y, slopes.ends), _product(Y, values.ends[:, :, None])[:, :, 0], middle, reach)
+    return _solved(product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0], middle, reach)
 
 
 def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> FloatArray:
@@ -118,10 +118,10 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
     m = factors.middle
     gram = np.einsum("kiN,kjN->ijN", m, m)
     P = np.einsum("ijN,kjN->ikN", inverse(gram), m)
-    off = _product(P, factors.ends)
+    off = product(P, factors.ends)
     off[:, [0, 1], [0, 1]] = raised(off[:, [0, 1], [0, 1]] + np.array([1.0, -1.0])[:, None, None])
     slack = np.maximum(off[0], off[1]).sum(axis=1) * (1 + 4 * EPS)
-    u = Intervals(raised(_product(P, rest.ends[:, :, None])[:, :, 0] + slack))
+    u = Intervals(raised(product(P, rest.ends[:, :, None])[:, :, 0] + slack))
     square = u[0].squared() + u[1].squared()
     return (square.low > 1) | (square.high < 1)
 
@@ -171,7 +171,7 @@ def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     return out
 
 
-def _product(Y: FloatArray, ends: FloatArray) -> FloatArray:
+def product(Y: FloatArray, ends: FloatArray) -> FloatArray:
     """Ends of Y times a matrix of intervals of shape (2, n, columns, N)."""
     n = Y.shape[1]
     total: FloatArray = np.zeros(1)

@@ -67,7 +67,7 @@ class Pieces:
     def then(self, others: Pieces) -> Pieces:
         """These, and others."""
         base = Place(*(np.concatenate([getattr(one.base, name) for one in (self, others)], axis=-1)
-                       for name in ("z", "held", "room", "by_p", "sure")))  # fmt: skip
+                       for name in ("z", "held", "off", "room", "by_p", "sure")))  # fmt: skip
         names = ("low", "high", "of", "safe", "top")
         rest = {name: np.concatenate([getattr(one, name) for one in (self, others)], axis=-1) for name in names}
         return Pieces(base=base, **rest)
@@ -175,10 +175,11 @@ class Splitting:
     def _begun(self, pieces: Pieces) -> tuple[Parts, Place]:
         """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't be."""
         parts, middle = self._parts(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
-        z = pieces.base.z + np.einsum("ikN,kN->iN", pieces.base.by_p, parts.centre - middle)
-        here = self.tubes.place(parts, z, self.tubes.n)
+        shift = np.einsum("ikN,kN->iN", pieces.base.by_p, parts.centre - middle)
+        here = self.tubes.place(parts, pieces.base.z + shift, self.tubes.n)
+        turned = (np.abs(here.by_p - pieces.base.by_p) * self.tubes.apart(parts)).sum(axis=1)
         held = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(axis=0)
-        same = held & here.lies_in(pieces.base, self.balance.n)
+        same = held & here.lies_in(pieces.base, self.balance.n, shift, turned)
         rows = np.flatnonzero(here.sure & pieces.base.sure & ~same)
         same[rows] = self._linked(middle[:, rows], pieces.base[rows], parts.centre[:, rows], here[rows])
         return parts, replace(here, sure=same)

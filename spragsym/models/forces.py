@@ -104,12 +104,16 @@ class Forces:
             parts += [] if self.only_turns(name) else [value]
         return stacked(parts, bounds.shape[1:])
 
-    def floats(self, columns: NDArray[np.float64]) -> dict[str, Any]:
-        """Arguments by name, from floats of shape (parameters, N)."""
-        values = dict(zip(self.parameters, columns, strict=True))
+    def arguments_of(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
+        """Arguments by name, from parameters of any number type."""
+        found = dict(values)
         for name, (cosine, sine) in self.angles.items():
-            values |= {cosine: np.cos(values[name]), sine: np.sin(values[name])}
-        return values
+            found |= {cosine: xp.cos(found[name]), sine: xp.sin(found[name])}
+        return found
+
+    def floats(self, columns: NDArray[np.float64]) -> dict[str, Any]:
+        """The same of floats, shape (parameters, N)."""
+        return self.arguments_of(dict(zip(self.parameters, columns, strict=True)), np)
 
     def only_turns(self, name: str) -> bool:
         """Whether a parameter is an angle of which the functions take cosine and sine, and not itself."""

@@ -20,10 +20,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact import contractors
+from ..exact.affine import Affine
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from .balance import Balance, matrix
 from .border import on_side
 from .laws import XP
+from .tube_slopes import Region, Slopes, affine_rows, of_affine, of_intervals
 
 Flags = NDArray[np.bool_]
 
@@ -68,31 +70,43 @@ class Parts:
 class Place:
     """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
 
-    Within ``room`` of the middle each point of the box has one state and no other, which lies within ``held`` of it. ``z``,
-    ``held`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N); ``sure`` where it is proved.
+    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
+    within ``held`` of the middle. ``z``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N);
+    ``sure`` where it is proved.
     """
 
     z: FloatArray
     held: FloatArray
+    off: FloatArray
     room: FloatArray
     by_p: FloatArray
     sure: Flags
 
     def __getitem__(self, rows: Any) -> Place:
-        return Place(self.z[:, rows], self.held[:, rows], self.room[:, rows], self.by_p[:, :, rows], self.sure[rows])
+        z, held, off, room = (getattr(self, name)[:, rows] for name in ("z", "held", "off", "room"))
+        return Place(z, held, off, room, self.by_p[:, :, rows], self.sure[rows])
 
     def put(self, rows: Any, other: Place) -> None:
         """Take the places of some rows over."""
-        self.z[:, rows], self.held[:, rows], self.room[:, rows] = other.z, other.held, other.room
-        self.by_p[:, :, rows], self.sure[rows] = other.by_p, other.sure
+        for name in ("z", "held", "off", "room", "by_p", "sure"):
+            getattr(self, name)[..., rows] = getattr(other, name)
 
     def box(self) -> Intervals:
         """All states there."""
         return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
 
-    def lies_in(self, other: Place, n: int) -> Flags:
-        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates."""
-        within = np.abs(self.z - other.z) * UP + self.held * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held)
+    def region(self) -> Region:
+        """The same, as the slopes over it are asked for."""
+        return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
+
+    def lies_in(self, other: Place, n: int, shift: Any = 0.0, turned: Any = 0.0) -> Flags:
+        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates.
+
+        ``shift`` is how far the states of the other move from its middle to this one's, ``turned`` how much the slopes of the
+        two differ by over the box.
+        """
+        apart = np.abs(self.z - other.z - shift) + turned
+        within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
         same: Flags = self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
         return same
 
@@ -129,6 +143,32 @@ class Tubes:
             directions = self.balance.directions(q, values, shape)
             return matrix(self._rows(q, directions, values, XP, self._moving(parts)), shape)
 
+    def over(self, parts: Parts, region: Region, pivot: int) -> Slopes:
+        """The same over regions, ready to be solved for all but the pivot: affine where parameters have a width."""
+        if not parts.half.any():
+            return of_intervals(self.slopes(parts, region.box))
+        apart, shape = self.apart(parts), parts.half.shape[1:]
+        z = region.numbers(apart)
+        fixed = zip(self.balance.parameters, parts.fixed, strict=True)
+        values: dict[str, Any] = {name: Affine(row, np.zeros((1, *shape))) if row.any() else 0 for name, row in fixed}
+        for k, name in enumerate(self.free):
+            terms = np.zeros_like(z[0].terms)
+            terms[1 + k] = apart[k]
+            values[name] = Affine(parts.centre[k], terms)
+        with np.errstate(all="ignore"):
+            rows = affine_rows(
+                self.balance, values | {self.vary: z[self.n]}, z[: self.n], self._turnings(parts, region), self._moving(parts)
+            )
+            return of_affine(rows, self._others(pivot), shape)
+
+    def _turnings(self, parts: Parts, region: Region) -> list[Intervals]:
+        """Of torsion springs, in intervals."""
+        if not self.balance.torsions:
+            return []
+        values = self.balance.arguments(self._bounds(parts, region.box[self.n]))
+        found = self.balance.directions(list(region.box[: self.n]), values, parts.half.shape[1:])
+        return found[3 * self.balance.springs :]
+
     def _rows(self, q: list[Any], directions: list[Any], values: dict[str, Any], xp: Any, names: list[str]) -> list[list[Any]]:
         stiffness = self.balance.by_coordinate("forces_jacobian", q, directions, values, xp)
         moved = self.balance.by_parameters(names, q, directions, values, xp)
@@ -161,6 +201,12 @@ class Tubes:
         with np.errstate(all="ignore"):
             directions = self.balance.directions(q, values, shape, sides=self.balance.anywhere)
             return stacked(self.balance.by_coordinate("forces", q, directions, values), shape)
+
+    def apart(self, parts: Parts) -> FloatArray:
+        """How far the free parameters lie from their middles at most."""
+        wide = self._span(parts)
+        apart: FloatArray = np.maximum(wide.high - parts.centre, parts.centre - wide.low) * UP
+        return apart
 
     def _others(self, pivot: int) -> list[int]:
         return [each for each in range(self.n + 1) if each != pivot]
@@ -199,10 +245,10 @@ class Tubes:
         """The states of whole boxes at one value of the pivot, one for each point of a box; z is about those in the middle."""
         z = self.corrected(parts, z, pivot)
         zero, by_p = np.zeros_like(z), self._across(parts, z, pivot)
-        sure, room, held = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero)
-        return Place(z, held, room, by_p, sure)
+        sure, room, held, off = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero, zero)
+        return Place(z, held, off, room, by_p, sure)
 
-    def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[Flags, Place, Intervals]:
+    def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[Flags, Place, Region]:
         """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
         end = self.place(parts, z, pivot)
         z = end.z
@@ -221,28 +267,35 @@ class Tubes:
             *((np.abs(one.z - middle) + one.held) * UP + 2 * np.spacing(np.abs(one.z) + one.held) for one in (start, end))
         )
         must[pivot] = 0.0
-        sure, _, held = self._one_state(parts, middle, along, inside, half, pivot, must)
+        apart = self.apart(parts)
+        beside = np.maximum(*(_beside(one, middle, along, inside, apart, pivot) for one in (start, end)))
+        sure, _, held, off = self._one_state(parts, middle, along, inside, half, pivot, must, beside)
         tube = Intervals(np.stack([-middle, middle]) + held + np.spacing(np.abs(middle) + held))
-        return sure & end.sure & start.sure & (np.abs(way) >= wide), end, tube
+        region = Region(tube, middle, along, self._moved(middle, half, pivot), inside, off)
+        return sure & end.sure & start.sure & (np.abs(way) >= wide), end, region
+
+    @staticmethod
+    def _moved(middle: FloatArray, half: FloatArray, pivot: int) -> FloatArray:
+        """How far the pivot's values lie from the middle, which is rounded."""
+        moved: FloatArray = np.where(half > 0, half * UP + np.spacing(np.abs(middle[pivot]) + half), 0.0)
+        return moved
 
     def _one_state(
         self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
-        must: FloatArray,
-    ) -> tuple[Flags, FloatArray, FloatArray]:  # fmt: skip
+        must: FloatArray, beside: FloatArray,
+    ) -> tuple[Flags, FloatArray, FloatArray, FloatArray]:  # fmt: skip
         """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters.
 
-        Beside it half the sizes of the boxes, and how far from the middle the states lie at most.
+        They hold what lies within ``must`` of their middles, and within ``beside`` of where the middles move. Beside it how far
+        from there a state is alone, and how far from the middles, and from where these move, states lie at most.
         """
         others, count = self._others(pivot), middle.shape[1]
         least = NARROW * np.maximum(1.0, np.abs(middle[others]))
-        wide = self._span(parts)
-        apart = np.maximum(wide.high - parts.centre, parts.centre - wide.low) * UP
-        # The middle of the pivot's values is rounded.
-        moved = np.where(half > 0, half * UP + np.spacing(np.abs(middle[pivot]) + half), 0.0)
+        apart, moved = self.apart(parts), self._moved(middle, half, pivot)
         swing = (np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1)) * UP
         forces = self._forces(parts, middle)
         across, strayed = Intervals(np.stack([moved, moved])), Intervals(np.stack([apart, apart]))
-        reach, room, held = 2 * least, np.zeros_like(middle), swing.copy()
+        reach, room, held, off = 2 * least, np.zeros_like(middle), swing.copy(), np.zeros_like(middle)
         sure, open_ = np.zeros(count, dtype=np.bool_), np.ones(count, dtype=np.bool_)
         for _ in range(INFLATIONS):
             rows = np.flatnonzero(open_)
@@ -253,48 +306,49 @@ class Tubes:
             size = np.maximum(size, must[:, rows])
             m = middle[:, rows]
             box = Intervals(np.stack([-m, m]) + size + np.where(size > 0, np.spacing(np.abs(m) + size), 0.0))
-            slopes = self.slopes(parts[rows], box)
+            alone = np.zeros_like(m)
+            alone[others] = np.maximum(reach[:, rows], beside[others][:, rows])
+            region = Region(box, m, along[:, rows], moved[rows], by_p[:, :, rows], alone)
+            slopes = self.over(parts[rows], region, pivot)
             with np.errstate(all="ignore"):
-                left = [self._left(forces[i][rows], slopes[i], along[:, rows], by_p[:, :, rows], across[rows], strayed[:, rows])
-                        for i in range(self.n)]  # fmt: skip
-                solved = Intervals(slopes.ends[:, :, others])
-                step = contractors.newton(stacked(left, (rows.size,)), solved, np.zeros_like(m[others]), reach[:, rows]).ends
+                left = self._left(slopes, slopes.forces(forces[:, rows]), region, across[rows], strayed[:, rows])
+                step = slopes.newton(left, others, reach[:, rows])
             good = np.isfinite(step).all(axis=(0, 1))
             done = good & contractors.inside(step, np.stack([reach[:, rows]] * 2))
             if done.any():
                 here = rows[done]
                 bounds = self._bounds(parts[here], box[:, done][self.n])
                 sure[here] = on_side(self.balance, bounds, box.ends[:, : self.n, done])[0]
-                room[:, here] = size[:, done]
+                room[:, here] = alone[:, done]
                 held[np.array(others)[:, None], here] = (swing[others][:, here] + np.maximum(*step[:, :, done])) * UP
+                off[np.array(others)[:, None], here] = np.maximum(*step[:, :, done]) * UP
             open_[rows[done | ~good]] = False
             reach[:, rows] = (1 + ROOM) * np.maximum(reach[:, rows], np.where(good, np.maximum(*np.abs(step)), 0.0))
-        return sure, room, held
+        return sure, room, held, off
 
-    def _left(
-        self, force: Intervals, slopes: Intervals, along: FloatArray, by_p: FloatArray, moved: Intervals, strayed: Intervals
-    ) -> Any:
-        """F_i(m, c) and what is left of the changes along the tube and across the box."""
-        z = range(self.n + 1)
-        total = force + sum((slopes[j] * along[j] for j in z if along[j].any()), 0 * moved) * moved
-        for k in range(strayed.shape[0]):
-            change = slopes[self.n + 1 + k] + sum((slopes[j] * by_p[j, k] for j in z if by_p[j, k].any()), 0 * moved)
-            total = total + change * strayed[k]
-        return total
+    def _left(self, slopes: Slopes, forces: Intervals, region: Region, moved: Intervals, strayed: Intervals) -> list[Intervals]:
+        """F(m, c) and what is left of the changes along the tube and across the box, by row."""
+        left = []
+        for i, row in enumerate(slopes.rows):
+            total = forces[i] + slopes.taken(slopes.image(i, region.along)) * moved
+            for k in range(strayed.shape[0]):
+                change = slopes.image(i, region.by_p[:, k], row[self.n + 1 + k])
+                total = total + slopes.taken(change) * strayed[k]
+            left.append(total)
+        return left
 
-    def rises(self, parts: Parts, box: Intervals, by_s: FloatArray, pivot: int) -> NDArray[np.int64]:
-        """Sign of dv/ds for all states in boxes, 0 where it is not known; ``by_s`` is about dz/ds."""
+    def rises(self, parts: Parts, region: Region, by_s: FloatArray, pivot: int) -> NDArray[np.int64]:
+        """Sign of dv/ds for all states in regions, 0 where it is not known; ``by_s`` is about dz/ds."""
         others, v = self._others(pivot), self.n
-        slopes = self.slopes(parts, box)
-        solved, zero = Intervals(slopes.ends[:, :, others]), np.zeros((self.n, by_s.shape[1]))
-        out = np.zeros(by_s.shape[1], dtype=np.int64)
+        slopes, zero = self.over(parts, region, pivot), np.zeros((self.n, by_s.shape[1]))
+        out, direction = np.zeros(by_s.shape[1], dtype=np.int64), by_s.copy()
+        direction[pivot] = 0.0
         with np.errstate(all="ignore"):
-            left = [sum((slopes[i, j] * by_s[j] for j in others), slopes[i, pivot]) for i in range(self.n)]
-            values = stacked(left, out.shape)
+            left = [slopes.taken(slopes.image(i, direction, row[pivot])) for i, row in enumerate(slopes.rows)]
             reach = zero + 0.1 * np.abs(by_s[v]) + TINY
             for _ in range(INFLATIONS):
                 # Of what dz/ds differs by from the slope in the middle.
-                step = contractors.newton(values, solved, zero, reach).ends
+                step = slopes.newton(left, others, reach)
                 known = contractors.inside(step, np.stack([reach, reach]))
                 off = np.maximum(*step)[others.index(v)] * UP
                 out = np.where(known & (off < np.abs(by_s[v])), np.sign(by_s[v]).astype(np.int64), out)
@@ -364,7 +418,7 @@ class Tubes:
         by_s, by_p = self.tangents(parts, start.z, pivot)
         safe, top, highest = start.z[self.n].copy(), np.full(goal.size, np.inf), np.full(goal.size, -np.inf)
         moves = np.abs(by_p[self.n])
-        open_ = self.rises(parts, start.box(), by_s, pivot) == towards
+        open_ = self.rises(parts, start.region(), by_s, pivot) == towards
         rising = open_.copy()
         # All states of the place lie within the first segment.
         here, step = start[np.arange(goal.size)], np.maximum(TURN * straight, 2 * start.held[pivot])
@@ -375,8 +429,8 @@ class Tubes:
             at, some = here[rows], parts[rows]
             good, end, tube = self.segment(some, at, at.z + by_s[:, rows] * (towards * step)[rows], pivot)
             up = np.zeros(rows.size, dtype=np.bool_)
-            up[good] = self.rises(some[good], tube[:, good], by_s[:, rows[good]], pivot) == towards[rows[good]]
-            good &= np.where(rising[rows], up, tube.high[self.n] < goal[rows])
+            up[good] = self.rises(some[good], tube[good], by_s[:, rows[good]], pivot) == towards[rows[good]]
+            good &= np.where(rising[rows], up, tube.box.high[self.n] < goal[rows])
             # Near its fold v is as wide as the parts make it: there is no nearer.
             near = NEAR * (goal[rows] - at.z[self.n])
             if sharp:
@@ -385,18 +439,32 @@ class Tubes:
             turns = over & rising[rows] & ~good & (np.abs(by_s[self.n, rows]) * step[rows] < near)
             rising[rows[turns]] = False
             step[rows] *= np.where(good, 1.5, np.where(turns, 0.5, 0.25))
-            rows, end, some, tube = rows[good], end[good], some[good], tube[:, good]
+            rows, end, some, tube = rows[good], end[good], some[good], tube[good]
             if not rows.size:
                 continue
             here.put(rows, end)
             by_s[:, rows], by_p = self.tangents(some, end.z, pivot)
             moves[:, rows] = np.abs(by_p[self.n])
             safe[rows] = np.where(rising[rows], end.box().low[self.n], safe[rows])
-            highest[rows] = np.maximum(highest[rows], tube.high[self.n])
-            falls = self.rises(some, end.box(), by_s[:, rows], pivot) == -towards[rows]
+            # While v rises it is highest at the end.
+            reached = np.where(rising[rows], end.box().high[self.n], tube.box.high[self.n])
+            highest[rows] = np.maximum(highest[rows], reached)
+            falls = self.rises(some, end.region(), by_s[:, rows], pivot) == -towards[rows]
             top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
             open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
         return safe, top, moves
+
+
+def _beside(
+    place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray, apart: FloatArray, pivot: int
+) -> FloatArray:  # fmt: skip
+    """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
+    off = np.abs(place.z - middle - along * (place.z[pivot] - middle[pivot]))
+    turned = np.abs(place.by_p - by_p - along[:, None] * (place.by_p[pivot] - by_p[pivot]))
+    size = np.abs(place.z) + np.abs(middle) + place.held
+    out = (off + (turned * apart).sum(axis=1) + place.off + np.abs(along) * place.off[pivot]) * UP + 4 * np.spacing(size)
+    out[pivot] = 0.0
+    return np.where(np.isfinite(out), out, np.inf)
 
 
 def carried(balance: Balance, given: FloatArray, row: int, values: FloatArray, q: FloatArray) -> FloatArray | None:

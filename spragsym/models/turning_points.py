@@ -61,7 +61,7 @@ def past(tubes: Tubes, parts: Parts, start: Place, forward: int, by: FloatArray)
         by_s = tubes.tangents(some, here.z, pivot)[0]
         step = np.minimum(STEEP * np.abs(by_v * by[rows]), WIDE * _size(here.z[pivot]))
         goal = start.z[tubes.n, rows] + forward * by[rows]
-        open_ = tubes.rises(some, here.box(), by_s, pivot) == forward * towards
+        open_ = tubes.rises(some, here.region(), by_s, pivot) == forward * towards
         least = SMALLEST * step
         for _ in range(STEPS):
             on = np.flatnonzero(open_ & ((goal - here.z[tubes.n]) * forward > 0) & (step > least))
@@ -84,7 +84,7 @@ def _on(
     good, end, tube = tubes.segment(parts, at, at.z + by_s * step, pivot)
     then = tubes.tangents(parts, end.z, pivot)[0]
     mean = 0.5 * (by_s + then)
-    good[good] = tubes.rises(parts[good], tube[:, good], mean[:, good], pivot) == moving[good]
+    good[good] = tubes.rises(parts[good], tube[good], mean[:, good], pivot) == moving[good]
     return good, end, np.where(good, then, by_s)
 
 
@@ -117,7 +117,7 @@ def _proved(
     """Between which values v lies where it turns back, and whether that is proved."""
     n, last, moving = tubes.n, LAST * _size(fold[pivot]), forward * towards
     by_s = tubes.tangents(parts, here.z, pivot)[0]
-    open_ = tubes.rises(parts, here.box(), by_s, pivot) == moving
+    open_ = tubes.rises(parts, here.region(), by_s, pivot) == moving
     share = np.full(fold.shape[1:], SHARE)
     for _ in range(SEGMENTS):
         rest = fold[pivot] - here.z[pivot]
@@ -135,8 +135,8 @@ def _proved(
         across = fold[:, rows] + (fold - here.z)[:, rows]
         good, end, tube = tubes.segment(parts[rows], here[rows], across, pivot)
         beyond = tubes.tangents(parts[rows], end.z, pivot)[0]
-        good &= tubes.rises(parts[rows], end.box(), beyond, pivot) == -moving[rows]
+        good &= tubes.rises(parts[rows], end.region(), beyond, pivot) == -moving[rows]
         reached = here[rows].box()[n]
-        low[rows], high[rows] = (reached.low, tube.high[n]) if forward > 0 else (tube.low[n], reached.high)
+        low[rows], high[rows] = (reached.low, tube.box.high[n]) if forward > 0 else (tube.box.low[n], reached.high)
         sure[rows] = good
     return low, high, sure

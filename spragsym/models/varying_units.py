@@ -6,7 +6,6 @@ parameters depend on one unit; the chain rule keeps that, where boxes of the par
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
@@ -14,7 +13,6 @@ from operator import mul
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..exact.interval_arrays import Intervals, stacked
 from .balance import Balance
@@ -45,26 +43,25 @@ class BalanceInUnits(Balance):
         self.parameters += units
         self.codes += [*units, *self.factors.values()]
 
-    def scaled(self, values: Mapping[str, Any]) -> dict[str, Any]:
+    def scaled(self, values: Mapping[str, Any], xp: Any = np) -> dict[str, Any]:
         """P and u by name with the page's parameters p in place of P, and beside them p/P; of any number type."""
         found = dict(values)
         for name, code in self.factors.items():
             powers = ((values[key], unit.powers[name]) for key, unit in self.units.items() if name in unit.powers)
-            found[code] = reduce(mul, itertools.starmap(_power, powers))
+            found[code] = reduce(mul, (_power(value, power, xp) for value, power in powers))
             found[name] = _times(values[name], found[code])
         return found
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Arguments of the generated functions, units and p/P."""
-        found = self.scaled(dict(zip(self.parameters, bounds, strict=True)))
+        found = self.scaled(dict(zip(self.parameters, bounds, strict=True)), XP)
         shape = bounds.shape[1:]
         known = super().prepared(stacked([found[name] for name in self.parameters], shape))
         return Intervals(np.concatenate([known.ends, *(found[code].ends[:, None] for code in self.factors.values())], axis=1))
 
-    def floats(self, columns: NDArray[np.float64]) -> dict[str, Any]:
-        """The same of floats, by name."""
-        found = self.scaled(dict(zip(self.parameters, columns, strict=True)))
-        return found | super().floats(np.stack([found[name] for name in self.parameters]))
+    def arguments_of(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
+        """The same by name, of any number type."""
+        return super().arguments_of(self.scaled(values, xp), xp)
 
     def by_parameters(
         self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
@@ -81,14 +78,16 @@ class BalanceInUnits(Balance):
         return slopes[name] * values[self.factors[name]] if name in self.factors else slopes[name]
 
 
-def _power(value: Any, power: float) -> Any:
+def _power(value: Any, power: float, xp: Any) -> Any:
     whole = int(power)
     if whole == power:
         return value**whole if whole > 0 else 1 / value**-whole
-    return XP.exp(power * XP.log(value)) if isinstance(value, Intervals) else value**power
+    return xp.exp(power * xp.log(value))
 
 
 def _times(value: Any, factor: Any) -> Any:
-    """Their product; an end that is 0 stays so."""
+    """Their product; what is 0, and an end that is, stays so."""
+    if isinstance(value, int) and not value:
+        return value
     product = value * factor
     return Intervals(np.where(value.ends == 0, 0.0, product.ends)) if isinstance(value, Intervals) else product

@@ -22,7 +22,7 @@ from .varying_units import BalanceInUnits, Unit
 #: Parts at a time, and points at a time.
 BATCH, POINTS = 1024, 1024
 #: Fewer parts than this take as long as so many.
-FEW = 64
+FEW = 256
 #: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
 WIDE, THIN = 2.0**-6, 2.0**-14
 #: What the relative width of a side counts beside its effect on the state.
@@ -76,10 +76,10 @@ class Pieces:
         """Sides of the free parameters that have floats between their ends."""
         return np.nextafter(self.low[:-1], np.inf) < self.high[:-1]
 
-    def divided(self, weight: FloatArray) -> Pieces:
-        """Each cut across the side that matters most, and few of them again and again, until a step takes them all at once."""
+    def divided(self, weight: FloatArray, most: int) -> Pieces:
+        """Each cut across the side that matters most, and few of them again and again, as often as one step takes them all."""
         pieces, weight = self._halved(weight)
-        while 0 < len(pieces) < FEW and pieces.divisible().any(axis=0).all():
+        while 0 < len(pieces) < FEW and 2 * len(pieces) <= most and pieces.divisible().any(axis=0).all():
             pieces, weight = pieces._halved(weight)
         return pieces
 
@@ -219,7 +219,7 @@ class Splitting:
             yield some, last, int(taken.size)
             pending = pending[order[taken.size :]]
             if not last.all():
-                pending = pending.then(some[~last].divided(weight[:, ~last]))
+                pending = pending.then(some[~last].divided(weight[:, ~last], most - seen))
         if len(pending):
             yield pending, np.ones(len(pending), dtype=np.bool_), 0
 

@@ -241,16 +241,20 @@ class Tubes:
 
     # ------------------------------------------------------------------------------------------------------- proofs
 
-    def place(self, parts: Parts, z: FloatArray, pivot: int) -> Place:
-        """The states of whole boxes at one value of the pivot, one for each point of a box; z is about those in the middle."""
+    def place(self, parts: Parts, z: FloatArray, pivot: int, like: Place | None = None) -> Place:
+        """The states of whole boxes at one value of the pivot, one for each point of a box; z is about those in the middle.
+
+        ``like`` is a place near by, which tells how far from the middle states may lie.
+        """
         z = self.corrected(parts, z, pivot)
         zero, by_p = np.zeros_like(z), self._across(parts, z, pivot)
-        sure, room, held, off = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero, zero)
+        guess = zero if like is None else like.off * parts.half.any(axis=0)
+        sure, room, held, off = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero, zero, guess)
         return Place(z, held, off, room, by_p, sure)
 
     def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[Flags, Place, Region]:
         """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
-        end = self.place(parts, z, pivot)
+        end = self.place(parts, z, pivot, start)
         z = end.z
         way = z[pivot] - start.z[pivot]
         with np.errstate(all="ignore"):
@@ -269,7 +273,9 @@ class Tubes:
         must[pivot] = 0.0
         apart = self.apart(parts)
         beside = np.maximum(*(_beside(one, middle, along, inside, apart, pivot) for one in (start, end)))
-        sure, _, held, off = self._one_state(parts, middle, along, inside, half, pivot, must, beside)
+        sure, _, held, off = self._one_state(
+            parts, middle, along, inside, half, pivot, must, beside, beside * parts.half.any(axis=0)
+        )
         tube = Intervals(np.stack([-middle, middle]) + held + np.spacing(np.abs(middle) + held))
         region = Region(tube, middle, along, self._moved(middle, half, pivot), inside, off)
         return sure & end.sure & start.sure & (np.abs(way) >= wide), end, region
@@ -282,12 +288,13 @@ class Tubes:
 
     def _one_state(
         self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
-        must: FloatArray, beside: FloatArray,
+        must: FloatArray, beside: FloatArray, guess: FloatArray,
     ) -> tuple[Flags, FloatArray, FloatArray, FloatArray]:  # fmt: skip
         """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters.
 
-        They hold what lies within ``must`` of their middles, and within ``beside`` of where the middles move. Beside it how far
-        from there a state is alone, and how far from the middles, and from where these move, states lie at most.
+        They hold what lies within ``must`` of their middles, and within ``beside`` of where the middles move; ``guess`` is how
+        far from there states may lie. Beside it how far from there a state is alone, and how far from the middles, and from
+        where these move, states lie at most.
         """
         others, count = self._others(pivot), middle.shape[1]
         least = NARROW * np.maximum(1.0, np.abs(middle[others]))
@@ -295,7 +302,8 @@ class Tubes:
         swing = (np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1)) * UP
         forces = self._forces(parts, middle)
         across, strayed = Intervals(np.stack([moved, moved])), Intervals(np.stack([apart, apart]))
-        reach, room, held, off = 2 * least, np.zeros_like(middle), swing.copy(), np.zeros_like(middle)
+        reach = np.maximum(2 * least, (1 + ROOM) * guess[others])
+        room, held, off = np.zeros_like(middle), swing.copy(), np.zeros_like(middle)
         sure, open_ = np.zeros(count, dtype=np.bool_), np.ones(count, dtype=np.bool_)
         for _ in range(INFLATIONS):
             rows = np.flatnonzero(open_)

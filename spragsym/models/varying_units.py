@@ -6,7 +6,7 @@ parameters depend on one unit; the chain rule keeps that, where boxes of the par
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import mul
@@ -41,12 +41,15 @@ class BalanceInUnits(Balance):
         #: p/P as arguments of their own, by parameter.
         self.factors = {name: f"{name}/P" for name in self.parameters if any(name in unit.powers for unit in units.values())}
         self.parameters += units
-        self.codes += [*units, *self.factors.values()]
+        #: Those that are asked for: the law at rest depends on nothing of the motion.
+        self.needed = [name for name in self.factors if law != "friction_at_rest" or name in self.balanced]
+        self.codes += [*units, *(self.factors[name] for name in self.needed)]
 
-    def scaled(self, values: Mapping[str, Any], xp: Any = np) -> dict[str, Any]:
-        """P and u by name with the page's parameters p in place of P, and beside them p/P; of any number type."""
+    def scaled(self, values: Mapping[str, Any], xp: Any = np, names: Iterable[str] | None = None) -> dict[str, Any]:
+        """P and u by name, of any number type, with the page's parameters p in place of P, all or some, and beside them p/P."""
         found = dict(values)
-        for name, code in self.factors.items():
+        for name in self.factors if names is None else names:
+            code = self.factors[name]
             powers = ((values[key], unit.powers[name]) for key, unit in self.units.items() if name in unit.powers)
             found[code] = reduce(mul, (_power(value, power, xp) for value, power in powers))
             found[name] = _times(values[name], found[code])
@@ -54,14 +57,14 @@ class BalanceInUnits(Balance):
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Arguments of the generated functions, units and p/P."""
-        found = self.scaled(dict(zip(self.parameters, bounds, strict=True)), XP)
+        found = self.scaled(dict(zip(self.parameters, bounds, strict=True)), XP, self.needed)
         shape = bounds.shape[1:]
         known = super().prepared(stacked([found[name] for name in self.parameters], shape))
-        return Intervals(np.concatenate([known.ends, *(found[code].ends[:, None] for code in self.factors.values())], axis=1))
+        return Intervals(np.concatenate([known.ends, *(found[self.factors[name]].ends[:, None] for name in self.needed)], axis=1))
 
     def arguments_of(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
         """The same by name, of any number type."""
-        return super().arguments_of(self.scaled(values, xp), xp)
+        return super().arguments_of(self.scaled(values, xp, self.needed), xp)
 
     def by_parameters(
         self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP

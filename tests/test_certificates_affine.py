@@ -12,6 +12,8 @@ import pytest
 
 from spragsym.exact import affine, rounded
 from spragsym.exact.affine import Affine
+from spragsym.exact.affine_functions import AFFINE
+from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.rounded import UNIT, Rounded
 from tests.support import as_fraction
 
@@ -296,3 +298,38 @@ def test_cosines_over_boxes() -> None:
             check_affine(sine, at, [as_fraction(mpmath.sin(turn)) for turn in turns])
     reach = angles.radius()
     assert (np.maximum(cosine.error, sine.error) <= 0.5 * reach**2 * (1 + 1e-9) + angles.error * (1 + 1e-9) + 1e-14).all()
+
+
+@pytest.mark.parametrize("name", ["sqrt", "exp", "log", "tanh", "atan", "cos", "sin"])
+def test_functions_of_affine_numbers(name: str) -> None:
+    """At the same ε each value lies within the error of the linear part; where there is none, the error has no end."""
+    rng = np.random.default_rng(8)
+    x, function = affine_ones(9), getattr(mpmath, name)
+    found = getattr(AFFINE, name)(x)
+    for _ in range(3):
+        at, side = rng.choice([-1, 1, 0], (3, 90)), rng.choice([-1, 0, 1])
+        members = affine_members(x, at, side)
+        with mpmath.workprec(200):
+            values = [
+                function(mpmath.mpf(a.numerator) / a.denominator) if a > 0 or name not in ("sqrt", "log") else None
+                for a in members
+            ]
+            check_affine(found, at, [None if value is None else as_fraction(value) for value in values])
+    small = Affine(np.array([0.7]), np.array([[1e-4]]), np.zeros(1))
+    assert getattr(AFFINE, name)(small).error[0] < 1e-7
+    if name in ("sqrt", "log"):
+        assert getattr(AFFINE, name)(Affine(np.array([0.5]), np.array([[1.0]]), np.zeros(1))).error[0] == np.inf
+
+
+def test_intervals_of_affine_numbers() -> None:
+    """There and back: nothing is lost but what depends on what."""
+    x = affine_ones(10)
+    interval = x.interval()
+    again = Affine.between(interval)
+    rng = np.random.default_rng(11)
+    for _ in range(3):
+        members = affine_members(x, rng.choice([-1, 1], (3, 90)), rng.choice([-1, 1]))
+        for a, low, high, value, error in zip(members, interval.low, interval.high, again.value, again.error, strict=True):
+            assert low <= a <= high
+            assert abs(a - Fraction(float(value))) <= Fraction(float(error))
+    assert Affine.between(Intervals(np.full((2, 1), np.inf))).error[0] == np.inf

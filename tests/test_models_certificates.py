@@ -239,13 +239,13 @@ def test_slopes_over_a_box_are_about_as_narrow_as_they_are() -> None:
 
 @pytest.mark.thorough
 def test_tolerances_of_five_quantities_are_proved() -> None:
-    """Springs of 15 %, an angle of 1°: 38,649 parts before, in twenty seconds."""
+    """Springs of 15 %, an angle of 1°: 38,649 parts by slopes in intervals, some 2,300 by slopes in which a parameter stands once."""
     ranges = {
         "theta0": (0.8901, 0.9251), "kappa": (0.000455, 0.000496), "alpha": (0.005513, 0.008118), "sigma": (0.1102, 0.1624),
         "mu0": (0.3, 0.6),
     }  # fmt: skip
     low, high = sets(ss.load("cubic_contact"), ranges)
-    assert ss.certify(low, high, "no jump", max_boxes=3000).outcome == "proved"
+    assert ss.certify(low, high, "no jump", max_boxes=400).outcome == "proved"
     rng = np.random.default_rng(3)
     inside = {name: rng.uniform(*ends, 2000) for name, ends in ranges.items()}
     p = ss.load("cubic_contact").Parameters(**inside)

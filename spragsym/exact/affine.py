@@ -110,7 +110,7 @@ class Affine:
         slope, reach = slopes.middle, x.radius()
         off = np.maximum(slopes.high - slope, slope - slopes.low) * reach
         terms = slope * x.terms
-        rounding = UNIT * (np.abs(middle.value) + np.abs(terms).sum(axis=0))
+        rounding = UNIT * np.abs(terms).sum(axis=0)
         error = (np.abs(slope) * x.error + off + middle.error + rounding) * _SLACK + _TINY
         known = np.isfinite(error) & np.isfinite(middle.value)
         return Affine(np.where(known, middle.value, 0.0), np.where(known, terms, 0.0), np.where(known, error, np.inf))

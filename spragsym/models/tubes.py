@@ -147,6 +147,11 @@ class Tubes:
         """The same over regions, ready to be solved for all but the pivot: affine where parameters have a width."""
         if not parts.half.any():
             return of_intervals(self.slopes(parts, region.box))
+        with np.errstate(all="ignore"):
+            return of_affine(self.affine_slopes(parts, region), self._others(pivot), parts.half.shape[1:])
+
+    def affine_slopes(self, parts: Parts, region: Region) -> list[list[Any]]:
+        """The same in affine arithmetic, by row and column."""
         apart, shape = self.apart(parts), parts.half.shape[1:]
         z = region.numbers(apart)
         fixed = zip(self.balance.parameters, parts.fixed, strict=True)
@@ -155,11 +160,8 @@ class Tubes:
             terms = np.zeros_like(z[0].terms)
             terms[1 + k] = apart[k]
             values[name] = Affine(parts.centre[k], terms)
-        with np.errstate(all="ignore"):
-            rows = affine_rows(
-                self.balance, values | {self.vary: z[self.n]}, z[: self.n], self._turnings(parts, region), self._moving(parts)
-            )
-            return of_affine(rows, self._others(pivot), shape)
+        values[self.vary] = z[self.n]
+        return affine_rows(self.balance, values, z[: self.n], self._turnings(parts, region), self._moving(parts))
 
     def _turnings(self, parts: Parts, region: Region) -> list[Intervals]:
         """Of torsion springs, in intervals."""

@@ -1,0 +1,92 @@
+"""Slopes over parts of tubes in affine arithmetic: against slopes at points of the same region, and against intervals."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.exact import contractors
+from spragsym.exact.affine import Affine
+from spragsym.exact.interval_arrays import Intervals
+from spragsym.models.certificates import Splitting
+from spragsym.models.tube_slopes import Region
+from spragsym.models.tubes import Parts
+from spragsym.models.varying_units import Unit
+
+#: Models, and parameters with a tolerance; of the last one a unit has one too.
+BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] = (
+    ("cubic_contact", {"theta0": (0.87, 0.91), "sigma": (0.10, 0.14), "alpha": (0.0055, 0.0065), "mu0": (0.2, 0.3)}, {}),
+    ("two_springs", {"theta0": (0.60, 0.62), "sigma": (0.09, 0.11), "mu0": (0.2, 0.3)}, {}),
+    ("hertz_contact", {"theta0": (0.60, 0.62), "kappa": (0.009, 0.011), "mu0": (0.2, 0.3)}, {}),
+    ("stribeck", {"theta0": (0.60, 0.62), "V": (0.4, 0.5), "mu_s": (0.3, 0.31), "sigma": (0.09, 0.11)}, {}),
+    (
+        "cubic_contact",
+        {"theta0": (0.87, 0.91), "sigma": (0.10, 0.14), "mu0": (0.2, 0.3)},
+        {"k_c": Unit(0.85, 1.05, {"sigma": -1.0, "kappa": -1.0, "alpha": -1.5})},
+    ),
+)
+
+
+def region_of(name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]) -> tuple[Splitting, Parts, Region]:
+    """States about one of the middle of a box, moved along and across at random."""
+    model, rng = ss.load(name).search, np.random.default_rng(2)
+    low, high = (model.Parameters(**{key: ends[side] for key, ends in ranges.items()}) for side in (0, 1))
+    vary = "mu0" if "mu0" in ranges else "mu_s"
+    box = Splitting(low, high, vary, ranges[vary][0], units)
+    parts, n = box._parts(box.whole.low, box.whole.high), box.tubes.n
+    z = box.whole.base.z
+    by_p = box.tubes.tangents(parts, z, n)[1]
+    along = rng.normal(size=z.shape) * 0.1
+    along[n] = 1.0
+    off = np.full_like(z, 1e-3)
+    off[n] = 0.0
+    moved, apart = np.full(1, 0.02), box.tubes.apart(parts)
+    size = np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1) + off
+    return box, parts, Region(Intervals.between(z - 1.001 * size, z + 1.001 * size), z, along, moved, by_p, off)
+
+
+@pytest.mark.parametrize(("name", "ranges", "units"), BOXES)
+def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_intervals(
+    name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]
+) -> None:
+    box, parts, region = region_of(name, ranges, units)
+    tubes, count = box.tubes, 3000
+    others = list(range(tubes.n))
+    rng = np.random.default_rng(3)
+    ends = [rng.choice([-1.0, 1.0], (size, count)) * rng.choice([1.0, 0.3], count) for size in (1, len(box.free), tubes.n + 1)]
+    p = parts.centre + parts.half * ends[1]
+    z = (
+        region.middle
+        + region.along * region.moved * ends[0]
+        + region.by_p[..., 0] @ (parts.half * ends[1])
+        + region.off * ends[2]
+    )
+    points = Parts(np.repeat(parts.fixed, count, axis=1), p, np.full_like(p, 1e-9))
+    sampled = tubes._floats(points, z)[1]
+    intervals = tubes.slopes(parts, region.box)
+    assert (intervals.low <= sampled).all()
+    assert (sampled <= intervals.high).all()
+    for rows, columns in zip(tubes.affine_slopes(parts, region), sampled, strict=True):
+        for entry, values in zip(rows, columns, strict=True):
+            one = entry.interval() if isinstance(entry, Affine) else Intervals.point([float(entry)])
+            assert one.low[0] <= values.min()
+            assert values.max() <= one.high[0]
+    wide = contractors.product(contractors.inverse(intervals.middle[:, others]), intervals.ends)
+    found = tubes.over(parts, region, tubes.n)
+    spread = max(sum(float((found.taken(row[j]).high - found.taken(row[j]).low)[0]) for j in others) for row in found.rows)
+    assert spread < 0.9 * float((wide[0] + wide[1])[:, others].sum(axis=1).max())
+
+
+def test_slopes_by_units_are_those_of_the_forces() -> None:
+    """By differences: of a parameter at the units' base values, and of a unit on which several depend."""
+    box, parts, region = region_of(*BOXES[-1])
+    tubes, z, step = box.tubes, region.middle, 1e-5
+    _, slopes = tubes._floats(parts, z)
+    for k in range(len(tubes.free)):
+        sides = []
+        for side in (-1, 1):
+            centre = parts.centre.copy()
+            centre[k] += side * step
+            sides.append(tubes._floats(Parts(parts.fixed, centre, parts.half), z)[0])
+        np.testing.assert_allclose(slopes[:, tubes.n + 1 + k], (sides[1] - sides[0]) / (2 * step), rtol=1e-6, atol=1e-9)

@@ -779,3 +779,13 @@ def test_two_springs_have_forces() -> None:
     ):  # fmt: skip
         now = math.hypot(length * math.cos(angle) - 0.05, length * math.sin(angle) + 0.01)
         assert found[name] == pytest.approx(100 * float(stiffness) * (now - length))
+
+
+def test_changes_may_be_left_out(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """They take longest."""
+    with pytest.raises(SystemExit) as stop:
+        main(["report", str(path), "--json", "--no-oscillation", "--no-redesign"])
+    assert stop.value.code == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["mu_jump"] < 1.2 * 0.6
+    assert found["redesign"] == []

@@ -25,12 +25,14 @@ if TYPE_CHECKING:
 @click.option("--example", is_flag=True, help="Print a file to begin with.")
 @click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")
 @click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
+@click.option("--redesign/--no-redesign", default=True, show_default=True, help="Say what to change where it jumps.")
 @click.option("--safety", type=float, default=1.2, show_default=True, help="Factor on the largest friction, for what to change.")
 @force
 @as_json
 def report(
-    file: Path | None, example: bool, html: Path | None, oscillation: bool, safety: float, force: bool, json_output: bool
-) -> None:
+    file: Path | None, example: bool, html: Path | None, oscillation: bool, redesign: bool, safety: float, force: bool,
+    json_output: bool,
+) -> None:  # fmt: skip
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
 
     \b
@@ -56,8 +58,12 @@ def report(
 
     study = Study.from_file(file)
     on_terminal = sys.stderr.isatty()
-    with nullcontext() if on_terminal else busy("computing the report; --no-oscillation leaves the motion out"):
-        found = study.report(oscillation=oscillation, safety=safety, progress=on_terminal)
+    with (
+        nullcontext()
+        if on_terminal
+        else busy("computing the report; --no-oscillation and --no-redesign leave out what takes longest")
+    ):
+        found = study.report(oscillation=oscillation, redesign=redesign, safety=safety, progress=on_terminal)
     if html is not None:
         study.to_html(html, found)
         click.echo(f"wrote {html}", err=True)

@@ -250,8 +250,8 @@ class Tubes:
         """
         z = self.corrected(parts, z, pivot)
         zero, by_p = np.zeros_like(z), self._across(parts, z, pivot)
-        guess = zero if like is None else like.off * parts.half.any(axis=0)
-        sure, room, held, off = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero, zero, guess)
+        beside = zero if like is None else like.off * parts.half.any(axis=0)
+        sure, room, held, off = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, beside)
         return Place(z, held, off, room, by_p, sure)
 
     def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[Flags, Place, Region]:
@@ -269,15 +269,9 @@ class Tubes:
         middle, half = 0.5 * (begin + z), 0.5 * np.abs(z[pivot] - begin[pivot])
         middle[pivot] = 0.5 * (begin[pivot] + z[pivot])
         inside = self._across(parts, middle, pivot)
-        must = np.maximum(
-            *((np.abs(one.z - middle) + one.held) * UP + 2 * np.spacing(np.abs(one.z) + one.held) for one in (start, end))
-        )
-        must[pivot] = 0.0
         apart = self.apart(parts)
         beside = np.maximum(*(_beside(one, middle, along, inside, apart, pivot) for one in (start, end)))
-        sure, _, held, off = self._one_state(
-            parts, middle, along, inside, half, pivot, must, beside, beside * parts.half.any(axis=0)
-        )
+        sure, _, held, off = self._one_state(parts, middle, along, inside, half, pivot, beside)
         tube = Intervals(np.stack([-middle, middle]) + held + np.spacing(np.abs(middle) + held))
         region = Region(tube, middle, along, self._moved(middle, half, pivot), inside, off)
         return sure & end.sure & start.sure & (np.abs(way) >= wide), end, region
@@ -290,13 +284,12 @@ class Tubes:
 
     def _one_state(
         self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
-        must: FloatArray, beside: FloatArray, guess: FloatArray,
+        beside: FloatArray,
     ) -> tuple[Flags, FloatArray, FloatArray, FloatArray]:  # fmt: skip
         """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters.
 
-        They hold what lies within ``must`` of their middles, and within ``beside`` of where the middles move; ``guess`` is how
-        far from there states may lie. Beside it how far from there a state is alone, and how far from the middles, and from
-        where these move, states lie at most.
+        They hold what lies within ``beside`` of where their middles move. Beside it how far from there a state is alone, and how
+        far from the middles, and from where these move, states lie at most.
         """
         others, count = self._others(pivot), middle.shape[1]
         least = NARROW * np.maximum(1.0, np.abs(middle[others]))
@@ -304,20 +297,17 @@ class Tubes:
         swing = (np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1)) * UP
         forces = self._forces(parts, middle)
         across, strayed = Intervals(np.stack([moved, moved])), Intervals(np.stack([apart, apart]))
-        reach = np.maximum(2 * least, (1 + ROOM) * guess[others])
+        reach = np.maximum(2 * least, (1 + ROOM) * beside[others] * parts.half.any(axis=0))
         room, held, off = np.zeros_like(middle), swing.copy(), np.zeros_like(middle)
         sure, open_ = np.zeros(count, dtype=np.bool_), np.ones(count, dtype=np.bool_)
         for _ in range(INFLATIONS):
             rows = np.flatnonzero(open_)
             if not rows.size:
                 break
-            size = swing[:, rows].copy()
-            size[others] += reach[:, rows]
-            size = np.maximum(size, must[:, rows])
-            m = middle[:, rows]
+            m, alone = middle[:, rows], beside[:, rows].copy()
+            alone[others] = np.maximum(reach[:, rows], alone[others])
+            size = swing[:, rows] + alone
             box = Intervals(np.stack([-m, m]) + size + np.where(size > 0, np.spacing(np.abs(m) + size), 0.0))
-            alone = np.zeros_like(m)
-            alone[others] = np.maximum(reach[:, rows], beside[others][:, rows])
             region = Region(box, m, along[:, rows], moved[rows], by_p[:, :, rows], alone)
             slopes = self.over(parts[rows], region, pivot)
             with np.errstate(all="ignore"):

@@ -58,8 +58,8 @@ class ModelReport(Result):
         Of "no jump" for everything within the tolerances: proved, refuted by a brake within them, or undecided.
     probability : Chance or None
     redesign : tuple of Change or None
-        What to change, one quantity at a time, so that the jump lies at ``target`` or beyond; None where nothing has to,
-        or it was not asked for.
+        What to change so that the jump lies at ``target`` or beyond, single quantities and the least joint change; None where
+        nothing has to, or it was not asked for.
     target : float
     complete : bool
         Whether states and folds are proved to be all there are.
@@ -134,7 +134,7 @@ class ModelReport(Result):
             ((_, top),) = ranges(load(self.study.model), ("mu0",), {})
             never = f"then it jumps at no friction up to {top:g}"
             rows = list(change_rows(self.study, self.redesign, box(self.study.unbounded), never))
-            nothing = [("nothing", "no change of one quantity was found that does it")]
+            nothing = [("nothing", "no change of one quantity or of several was found that does it")]
             yield f"To keep the jump at {self.target:.4g}, and all within the tolerances from jumping, change", rows or nothing
         if self.oscillation:
             yield "Oscillation", [(_WORDS.get(name, name), _shown(one)) for name, one in self.oscillation.items()]
@@ -194,7 +194,7 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     reached, odds = tolerated(study, n) if probability and "mu0" in model.parameters else (None, None)
     target = safety * high if high > 0 else math.nan
     sprags = jump is not None and (jump < target or (reached is not None and reached["outcome"] == "refuted"))
-    tell("what to change")
+    tell("what to change (--no-redesign leaves it out)" if redesign else "")
     proposed = changes(study, target) if redesign and sprags else None
     return ModelReport(
         jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,

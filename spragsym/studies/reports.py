@@ -165,7 +165,7 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     lives = oscillation_of(study) if moving else None
     tell("the probability of a jump")
     odds = chance(study, n) if probability else None
-    tell("what to change")
+    tell("what to change (--no-redesign leaves it out)" if redesign else "")
     so = facts(study, mu_jump, reached, odds)
     faster = so.reach == "faster"
     target = safety * (so.full[2] if faster else high)

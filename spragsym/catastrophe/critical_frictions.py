@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
-from scipy.optimize import brentq
 
-from ..errors import ConvergenceError, ParameterError
-from ..parameters import RANGES, FloatArray, Parameters, as_number
+from ..errors import ParameterError
+from ..parameters import RANGES, FloatArray, Parameters
+from ..statics.critical_values import value_at
 from .cusp_points import cusps
 from .fixed_parameters import FIXED
 from .lowest_fold import critical_friction
@@ -91,47 +90,9 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
     """
     if vary not in FIXED:
         raise ParameterError(f"vary = {vary!r} does not change the critical friction; choose one of {', '.join(FIXED)}")
-    low, high = (as_number(f"bracket[{i}]", value, RANGES[vary]) for i, value in enumerate(bracket))
-    if not low < high:
-        raise ParameterError(f"bracket = ({low}, {high}) is empty; give two values, the smaller first")
     (mu0,) = p.scalars("mu0")
 
-    def friction_at(value: float) -> float:
+    def lowest(value: float) -> float:
         return float(critical_friction(p.replace(theta0=None, mu0=None, **{vary: value})))
 
-    def excess(value: float) -> float:
-        return math.atan(friction_at(value)) - math.atan(mu0)  # finite where there is no fold
-
-    ends = excess(low), excess(high)
-    if ends[0] * ends[1] > 0:
-        frictions = ", ".join(f"{_in_words(friction_at(value))} at {vary} = {value:g}" for value in (low, high))
-        raise ParameterError(f"bracket: the critical friction is {frictions}, both on one side of mu0 = {mu0:g}; widen it")
-    low, high = _within_a_factor(excess, low, high)
-    root = low if low == high else float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=200))
-    if abs(excess(root)) > 1e-9:
-        below, above = (friction_at(max(float(np.nextafter(root, end)), RANGES[vary].low)) for end in (-math.inf, math.inf))
-        raise ConvergenceError(
-            f"the critical friction jumps across mu0 = {mu0:g} at {vary} = {root:.12g}, from {_in_words(below)} to "
-            f"{_in_words(above)}: there it has no value between; try a bracket on one side"
-        )
-    return root
-
-
-def _within_a_factor(excess: Callable[[float], float], low: float, high: float) -> tuple[float, float]:
-    """A bracket whose larger end is at most twice the smaller, or one value: halved in the exponent, at most 12 times."""
-    ends = [excess(low), excess(high)]
-    for value, end in zip((low, high), ends, strict=True):
-        if end == 0:
-            return value, value
-    smallest = float(np.finfo(float).smallest_normal)
-    while high > 2 * max(low, smallest):
-        middle = math.sqrt(max(low, smallest)) * math.sqrt(high)
-        value = excess(middle)
-        if value == 0:
-            return middle, middle
-        low, high = (low, middle) if value * ends[0] < 0 else (middle, high)
-    return low, high
-
-
-def _in_words(friction: float) -> str:
-    return "infinite (there is no fold)" if math.isinf(friction) else f"{friction:.6g}"
+    return value_at(lowest, ("mu0", mu0), vary, bracket, RANGES[vary])

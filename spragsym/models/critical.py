@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
+from ..statics.critical_values import value_at
 from ..statics.lowest_ends import LowestEnd
 from ..statics.points import Points
 from ..statics.results import Stability
@@ -90,6 +91,44 @@ def critical_friction(
     remarks += of_ranges(tuple(cut), search_of.spans[[(over, vary).index(name) for name in cut]]) if cut else ()
     complete = not remarks and found.kind != "undecided"
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
+
+
+def critical_value(
+    model: Model, p: Any, change: str, bracket: Sequence[float], vary: str, over: str, *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+) -> float:  # fmt: skip
+    """The value of a parameter at which the lowest end over a range lies at the ``vary`` of p.
+
+    Parameters
+    ----------
+    change : str
+        The parameter that is changed.
+    bracket : (float, float)
+        Two values of it with the lowest end on different sides.
+    vary, over, between
+        As for :func:`critical_friction`.
+
+    Raises
+    ------
+    ConvergenceError
+        Where the lowest end is undecided on the way.
+
+    Notes
+    -----
+    Source: :func:`critical_friction`, less the value that p has; each of some ten values takes as long as that.
+    """
+    if change not in p.ranges or change in (vary, over):
+        others = ", ".join(name for name in p.ranges if name not in (vary, over))
+        raise ParameterError(f"vary = {change!r} can't be what changes where {vary} rises over {over}; choose one of {others}")
+    (level,) = p.scalars(vary)
+
+    def lowest(value: float) -> float:
+        found = critical_friction(model, p.replace(**{change: value}), vary, over, between=between)
+        if found.kind == "undecided":
+            raise ConvergenceError(f"at {change} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
+        return float(found.value)
+
+    return value_at(lowest, (vary, level), change, bracket, p.ranges[change])
 
 
 class _Search:

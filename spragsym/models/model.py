@@ -238,10 +238,28 @@ class Model:
         """
         from .critical import critical_friction
 
+        return critical_friction(self, p, *self._rising_over(vary, over), **options)
+
+    def _rising_over(self, vary: str | None, over: str | None) -> tuple[str, str]:
+        """What rises, and over the range of what."""
         if vary is None or over is None:
             first, second = self._two(None)
             vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
-        return critical_friction(self, p, vary, over, **options)
+        return vary, over
+
+    @question
+    def critical_value(
+        self, p: ParameterSet, vary: str, bracket: Sequence[float], *, along: str | None = None, over: str | None = None,
+        **options: Any,
+    ) -> float:  # fmt: skip
+        """The value of a parameter at which the least friction at which the followed state ends is that of p.
+
+        ``bracket`` are two values of it with the least friction on different sides of that; ``along`` is mu0 and ``over`` theta0
+        unless told otherwise. See :func:`spragsym.models.critical.critical_value`.
+        """
+        from .critical import critical_value
+
+        return critical_value(self, p, vary, bracket, *self._rising_over(along, over), **options)
 
     @question
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> Path:
@@ -483,7 +501,6 @@ class Model:
         return redesign(self, p, change, target, scale, begin=begin)
 
     cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
-    critical_value = unanswered("cusps(p) has all cusps at each value of a parameter")
     flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")
     surface = unanswered("equilibria(p) has all states over a grid of parameters")
     linear_sprag = unanswered("equilibria(p) has the states")

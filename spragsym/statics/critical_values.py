@@ -1,0 +1,62 @@
+"""Where the lowest end of a followed state comes to a given friction, as another parameter moves: one search for every model."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ..errors import ConvergenceError, ParameterError
+from ..parameters import Range, as_number
+
+
+def value_at(
+    lowest: Callable[[float], float], level: tuple[str, float], vary: str, bracket: Sequence[float], allowed: Range
+) -> float:  # fmt: skip
+    """The value in a bracket of ``vary`` at which ``lowest`` of it, infinite where there is no end, has a level.
+
+    That is the name and the value of what rises to the end.
+    """
+    along, height = level
+    low, high = (as_number(f"bracket[{i}]", value, allowed) for i, value in enumerate(bracket))
+    if not low < high:
+        raise ParameterError(f"bracket = ({low}, {high}) is empty; give two values, the smaller first")
+
+    def excess(value: float) -> float:
+        return math.atan(lowest(value)) - math.atan(height)  # finite where there is no fold
+
+    ends = excess(low), excess(high)
+    if ends[0] * ends[1] > 0:
+        frictions = ", ".join(f"{_in_words(lowest(value))} at {vary} = {value:g}" for value in (low, high))
+        raise ParameterError(f"bracket: the critical {along} is {frictions}, both on one side of {along} = {height:g}; widen it")
+    low, high = _within_a_factor(excess, low, high)
+    root = low if low == high else float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=200))
+    if abs(excess(root)) > 1e-9:
+        below, above = (lowest(max(float(np.nextafter(root, end)), allowed.low)) for end in (-math.inf, math.inf))
+        raise ConvergenceError(
+            f"the critical {along} jumps across {height:g} at {vary} = {root:.12g}, from {_in_words(below)} to "
+            f"{_in_words(above)}: there it has no value between; try a bracket on one side"
+        )
+    return root
+
+
+def _within_a_factor(excess: Callable[[float], float], low: float, high: float) -> tuple[float, float]:
+    """A bracket whose larger end is at most twice the smaller, or one value: halved in the exponent, at most 12 times."""
+    ends = [excess(low), excess(high)]
+    for value, end in zip((low, high), ends, strict=True):
+        if end == 0:
+            return value, value
+    smallest = float(np.finfo(float).smallest_normal)
+    while high > 2 * max(low, smallest):
+        middle = math.sqrt(max(low, smallest)) * math.sqrt(high)
+        value = excess(middle)
+        if value == 0:
+            return middle, middle
+        low, high = (low, middle) if value * ends[0] < 0 else (middle, high)
+    return low, high
+
+
+def _in_words(friction: float) -> str:
+    return "infinite (there is no fold)" if math.isinf(friction) else f"{friction:.6g}"

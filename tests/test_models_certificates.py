@@ -13,7 +13,7 @@ import spragsym as ss
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.certificates import ENDS, OPEN, SAFE, THIN, Splitting
 from spragsym.models.paths import first_end
-from spragsym.models.tubes import Parts
+from spragsym.models.tube_regions import Parts
 from tests.support import few, model_of
 
 SEARCH = ss.load("kang_nam").search

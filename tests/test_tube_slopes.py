@@ -10,8 +10,7 @@ from spragsym.exact import contractors
 from spragsym.exact.affine import Affine
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.certificates import Splitting
-from spragsym.models.tube_slopes import Region
-from spragsym.models.tubes import Parts
+from spragsym.models.tube_regions import Parts, Region
 from spragsym.models.varying_units import Unit
 
 #: Models, and parameters with a tolerance; of the last one a unit has one too.

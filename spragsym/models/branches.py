@@ -21,7 +21,8 @@ from .balance import Balance
 from .equilibria import columns, equilibria
 from .points import given_column
 from .stability import linearization
-from .tubes import Parts, Tubes
+from .tube_regions import Parts
+from .tubes import Tubes
 
 #: Times a step is halved, and steps beyond which nothing more is hoped for.
 HALVINGS, MANY = 40, 500

@@ -16,7 +16,8 @@ from ..exact.interval_arrays import FloatArray
 from ..statics.results import Stability
 from .equilibria import equilibria
 from .state_certificates import STATES, certify_states, corner_values
-from .tubes import SMALL, Flags, Parts, Place, Tubes
+from .tube_regions import Flags, Parts, Place
+from .tubes import SMALL, Tubes
 from .varying_units import BalanceInUnits, Unit
 
 #: Parts at a time, and points at a time.

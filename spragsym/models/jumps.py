@@ -19,7 +19,8 @@ from .equilibria import equilibria
 from .paths import first_end
 from .points import FAR
 from .stability import filled
-from .tubes import Parts, Tubes
+from .tube_regions import Parts
+from .tubes import Tubes
 from .turning_points import past, turned
 
 #: Points at a time.

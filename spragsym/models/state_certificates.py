@@ -27,7 +27,7 @@ from .border import on_side
 from .equilibria import equilibria
 from .periodic_coordinates import once_around
 from .regions import region
-from .tubes import Flags
+from .tube_regions import Flags
 
 #: Parts that are searched at once, and boxes of coordinates of one of them: what needs more is halved sooner.
 BATCH, BUDGET = 64, 600

@@ -16,43 +16,7 @@ from ..exact import contractors
 from ..exact.affine import Affine
 from ..exact.affine_functions import AFFINE
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
-from ..exact.rounded import UNIT
 from .balance import Balance
-
-
-@dataclass(frozen=True)
-class Region:
-    """States z = m + a s + D (p − c) + u of boxes of parameters p, |s| ≤ moved and |u| ≤ off; ``box`` holds all of them.
-
-    ``middle``, ``along`` and ``off`` have the shape (n + 1, N), ``moved`` (N,), ``by_p`` (n + 1, free, N).
-    """
-
-    box: Intervals
-    middle: FloatArray
-    along: FloatArray
-    moved: FloatArray
-    by_p: FloatArray
-    off: FloatArray
-
-    def __getitem__(self, rows: Any) -> Region:
-        return Region(
-            self.box[:, rows],
-            self.middle[:, rows],
-            self.along[:, rows],
-            self.moved[rows],
-            self.by_p[:, :, rows],
-            self.off[:, rows],
-        )
-
-    def numbers(self, apart: FloatArray) -> list[Affine]:
-        """The coordinates and what moves, with s, then each p over its half-width, then each u for the sides."""
-        size, free, count = self.by_p.shape
-        found = []
-        for i in range(size):
-            terms = np.zeros((1 + free + size, count))
-            terms[0], terms[1 : 1 + free], terms[1 + free + i] = self.along[i] * self.moved, self.by_p[i] * apart, self.off[i]
-            found.append(Affine(self.middle[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
-        return found
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,6 @@ Segments hold together where the set of states at the end of one lies in the box
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -25,9 +24,8 @@ from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from .balance import Balance, matrix
 from .border import on_side
 from .laws import XP
-from .tube_slopes import Region, Slopes, affine_rows, of_affine, of_intervals
-
-Flags = NDArray[np.bool_]
+from .tube_regions import UP, Flags, Parts, Place, Region, beside_tube
+from .tube_slopes import Slopes, affine_rows, of_affine, of_intervals
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
@@ -43,72 +41,6 @@ NEAR = 0.1
 CLOSE, SHARP = 0.05, 2.0**-12
 #: A slope that is not nothing.
 TINY = 1e-12
-#: A sum of a few products of floats, rounded up.
-UP = 1 + 2.0**-40
-
-
-@dataclass(frozen=True)
-class Parts:
-    """Boxes of parameters, one a column: all of them, and middle and half-width of those that have a width or move.
-
-    ``fixed`` has the shape (parameters, N), ``centre`` and ``half`` have (free, N).
-    """
-
-    fixed: FloatArray
-    centre: FloatArray
-    half: FloatArray
-
-    def __getitem__(self, rows: Any) -> Parts:
-        return Parts(self.fixed[:, rows], self.centre[:, rows], self.half[:, rows])
-
-    def middles(self) -> Parts:
-        """The same without width."""
-        return replace(self, half=np.zeros_like(self.half))
-
-
-@dataclass(frozen=True)
-class Place:
-    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
-
-    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
-    within ``held`` of the middle. ``z``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N);
-    ``sure`` where it is proved.
-    """
-
-    z: FloatArray
-    held: FloatArray
-    off: FloatArray
-    room: FloatArray
-    by_p: FloatArray
-    sure: Flags
-
-    def __getitem__(self, rows: Any) -> Place:
-        z, held, off, room = (getattr(self, name)[:, rows] for name in ("z", "held", "off", "room"))
-        return Place(z, held, off, room, self.by_p[:, :, rows], self.sure[rows])
-
-    def put(self, rows: Any, other: Place) -> None:
-        """Take the places of some rows over."""
-        for name in ("z", "held", "off", "room", "by_p", "sure"):
-            getattr(self, name)[..., rows] = getattr(other, name)
-
-    def box(self) -> Intervals:
-        """All states there."""
-        return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
-
-    def region(self) -> Region:
-        """The same, as the slopes over it are asked for."""
-        return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
-
-    def lies_in(self, other: Place, n: int, shift: Any = 0.0, turned: Any = 0.0) -> Flags:
-        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates.
-
-        ``shift`` is how far the states of the other move from its middle to this one's, ``turned`` how much the slopes of the
-        two differ by over the box.
-        """
-        apart = np.abs(self.z - other.z - shift) + turned
-        within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
-        same: Flags = self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
-        return same
 
 
 class Tubes:
@@ -270,7 +202,7 @@ class Tubes:
         middle[pivot] = 0.5 * (begin[pivot] + z[pivot])
         inside = self._across(parts, middle, pivot)
         apart = self.apart(parts)
-        beside = np.maximum(*(_beside(one, middle, along, inside, apart, pivot) for one in (start, end)))
+        beside = np.maximum(*(beside_tube(one, middle, along, inside, apart, pivot) for one in (start, end)))
         sure, _, held, off = self._one_state(parts, middle, along, inside, half, pivot, beside)
         tube = Intervals(np.stack([-middle, middle]) + held + np.spacing(np.abs(middle) + held))
         region = Region(tube, middle, along, self._moved(middle, half, pivot), inside, off)
@@ -453,18 +385,6 @@ class Tubes:
             top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
             open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
         return safe, top, moves
-
-
-def _beside(
-    place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray, apart: FloatArray, pivot: int
-) -> FloatArray:  # fmt: skip
-    """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
-    off = np.abs(place.z - middle - along * (place.z[pivot] - middle[pivot]))
-    turned = np.abs(place.by_p - by_p - along[:, None] * (place.by_p[pivot] - by_p[pivot]))
-    size = np.abs(place.z) + np.abs(middle) + place.held
-    out = (off + (turned * apart).sum(axis=1) + place.off + np.abs(along) * place.off[pivot]) * UP + 4 * np.spacing(size)
-    out[pivot] = 0.0
-    return np.where(np.isfinite(out), out, np.inf)
 
 
 def carried(balance: Balance, given: FloatArray, row: int, values: FloatArray, q: FloatArray) -> FloatArray | None:

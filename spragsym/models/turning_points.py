@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..exact.interval_arrays import FloatArray
-from .tubes import SMALL, Flags, Parts, Place, Tubes
+from .tube_regions import Flags, Parts, Place
+from .tubes import SMALL, Tubes
 
 #: First step towards the fold, over the size of the coordinate, and how much farther the next one may go.
 PROBE, FARTHER = 1e-4, 8.0

@@ -1,0 +1,129 @@
+"""Parts of boxes of parameters, the places at which tubes stand over them, and the regions that tubes pass through."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact.affine import Affine
+from ..exact.interval_arrays import FloatArray, Intervals
+from ..exact.rounded import UNIT
+
+Flags = NDArray[np.bool_]
+
+#: A sum of a few products of floats, rounded up.
+UP = 1 + 2.0**-40
+
+
+@dataclass(frozen=True)
+class Region:
+    """States z = m + a s + D (p − c) + u of boxes of parameters p, |s| ≤ moved and |u| ≤ off; ``box`` holds all of them.
+
+    ``middle``, ``along`` and ``off`` have the shape (n + 1, N), ``moved`` (N,), ``by_p`` (n + 1, free, N).
+    """
+
+    box: Intervals
+    middle: FloatArray
+    along: FloatArray
+    moved: FloatArray
+    by_p: FloatArray
+    off: FloatArray
+
+    def __getitem__(self, rows: Any) -> Region:
+        return Region(
+            self.box[:, rows],
+            self.middle[:, rows],
+            self.along[:, rows],
+            self.moved[rows],
+            self.by_p[:, :, rows],
+            self.off[:, rows],
+        )
+
+    def numbers(self, apart: FloatArray) -> list[Affine]:
+        """The coordinates and what moves, with s, then each p over its half-width, then each u for the sides."""
+        size, free, count = self.by_p.shape
+        found = []
+        for i in range(size):
+            terms = np.zeros((1 + free + size, count))
+            terms[0], terms[1 : 1 + free], terms[1 + free + i] = self.along[i] * self.moved, self.by_p[i] * apart, self.off[i]
+            found.append(Affine(self.middle[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
+        return found
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Boxes of parameters, one a column: all of them, and middle and half-width of those that have a width or move.
+
+    ``fixed`` has the shape (parameters, N), ``centre`` and ``half`` have (free, N).
+    """
+
+    fixed: FloatArray
+    centre: FloatArray
+    half: FloatArray
+
+    def __getitem__(self, rows: Any) -> Parts:
+        return Parts(self.fixed[:, rows], self.centre[:, rows], self.half[:, rows])
+
+    def middles(self) -> Parts:
+        """The same without width."""
+        return replace(self, half=np.zeros_like(self.half))
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
+
+    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
+    within ``held`` of the middle. ``z``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N);
+    ``sure`` where it is proved.
+    """
+
+    z: FloatArray
+    held: FloatArray
+    off: FloatArray
+    room: FloatArray
+    by_p: FloatArray
+    sure: Flags
+
+    def __getitem__(self, rows: Any) -> Place:
+        z, held, off, room = (getattr(self, name)[:, rows] for name in ("z", "held", "off", "room"))
+        return Place(z, held, off, room, self.by_p[:, :, rows], self.sure[rows])
+
+    def put(self, rows: Any, other: Place) -> None:
+        """Take the places of some rows over."""
+        for name in ("z", "held", "off", "room", "by_p", "sure"):
+            getattr(self, name)[..., rows] = getattr(other, name)
+
+    def box(self) -> Intervals:
+        """All states there."""
+        return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
+
+    def region(self) -> Region:
+        """The same, as the slopes over it are asked for."""
+        return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
+
+    def lies_in(self, other: Place, n: int, shift: Any = 0.0, turned: Any = 0.0) -> Flags:
+        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates.
+
+        ``shift`` is how far the states of the other move from its middle to this one's, ``turned`` how much the slopes of the
+        two differ by over the box.
+        """
+        apart = np.abs(self.z - other.z - shift) + turned
+        within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
+        same: Flags = self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
+        return same
+
+
+def beside_tube(
+    place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray, apart: FloatArray, pivot: int
+) -> FloatArray:  # fmt: skip
+    """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
+    off = np.abs(place.z - middle - along * (place.z[pivot] - middle[pivot]))
+    turned = np.abs(place.by_p - by_p - along[:, None] * (place.by_p[pivot] - by_p[pivot]))
+    size = np.abs(place.z) + np.abs(middle) + place.held
+    out = (off + (turned * apart).sum(axis=1) + place.off + np.abs(along) * place.off[pivot]) * UP + 4 * np.spacing(size)
+    out[pivot] = 0.0
+    return np.where(np.isfinite(out), out, np.inf)

@@ -244,7 +244,7 @@ def test_products_hold_the_exact_ones(spread):
     for n, columns, powers in itertools.product((1, 2, 4), (1, 3), ((0,), (-540, -530), (-30, 30))):
         Y = rng.normal(size=(n, n, 20)) * 2.0 ** rng.choice(powers, (n, n, 20))
         X = around(rng.normal(size=(n, columns, 20)) * 2.0 ** rng.choice(powers, (n, columns, 20)), spread, rng)
-        ends = contractors._product(Y, X.ends)
+        ends = contractors.product(Y, X.ends)
         for k in range(20):
             left, low, high = fractions(Y[:, :, k]), fractions(X.low[:, :, k]), fractions(X.high[:, :, k])
             for i, j in itertools.product(range(n), range(columns)):

@@ -56,10 +56,9 @@ CASES = {
     ),
     "atan": Case(
         "k_c * L_0 * (atan(depth / L_0) + depth / (2 * L_0) * (1 + depth / L_0) ** 1.5)",
-        "mu0 * 2 / pi * atan(d * v), at_rest=mu0",
+        "mu0 * 2 / pi * atan(d * v)",
         lambda depth: mpmath.atan(depth) + depth / 2 * (1 + depth) ** mpmath.mpf(1.5),
         lambda v: mpmath.atan(10 * v) / mpmath.pi,
-        at_rest=True,
     ),
     "waves": Case(
         "k_c * L_0 * sinh(depth / L_0) * sqrt(2) * log(3) * exp(1) / 4",
@@ -132,6 +131,17 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
                 for k, other in enumerate(((1, 0), (0, 1))):
                     both = (way[0] + other[0], way[1] + other[1])
                     assert float(H[i][j][k]) == pytest.approx(float(mpmath.diff(row, (x, y), both)), rel=1e-11, abs=1e-13)
+
+
+def test_tolerances_are_proved_with_any_law(model: Any) -> None:
+    """Over a box of parameters the laws are asked for in affine arithmetic."""
+    _, it, _ = model
+    middle = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA, mu0=0.1)
+    low, high = (middle.replace(sigma=SIGMA * (1 + side), d=10 * (1 + side), mu0=0.1 * (1 + side)) for side in (-0.02, 0.02))
+    assert it.certify(low, high, "no jump", max_boxes=200).outcome == "proved"
+    rng = np.random.default_rng(1)
+    values = {name: rng.uniform(float(getattr(low, name)), float(getattr(high, name)), 50) for name in ("sigma", "d", "mu0")}
+    assert not (np.asarray(it.jump_value(middle.replace(**values))) <= values["mu0"]).any()
 
 
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])

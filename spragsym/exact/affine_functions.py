@@ -31,8 +31,19 @@ def _taken(value: Any) -> Affine:
     return value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))
 
 
-#: As for intervals, see :class:`spragsym.exact.jets.JetFunctions`.
-AFFINE = JetFunctions(
+class AffineFunctions(JetFunctions):
+    """As for intervals, see :class:`spragsym.exact.jets.JetFunctions`."""
+
+    #: π.
+    pi = Affine.between(Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)]))
+
+    def sign(self, value: Any) -> Affine:
+        """−1, 0, 1."""
+        return Affine.between(self.taken(value).interval().sign())
+
+
+#: The one that is needed.
+AFFINE = AffineFunctions(
     {
         "sqrt": _through(Intervals.sqrt, lambda x: 1 / (x.sqrt() * 2)),
         "exp": _through(Intervals.exp, Intervals.exp),

@@ -147,13 +147,14 @@ def apart(one: FloatArray, other: FloatArray) -> NDArray[np.bool_]:
 def inverse(matrices: FloatArray) -> FloatArray:
     """Inverses of matrices of shape (n, n, N), roughly; the unit matrix where there is none."""
     n = matrices.shape[0]
-    if n == 1:
-        out = 1 / matrices
-    elif n == 2:
-        (a, b), (c, d) = matrices
-        out = np.array([[d, -b], [-c, a]]) / (a * d - b * c)
-    else:
-        out = _inverse_by_elimination(matrices)
+    with np.errstate(all="ignore"):
+        if n == 1:
+            out = 1 / matrices
+        elif n == 2:
+            (a, b), (c, d) = matrices
+            out = np.array([[d, -b], [-c, a]]) / (a * d - b * c)
+        else:
+            out = _inverse_by_elimination(matrices)
     good = np.isfinite(out).all(axis=(0, 1))
     return out if good.all() else np.where(good, out, np.eye(n)[:, :, None])
 
@@ -162,12 +163,11 @@ def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     stacked = np.moveaxis(matrices, -1, 0)
     scale = np.abs(stacked).max(axis=(1, 2))
     # Of what is not finite or all zeros the determinant is no number.
-    with np.errstate(all="ignore"):
-        alike = stacked / scale[:, None, None]
-        regular = np.abs(np.linalg.det(alike)) > 1e-200
-        # Scaled for the inverse, too: pivots of tiny matrices may vanish.
-        inverses = np.linalg.inv(np.where(regular[:, None, None], alike, np.eye(matrices.shape[0])))
-        out: FloatArray = np.moveaxis(inverses / np.where(regular, scale, 1.0)[:, None, None], 0, -1)
+    alike = stacked / scale[:, None, None]
+    regular = np.abs(np.linalg.det(alike)) > 1e-200
+    # Scaled for the inverse, too: pivots of tiny matrices may vanish.
+    inverses = np.linalg.inv(np.where(regular[:, None, None], alike, np.eye(matrices.shape[0])))
+    out: FloatArray = np.moveaxis(inverses / np.where(regular, scale, 1.0)[:, None, None], 0, -1)
     return out
 
 

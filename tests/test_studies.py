@@ -590,6 +590,7 @@ def test_another_model_is_told_what_to_change(tmp_path: Path) -> None:
         closed = float(ss.jump_value(ss.PhysicalParameters(**values).dimensionless(), "mu0"))
         assert not closed < found.target
         assert one.mu_jump == pytest.approx(closed, rel=1e-9, nan_ok=True)
+    assert found.text().count("  then it") == len(found.redesign)
     told = found.to_dict()["redesign"][0]
     assert told["target"] == pytest.approx(1.2 * other.friction[2])
     assert f"to {other.shown('F_L', found.redesign[0].after['F_L'])}" in found.text()

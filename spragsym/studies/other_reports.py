@@ -19,7 +19,7 @@ from .other_tolerances import tolerated
 from .redesigns import Change, changes
 from .reports import Tell, teller
 from .study import Study
-from .texts import box, chance_json, chance_rows, change_json, change_rows, no_jump
+from .texts import box, chance_json, chance_rows, change_json, change_rows, lines, no_jump
 from .tolerances import Chance
 
 #: Angles in degrees between which a jump is looked for.
@@ -108,7 +108,7 @@ class ModelReport(Result):
         """The verdict, the warnings, the numbers and the states."""
         blocks = [self.verdict, *(f"warning: {one}" for one in self.warnings)]
         for heading, rows in self.sections():
-            blocks.append("\n".join([heading, *(f"  {name:<34}{value}" for name, value in rows)]))
+            blocks.append("\n".join([heading, *lines(rows, 34)]))
         return "\n\n".join(blocks)
 
     def sections(self) -> Iterator[tuple[str, list[tuple[str, str]]]]:

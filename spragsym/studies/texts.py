@@ -97,10 +97,15 @@ def as_text(report: Report) -> str:
     if report.warnings:
         blocks.append([f"warning: {one}" for one in report.warnings])
     for title, rows in sections(report):
-        body = [f"  {name:<32}{value}" if len(name) < 32 else f"  {name}\n  {'':<32}{value}" for name, value in rows]
+        body = lines(rows, 32)
         if body:
             blocks.append([title, *body])
     return "\n\n".join("\n".join(block) for block in blocks)
+
+
+def lines(rows: Iterable[tuple[str, str]], width: int) -> list[str]:
+    """Rows of a name and a value, under each other where the name is long."""
+    return [f"  {name:<{width}}{value}" if len(name) < width else f"  {name}\n  {'':<{width}}{value}" for name, value in rows]
 
 
 def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:

@@ -463,8 +463,9 @@ def test_another_model_answers_what_the_article_s_answers_where_it_is_the_same(
     found = json.loads(capsys.readouterr().out)
     assert list(found) == KEYS
     right = ss.Study(brake()).report(probability=False, redesign=False, oscillation=False)
-    for key in ("mu_jump", "theta0_jump_deg", "mu_cusp", "mu_effective", "margin_percent"):
+    for key in ("mu_jump", "theta0_jump_deg", "mu_lowest", "theta0_lowest_deg", "mu_cusp", "mu_effective", "margin_percent"):
         assert found[key] == pytest.approx(getattr(right, key), rel=1e-9)
+    assert found["kind_lowest"] == right.kind_lowest
     for state, one in zip(found["states"], right.states, strict=True):
         assert state["current"] == one.current
         for key in ("x_mm", "y_mm", "spring_force_N", "contact_force_N"):

@@ -42,6 +42,10 @@ class ModelReport(Result):
     ----------
     mu_jump, theta0_jump_deg : float or None
         Friction and angle at which the state of small deformation jumps, followed on a path with proved folds; NaN for never.
+    mu_lowest, theta0_lowest_deg : float or None
+        The friction below which that state jumps at no angle, and its angle; infinite and NaN where it never does.
+    kind_lowest : str or None
+        What happens there, see :class:`spragsym.LowestEnd`; empty where it never jumps.
     mu_cusp : float or None
         Friction of the lowest cusp; folds may lie below it.
     mu_effective : float
@@ -69,6 +73,9 @@ class ModelReport(Result):
 
     mu_jump: float | None
     theta0_jump_deg: float | None
+    mu_lowest: float | None
+    theta0_lowest_deg: float | None
+    kind_lowest: str | None
     mu_cusp: float | None
     mu_effective: float
     margin_percent: float | None
@@ -90,7 +97,8 @@ class ModelReport(Result):
         here: Mapping[str, Any] = next((state for state in self.states if state["current"]), {})
         return {
             "mu_jump": self.mu_jump, "theta0_jump_deg": self.theta0_jump_deg,
-            "mu_lowest": None, "theta0_lowest_deg": None, "kind_lowest": None, "mu_cusp": self.mu_cusp,
+            "mu_lowest": self.mu_lowest, "theta0_lowest_deg": self.theta0_lowest_deg, "kind_lowest": self.kind_lowest,
+            "mu_cusp": self.mu_cusp,
             "mu_effective": self.mu_effective, "margin_percent": self.margin_percent, "states": list(self.states),
             "frequencies_hz": here.get("frequencies_hz"),
             "spring_force_N": {"rest": here.get("spring_force_N"), "oscillation": lives.get("spring_force_N")},
@@ -114,7 +122,8 @@ class ModelReport(Result):
     def sections(self) -> Iterator[tuple[str, list[tuple[str, str]]]]:
         """Headings, each with rows of a name and a value."""
         numbers = {
-            "jump at friction": self.mu_jump, "jump at angle, deg": self.theta0_jump_deg, "lowest cusp at friction": self.mu_cusp,
+            "jump at friction": self.mu_jump, "jump at angle, deg": self.theta0_jump_deg,
+            "no jump at any angle below": self.mu_lowest, "lowest cusp at friction": self.mu_cusp,
             "friction at the belt's speed": self.mu_effective, "margin to the largest friction, %": self.margin_percent,
         }  # fmt: skip
         if "mu0" in load(self.study.model).parameters:
@@ -179,6 +188,7 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     turns, complete = _folds(model, p, warnings)
     jump = _jump(model, p, "mu0", (0.0, 1.1 * max(turns, default=1.0)), warnings)
     angle = _jump(model, at, "theta0", tuple(map(math.radians, _ANGLES)), warnings)
+    lowest = _lowest(model, p, warnings)
     high = (
         other_models.friction(model, p.replace(mu0=study.quantities["mu0"].high), law) if "mu0" in study.quantities else math.nan
     )
@@ -197,7 +207,7 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     tell("what to change (--no-redesign leaves it out)" if redesign else "")
     proposed = changes(study, target) if redesign and sprags else None
     return ModelReport(
-        jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,
+        jump, None if angle is None else math.degrees(angle), *lowest, _cusp(model, p, warnings), works,
         100 * (jump / high - 1) if jump is not None and not math.isnan(jump) and high > 0 else None,
         states, turns, cycle, reached, odds, proposed, target, complete, tuple(warnings),
         _verdict(study, model, jump, high, states, complete), study,
@@ -261,6 +271,26 @@ def _current(model: Any, p: Any, warnings: list[str]) -> dict[str, float] | None
         warnings.append("which of the states the brake is in is not known: the model has no mu0 that could rise from 0")
         return None
     return {name: float(eq.coordinates[name][0]) for name in model.coordinates}
+
+
+def _lowest(model: Any, p: Any, warnings: list[str]) -> tuple[float | None, float | None, str | None]:
+    """Friction, angle in degrees and kind of the lowest end over all angles; None where that is not known."""
+    if not {"theta0", "mu0"} <= set(model.parameters):
+        return None, None, None
+    try:
+        found = model.critical_friction(p)
+    except SpragsymError as reason:
+        warnings.append(f"the friction below which it jumps at no angle is not known: {reason}")
+        return None, None, None
+    if found.kind == "undecided":
+        why = "; ".join(found.remarks)
+        warnings.append(
+            f"below a friction of {found.value:.4g} it jumps at no angle; whether it does above is not decided: {why}"
+        )
+        return None, None, None
+    if not found.complete:
+        warnings.append(f"that nothing jumps below mu_lowest is not proved for all: {'; '.join(found.remarks)}")
+    return float(found.value), math.degrees(float(found.where)), str(found.kind)
 
 
 def _cusp(model: Any, p: Any, warnings: list[str]) -> float | None:

@@ -58,11 +58,8 @@ def report(
 
     study = Study.from_file(file)
     on_terminal = sys.stderr.isatty()
-    with (
-        nullcontext()
-        if on_terminal
-        else busy("computing the report; --no-oscillation and --no-redesign leave out what takes longest")
-    ):
+    told = "computing the report; --no-oscillation and --no-redesign leave out what takes longest"
+    with nullcontext() if on_terminal else busy(told):
         found = study.report(oscillation=oscillation, redesign=redesign, safety=safety, progress=on_terminal)
     if html is not None:
         study.to_html(html, found)

@@ -16,7 +16,7 @@ from ..exact.interval_arrays import FloatArray
 from ..statics.results import Stability
 from .equilibria import equilibria
 from .state_certificates import STATES, certify_states, corner_values
-from .tube_regions import Flags, Parts, Place
+from .tube_regions import ByColumn, Flags, Parts, Place
 from .tubes import SMALL, Tubes
 from .varying_units import BalanceInUnits, Unit
 
@@ -37,7 +37,7 @@ Outcomes: TypeAlias = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
-class Pieces:
+class Pieces(ByColumn):
     """Parts of a box, one a column: their ends, and the place at which the followed state begins, here or in what holds these.
 
     ``low`` and ``high`` have the shape (free + 1, N), the parameter that moves last; ``of``, (2, free, N), are the ends of the
@@ -52,11 +52,6 @@ class Pieces:
     safe: FloatArray
     top: FloatArray
 
-    def __getitem__(self, rows: Any) -> Pieces:
-        return Pieces(
-            self.low[:, rows], self.high[:, rows], self.base[rows], self.of[:, :, rows], self.safe[rows], self.top[rows]
-        )
-
     @property
     def outcome(self) -> Outcomes:
         """Whether the state goes on to the upper end, or has ended below the lower one, of what moves."""
@@ -64,14 +59,6 @@ class Pieces:
 
     def __len__(self) -> int:
         return int(self.low.shape[1])
-
-    def then(self, others: Pieces) -> Pieces:
-        """These, and others."""
-        base = Place(*(np.concatenate([getattr(one.base, name) for one in (self, others)], axis=-1)
-                       for name in ("z", "held", "off", "room", "by_p", "sure")))  # fmt: skip
-        names = ("low", "high", "of", "safe", "top")
-        rest = {name: np.concatenate([getattr(one, name) for one in (self, others)], axis=-1) for name in names}
-        return Pieces(base=base, **rest)
 
     def divisible(self) -> NDArray[np.bool_]:
         """Sides of the free parameters that have floats between their ends."""

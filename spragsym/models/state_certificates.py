@@ -27,7 +27,7 @@ from .border import on_side
 from .equilibria import equilibria
 from .periodic_coordinates import once_around
 from .regions import region
-from .tube_regions import Flags
+from .tube_regions import ByColumn, Flags
 
 #: Parts that are searched at once, and boxes of coordinates of one of them: what needs more is halved sooner.
 BATCH, BUDGET = 64, 600
@@ -111,7 +111,7 @@ def certify_states(low: Any, high: Any, claim: str, max_boxes: int, refute: bool
 
 
 @dataclass(frozen=True)
-class Parts:
+class Parts(ByColumn):
     """Parts of a box, one a column: ends of all parameters, shape (P, N), their share of it, and where their states are.
 
     ``around``, shape (2, n, N), is infinite where nothing is known of that.
@@ -121,14 +121,6 @@ class Parts:
     high: FloatArray
     share: FloatArray
     around: FloatArray
-
-    def __getitem__(self, rows: Any) -> Parts:
-        return Parts(self.low[:, rows], self.high[:, rows], self.share[rows], self.around[:, :, rows])
-
-    def then(self, other: Parts) -> Parts:
-        """These, and others."""
-        names = ("low", "high", "share", "around")
-        return Parts(*(np.concatenate([getattr(one, name) for one in (self, other)], axis=-1) for name in names))
 
 
 class _Box:

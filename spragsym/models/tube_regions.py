@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,26 @@ UP = 1 + 2.0**-40
 
 
 @dataclass(frozen=True)
-class Region:
+class ByColumn:
+    """Arrays of which each column, along the last axis, is of one box."""
+
+    def __getitem__(self, rows: Any) -> Self:
+        parts = {field.name: getattr(self, field.name) for field in fields(self)}
+        return replace(
+            self, **{name: part[rows] if isinstance(part, ByColumn) else part[..., rows] for name, part in parts.items()}
+        )
+
+    def then(self, others: Self) -> Self:
+        """These, and others."""
+        parts = {field.name: (getattr(self, field.name), getattr(others, field.name)) for field in fields(self)}
+        return replace(self, **{
+            name: one.then(other) if isinstance(one, ByColumn) else np.concatenate([one, other], axis=-1)
+            for name, (one, other) in parts.items()
+        })  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Region(ByColumn):
     """States z = m + a s + D (p − c) + u of boxes of parameters p, |s| ≤ moved and |u| ≤ off; ``box`` holds all of them.
 
     ``middle``, ``along`` and ``off`` have the shape (n + 1, N), ``moved`` (N,), ``by_p`` (n + 1, free, N).
@@ -31,16 +50,6 @@ class Region:
     moved: FloatArray
     by_p: FloatArray
     off: FloatArray
-
-    def __getitem__(self, rows: Any) -> Region:
-        return Region(
-            self.box[:, rows],
-            self.middle[:, rows],
-            self.along[:, rows],
-            self.moved[rows],
-            self.by_p[:, :, rows],
-            self.off[:, rows],
-        )
 
     def numbers(self, apart: FloatArray) -> list[Affine]:
         """The coordinates and what moves, with s, then each p over its half-width, then each u for the sides."""
@@ -54,7 +63,7 @@ class Region:
 
 
 @dataclass(frozen=True)
-class Parts:
+class Parts(ByColumn):
     """Boxes of parameters, one a column: all of them, and middle and half-width of those that have a width or move.
 
     ``fixed`` has the shape (parameters, N), ``centre`` and ``half`` have (free, N).
@@ -64,16 +73,13 @@ class Parts:
     centre: FloatArray
     half: FloatArray
 
-    def __getitem__(self, rows: Any) -> Parts:
-        return Parts(self.fixed[:, rows], self.centre[:, rows], self.half[:, rows])
-
     def middles(self) -> Parts:
         """The same without width."""
         return replace(self, half=np.zeros_like(self.half))
 
 
 @dataclass(frozen=True)
-class Place:
+class Place(ByColumn):
     """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
 
     Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
@@ -88,14 +94,10 @@ class Place:
     by_p: FloatArray
     sure: Flags
 
-    def __getitem__(self, rows: Any) -> Place:
-        z, held, off, room = (getattr(self, name)[:, rows] for name in ("z", "held", "off", "room"))
-        return Place(z, held, off, room, self.by_p[:, :, rows], self.sure[rows])
-
     def put(self, rows: Any, other: Place) -> None:
         """Take the places of some rows over."""
-        for name in ("z", "held", "off", "room", "by_p", "sure"):
-            getattr(self, name)[..., rows] = getattr(other, name)
+        for field in fields(self):
+            getattr(self, field.name)[..., rows] = getattr(other, field.name)
 
     def box(self) -> Intervals:
         """All states there."""

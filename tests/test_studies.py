@@ -15,8 +15,8 @@ from spragsym.cli import main
 from spragsym.design.design_space import dimensionless
 from spragsym.design.events import have_jumped
 from spragsym.models.varying_units import BalanceInUnits
-from spragsym.studies import other_models, other_tolerances, tolerances
-from spragsym.studies.other_tolerances import certificate_of
+from spragsym.studies import brake_quantities, tolerances, tube_tolerances
+from spragsym.studies.tube_tolerances import certificate
 from tests.support import few
 
 BRAKE = """[brake]
@@ -482,7 +482,7 @@ def test_with_another_model_the_brake_as_drawn_is_looked_at_first(tmp_path: Path
     plain = BRAKE.replace(" ± 15 %", "").replace(" ± 1 deg", "").replace("kang_nam", "cubic_contact")
     file = tmp_path / "brake.toml"
     file.write_text(plain.replace("[0.3, 0.6]", f"[0, {friction}]" if friction else "0") + 'k_3 = "0 N/mm^3"\n', encoding="utf-8")
-    found = certificate_of(ss.Study.from_file(file))
+    found = certificate(ss.Study.from_file(file))
     assert found["outcome"] == outcome
     assert found["counterexample"] == ({"mu0": {"value": friction, "unit": ""}} if outcome == "refuted" else None)
 
@@ -505,10 +505,10 @@ def test_with_another_model_the_same_brakes_jump(tmp_path: Path) -> None:
     friction = ss.sliding_friction(values["mu0"], values["V"], values["d"])
     named = {name: values[name] for name in tolerances.names_of(article) if name not in ("mu0", "V", "d")}
     jumps = have_jumped(ss.Parameters(**dimensionless(named | {"mu0": friction}))).jumped
-    found = other_tolerances.jumping(other, shares[:256])
+    found = tube_tolerances.jumping(other, shares[:256])
     assert np.array_equal(found == 1, jumps[:256])
     assert 0.05 < jumps.mean() < 0.95
-    odds = other_tolerances.chance(other, 512)
+    odds = tube_tolerances.chance(other, 512)
     assert odds is not None
     assert odds.low < jumps.mean() < odds.high
 
@@ -518,20 +518,20 @@ def test_with_another_model_tolerances_are_proved(tmp_path: Path) -> None:
     """Also those of the contact's stiffness, on which all parameters depend."""
     rows = {"mu0": "[0.25, 0.28]", "k_c": "1.5 kN/mm ± 5 %"}
     study = of_model("cubic_contact", rows, tmp_path / "brake.toml")
-    found, odds = other_tolerances.tolerated(study, 64)
+    found, odds = tube_tolerances.tolerated(study, 64)
     assert found["outcome"] == "proved"
     assert odds is not None
     assert (odds.low, odds.high, odds.confidence) == (0.0, 0.0, 1.0)
-    low, high, units = other_tolerances.box(study)
+    low, high, units = tube_tolerances.box(study)
     for share in (0.0, 0.3, 1.0):
         at = {name: float(tolerances.quantile(one, share)) for name, one in study.quantities.items()}
-        p = other_models.groups("cubic_contact", at | {"k_c": study.values["k_c"]})
+        p = brake_quantities.groups("cubic_contact", at | {"k_c": study.values["k_c"]})
         for name, value in p.items():
             assert float(getattr(low, name)) <= value <= float(getattr(high, name))
         ((unit, one),) = units.items()
         assert one.low <= at["k_c"] / study.values["k_c"] <= one.high
         scaled = BalanceInUnits(low.model, True, units).scaled(p | {unit: at["k_c"] / study.values["k_c"]})
-        for name, value in other_models.groups("cubic_contact", at).items():
+        for name, value in brake_quantities.groups("cubic_contact", at).items():
             assert scaled[name] == pytest.approx(value, rel=1e-14)
 
 
@@ -542,7 +542,7 @@ def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tm
     plain = [row for row in BRAKE.replace(" ± 15 %", "").replace(" ± 1 deg", "").splitlines() if row.split(" ")[0] not in rows]
     file = tmp_path / "brake.toml"
     file.write_text("\n".join([*plain, *(f"{name} = {value}" for name, value in rows.items())]), encoding="utf-8")
-    found = certificate_of(ss.Study.from_file(file))
+    found = certificate(ss.Study.from_file(file))
     # Friction of 0.35 does not reach the jump at 0.366 as drawn; with other springs within the tolerances it does.
     assert found["outcome"] == "refuted"
     example = {name: one["value"] for name, one in found["counterexample"].items()}
@@ -628,11 +628,11 @@ def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
     folder.write_page(page, tmp_path / "rising")
     rows = {"mu0": "[0.2, 0.22]", "V": "[0.1, 0.2] m/s"}
     study = of_model(str(tmp_path / "rising"), rows, tmp_path / "brake.toml")
-    _, high, _ = other_tolerances.box(study)
+    _, high, _ = tube_tolerances.box(study)
     # the law at its largest, 9/8, where exp(−d V) is 1/4: inside of the range of V
     values = {name: one.high for name, one in study.quantities.items()} | {"V": math.log(4) / 10}
-    p, _ = other_models.dimensionless(study.model, values)
-    works = other_models.friction(p.model, p, "friction_at_speed")
+    p, _ = brake_quantities.dimensionless(study.model, values)
+    works = brake_quantities.friction(p.model, p, "friction_at_speed")
     assert works == pytest.approx(0.22 * 9 / 8)
     assert float(high.mu0) >= works
 

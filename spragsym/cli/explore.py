@@ -134,7 +134,7 @@ def _other(name: str, study: Study | None, onsets: bool) -> str:
     derived = _derived(model)
     if study is None:
         return model_page(model, derived, onsets=_map(model, model.base, None, onsets))
-    from ..studies.other_models import dimensionless
+    from ..studies.brake_quantities import dimensionless
 
     point, _ = dimensionless(study.model, study.values)
     values = {key: getattr(point, key) for key in model.parameters}
@@ -186,7 +186,7 @@ def _derived(model: Model) -> Derived:
 def _units(study: Study) -> Units:
     """The units of the user's file."""
     from ..models import load
-    from ..studies.other_models import scale_of
+    from ..studies.brake_quantities import scale_of
     from ..studies.units import factor
 
     about = load(study.model).about

@@ -172,16 +172,16 @@ class OfModel(click.Command):
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them."""
-        from ..studies import other_models
+        from ..studies import brake_quantities
 
         model, moves = load(study.model), {"V", "d"} & set(load(study.model).parameters) <= set(study.quantities)
-        p, _ = other_models.dimensionless(study.model, study.values)
+        p, _ = brake_quantities.dimensionless(study.model, study.values)
         if not self.statics and not moves:
             raise ParameterError(
                 f'--data {study.source}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
             )
         if self.statics and moves and "mu0" in model.parameters:
-            p = p.replace(mu0=p.mu0 * other_models.share(model, p))
+            p = p.replace(mu0=p.mu0 * brake_quantities.share(model, p))
         given = {entry["name"] for entry in model.about["parameters"] if entry["quantity"] in study.quantities}
         values = {name: float(getattr(p, name)) for name in given}
         return {name: str(degrees(value) if name in model.about["angles"] else value) for name, value in values.items()}

@@ -17,7 +17,6 @@ from .targets import force, refuse
 
 if TYPE_CHECKING:
     from ..studies import Report
-    from ..studies.other_reports import ModelReport
 
 
 @command()
@@ -67,7 +66,7 @@ def report(
     _print(found, json_output)
 
 
-def _print(found: Report | ModelReport, json_output: bool) -> None:
+def _print(found: Report, json_output: bool) -> None:
     if json_output:
         print_json(found.to_dict())
     else:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -16,6 +16,8 @@ from ..exact.interval_arrays import FloatArray
 from ..parameters import ParameterSet
 from .certificates import ENDS, OPEN, POINTS, THIN, Pieces, Splitting
 
+#: The share of a distribution up to some values.
+Shares: TypeAlias = Callable[[FloatArray], Any]
 #: Samples by default: each is followed.
 SAMPLES = 1 << 12
 #: Share of a distribution without an end that is left out of the proof on either side, and counts as not decided.
@@ -81,25 +83,27 @@ def bracket(base: Any, variables: Mapping[str, Any], vary: str, begin: float, ma
     laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
     low, high = (base.replace(**end) for end in ends)
-    box = Splitting(low, high, vary, begin)
+    goal = float(getattr(high, vary))
+    up_to = laws[vary].cdf if vary in laws else lambda value: 1.0 * (value >= goal)
+    return measured(Splitting(low, high, vary, begin), {name: law.cdf for name, law in laws.items()}, (up_to, up_to), max_boxes)
+
+
+def measured(box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int) -> tuple[float, float]:
+    """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds of those of what moves."""
     rows = [(place, laws[name]) for place, name in enumerate(box.free) if name in laws]
 
     def of_free(pieces: Pieces) -> FloatArray:
-        parts = [law.cdf(pieces.high[place]) - law.cdf(pieces.low[place]) for place, law in rows]
+        parts = [law(pieces.high[place]) - law(pieces.low[place]) for place, law in rows]
         return np.asarray(np.prod([np.ones(len(pieces)), *parts], axis=0))
 
-    def up_to(pieces: Pieces, value: FloatArray) -> FloatArray:
-        """How probable it is that what moves is no larger."""
-        return np.asarray(laws[vary].cdf(value) if vary in laws else 1.0 * (value >= pieces.high[-1]))
-
     def open_(pieces: Pieces) -> FloatArray:
-        return of_free(pieces) * (up_to(pieces, pieces.top) - up_to(pieces, pieces.safe))
+        return np.asarray(of_free(pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe)))
 
     least, most = 0.0, 1.0
     for pieces, last, _ in box.run(open_, max_boxes, sharp=True):
         done = pieces[last]
-        least += float((of_free(done) * (1.0 - up_to(done, done.top))).sum())
-        most -= float((of_free(done) * up_to(done, done.safe)).sum())
+        least += float((of_free(done) * (1.0 - up_to[1](done.top))).sum())
+        most -= float((of_free(done) * up_to[0](done.safe)).sum())
     return max(0.0, least - ROUNDING), min(1.0, most + ROUNDING)
 
 

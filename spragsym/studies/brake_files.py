@@ -16,7 +16,7 @@ from ..files.text import decoded
 from ..generated.quantities import QUANTITIES
 from ..names import hint
 from ..parameters import FINITE, RANGES, PhysicalParameters, Range, physical_ranges
-from . import other_models
+from . import brake_quantities
 from .measured_tables import read_friction
 from .measurements import FrictionFit, fit_friction
 from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
@@ -81,7 +81,7 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     lines = _Lines(name, text)
     table = _table(text, lines)
     model = _model(table, lines)
-    units = QUANTITY_UNITS if model == "kang_nam" else other_models.quantity_units(model)
+    units = QUANTITY_UNITS if model == "kang_nam" else brake_quantities.quantity_units(model)
     measured, together = table.pop("friction", None), table.pop("correlation", None)
     _check_names(table, units, lines)
     found = {key: _quantity(key, table[key], units[key], lines) for key in units if key in table}
@@ -151,7 +151,7 @@ def _model(table: dict[str, Any], lines: _Lines) -> str:
     if not isinstance(name, str):
         raise ParameterError(f'{lines.of("model")}: model = {name!r} is no name; write model = "kang_nam"')
     try:
-        other_models.about(name)
+        brake_quantities.about(name)
     except SpragsymError as error:
         raise ParameterError(f"{lines.of('model')}: model = {error}") from error
     return name

@@ -27,10 +27,9 @@ FLAT = 3.15
 
 def cautions(study: Study, found: Sequence[State], jumped: bool) -> tuple[str, ...]:
     """All warnings for a study, the states that were found, and whether the one that the brake is in is behind a jump."""
-    far = () if jumped else tuple(_far(study, found))
     return (
         *_contact(study, found),
-        *far,
+        *(() if jumped else _far(study, found)),
         *_stiffness(study),
         *_friction(study),
         *_units(study),
@@ -38,7 +37,14 @@ def cautions(study: Study, found: Sequence[State], jumped: bool) -> tuple[str, .
     )
 
 
+def _has(study: Study, *names: str) -> bool:
+    """Whether the brake has some quantities: a caution about others is none of it."""
+    return set(names) <= set(study.quantities)
+
+
 def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
+    if not _has(study, "L_0", "F_L", "k_c") or not all("y_mm" in state.places for state in found):
+        return
     length = 1e3 * study.values["L_0"]
     for which, states in (
         ("the contact is", [state for state in found if state.current]),
@@ -54,6 +60,8 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
 
 
 def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
+    if not _has(study, "L_0") or not all("x_mm" in state.places for state in found):
+        return
     length = 1e3 * study.values["L_0"]
     for state in found:
         if state.current and abs(state.x_mm) > FAR * length:
@@ -65,14 +73,16 @@ def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
 
 
 def _stiffness(study: Study) -> Iterator[str]:
-    for name in ("k", "k_x", "k_y"):
+    if not _has(study, "k_c"):
+        return
+    for name in (name for name in ("k", "k_x", "k_y") if _has(study, name)):
         ratio = study.values[name] / study.values["k_c"]
         if ratio > 0.5:
             yield (
                 f"{name} = {study.shown(name, study.values[name])} is {ratio:.3g} times the stiffness of the contact, "
                 f"k_c = {study.shown('k_c', study.values['k_c'])}: the contact should be the stiffest part; check both units"
             )
-    sigma = study.values["k"] / study.values["k_c"]
+    sigma = study.values.get("k", math.inf) / study.values["k_c"]
     if sigma < 1e-4:
         yield (
             f"k = {study.shown('k', study.values['k'])} is {sigma:.1g} of the stiffness of the contact: a spring as soft as that "
@@ -81,8 +91,7 @@ def _stiffness(study: Study) -> Iterator[str]:
 
 
 def _friction(study: Study) -> Iterator[str]:
-    mu0 = study.values["mu0"]
-    missing = [name for name in ("V", "d") if name not in study.quantities]
+    missing = [name for name in ("V", "d") if name in study.si_units and not _has(study, name)]
     if missing:
         yield (
             f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the "
@@ -90,10 +99,13 @@ def _friction(study: Study) -> Iterator[str]:
             'V = "1.2 m/s", d = "10 s/m"'
         )
     yield from _fit(study)
+    if not _has(study, "mu0"):
+        return
     if study.fraction < FULL:
+        since = f"since d V = {study.values['d'] * abs(study.values['V']):.3g}; check d and V" if _has(study, "d") else "check V"
         yield (
             f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
-            f"of {mu0:.4g}, since d V = {study.values['d'] * abs(study.values['V']):.3g}; check d and V"
+            f"of {study.values['mu0']:.4g}, {since}"
         )
     if study.quantities["mu0"].high > 2:
         yield f"mu0 = {study.quantities['mu0'].high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
@@ -126,13 +138,13 @@ def _units(study: Study) -> Iterator[str]:
     if "V" in study.quantities and abs(study.values["V"]) > FAST:
         speed = study.values["V"]
         yield f"V = {study.shown('V', speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"
-    angle = study.quantities["theta0"]
-    if angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
+    angle = study.quantities.get("theta0")
+    if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
         yield (
             f"theta0 = {study.shown('theta0', angle.value)} looks like radians; write "
             f"{study.in_file('theta0', angle.value):g} rad if that is meant"
         )
-    length = study.values["L_0"]
+    length = study.values.get("L_0", 1.0)
     if not 1e-4 < length < 10:
         yield f"L_0 = {study.shown('L_0', length)} is {length:.3g} m: an odd length for a part of a brake; check its unit"
 

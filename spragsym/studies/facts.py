@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..display import Result
+from .friction import speed_for
 from .study import Study
 from .tolerances import BoxCertificate, Chance
 
@@ -18,15 +19,16 @@ REACHES = ("never", "beyond", "faster", "within", "jumped")
 class Facts(Result):
     """Whether the state of small deformation jumps, and what is known of all brakes within the tolerances.
 
-    ``reach`` compares the friction of the jump, as drawn otherwise, with that which works at the belt's speed, and with that at
-    full slip: one of ``REACHES``. ``speed`` is the belt's speed in m/s above which the largest friction within the tolerances
-    reaches the jump; NaN where none does, or where the friction law is not known. ``within`` is what is known of all brakes
-    within the tolerances at the belt's speed: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or ``""`` if it was
-    not asked. ``hits`` says whether any of the sampled brakes jumps, None without a sample. ``unbounded`` names the quantities
-    of whose distribution a part lies beyond the box of the certificate.
+    ``jump`` is NaN where it never jumps, and None where that is not known. ``reach`` compares the friction of the jump, as drawn
+    otherwise, with that which works at the belt's speed, and with that at full slip: one of ``REACHES``, or ``""`` where nothing
+    is known of it. ``speed`` is the belt's speed in m/s above which the largest friction within the tolerances reaches the jump;
+    NaN where none does, or where the friction law is not known. ``within`` is what is known of all brakes within the tolerances
+    at the belt's speed: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or ``""`` if it was not asked. ``hits``
+    says whether any of the sampled brakes jumps, None without a sample. ``unbounded`` names the quantities of whose distribution
+    a part lies beyond the box of the certificate.
     """
 
-    jump: float
+    jump: float | None
     working: tuple[float, float, float]
     full: tuple[float, float, float]
     reach: str
@@ -51,30 +53,23 @@ class Facts(Result):
         return self.working[2] < 0.995 * self.full[2]
 
 
-def facts(study: Study, jump: float, reached: BoxCertificate | None, odds: Chance | None) -> Facts:
+def facts(study: Study, jump: float | None, reached: BoxCertificate | None, odds: Chance | None) -> Facts:
     """The facts of a study, from the friction at which it jumps, its certificate and its probability."""
-    one = study.quantities["mu0"]
-    working, full = study.friction, (one.low, one.value, one.high)
-    if math.isnan(jump):
+    working = full = study.friction
+    if "mu0" in study.quantities:
+        one = study.quantities["mu0"]
+        full = one.low, one.value, one.high
+    if jump is None:
+        reach = ""
+    elif math.isnan(jump):
         reach = "never"
     elif jump > full[2]:
         reach = "beyond"
     else:
         reach = "faster" if jump > working[2] else "within" if jump > working[1] else "jumped"
+    speed = math.nan if jump is None or not jump < full[2] else speed_for(study, jump)
     return Facts(
-        jump, working, full, reach, jump_speed(study, jump), "" if reached is None else reached.outcome,
+        jump, working, full, reach, speed, "" if reached is None else reached.outcome,
         None if odds is None else odds.probability > 0,
         tuple(name for name in study.unbounded if name != "m"),  # of which no equilibrium depends
     )  # fmt: skip
-
-
-def jump_speed(study: Study, jump: float) -> float:
-    """The speed of the belt in m/s at which the largest friction within the tolerances reaches a value; NaN where none does.
-
-    Notes
-    -----
-    Source: (10), solved for the speed.
-    """
-    if not study.moves or not jump < study.quantities["mu0"].high:
-        return math.nan
-    return -math.log1p(-jump / study.quantities["mu0"].high) / study.quantities["d"].high

@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from ..catastrophe import quasi_static_path, sliding_friction
 from ..display import Result
-from ..dynamics import simulate
+from ..dynamics import forces
 from ..dynamics.regimes import Regime
 from ..errors import ConvergenceError
+from ..models.balance import Balance
+from ..names import hint
 from ..parameters import FloatArray
-from ..statics import kernel
-from .facts import jump_speed
+from . import brake_quantities, friction
+from .states import of_springs, place_in_units
 from .study import Study
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
 _AWAY = 1e-2
-#: Times, in units of sqrt(m/k_c), over which it is followed until it is half way, and instants at which forces are looked at.
+#: Times, in the model's unit, over which it is followed until it is half way, and instants at which forces are looked at.
 _T_END, _INSTANTS = (1500.0, 24_000.0), 60_000
+#: Steps of Newton's method to balance the other coordinates.
+_STEPS = 20
 _SETTLES = {
     Regime.EQUILIBRIUM: "rest", Regime.APPROACHES_EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle",
     Regime.APPROACHES_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off",
@@ -29,22 +33,30 @@ _SETTLES = {
 
 @dataclass(frozen=True)
 class JumpPeak(Result):
-    """Least and largest values from the fold on: displacements in millimetres, forces in newtons.
+    """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or degrees.
 
-    ``from_mm`` and ``to_mm`` are x on the fold and of the state that is left there. ``settles`` says what the motion comes to:
-    ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` after ``seconds``; ``lifts_off`` whether the contact opens.
+    ``before`` and ``after`` are the coordinates on the fold and of the state that is left there, by name and unit, and ``ranges``
+    how far each goes, attributes too. ``spring_force_N`` is that of the inclined spring, of several by their names;
+    ``contact_force_N`` is None without a contact. ``settles`` says what the motion comes to: ``"rest"``, ``"cycle"``,
+    ``"lift-off"``, or ``"unsettled"`` after ``seconds``; ``lifts_off`` whether the contact opens.
     """
 
     friction: float
-    from_mm: float
-    to_mm: float
-    x_mm: tuple[float, float]
-    y_mm: tuple[float, float]
-    spring_force_N: tuple[float, float]
-    contact_force_N: tuple[float, float]
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+    ranges: Mapping[str, tuple[float, float]]
+    spring_force_N: Any
+    contact_force_N: tuple[float, float] | None
     lifts_off: bool
     settles: str
     seconds: float
+
+    def __getattr__(self, name: str) -> tuple[float, float]:
+        ranges = self.__dict__.get("ranges", {})
+        if name not in ranges:
+            raise AttributeError(f"a jump has no {name!r}{hint(name, ranges)}")
+        found: tuple[float, float] = ranges[name]
+        return found
 
 
 def jump_peak(study: Study, jump: float) -> JumpPeak | None:
@@ -52,48 +64,73 @@ def jump_peak(study: Study, jump: float) -> JumpPeak | None:
 
     Notes
     -----
-    Source: (8)–(11) at the belt's speed, with the μ₀ at which the friction that works is that of the jump; where no μ₀ within the
-    tolerances is enough, at the largest and the speed at which it is. The motion begins at rest, balanced across the belt, where
-    the direction of the spring is a hundredth of the way from the fold to the state that is left; forces are looked at over equal
-    steps of time.
+    Source: the equations of motion, (8)–(11), at the belt's speed, with the μ₀ at which the friction that works is that of the
+    jump; where no μ₀ within the tolerances is enough, at the largest and the speed at which it is. The motion begins at rest,
+    where the coordinate that moves most is a hundredth of the way from the fold to the state that is left, and the others are
+    balanced; forces are looked at over equal steps of time.
     """
     if not study.moves or not jump < study.quantities["mu0"].high:
         return None
-    p, scales, belt = study.dimensionless, study.scales, study.parameters.belt()
-    path = quasi_static_path(p, "mu0", [0.0, jump * (1 + 1e-6) + 1e-9])
+    p, scales = study.dimensionless, study.scales
+    model = p.model
+    path = model.quasi_static_path(p, "mu0", [0.0, jump * (1 + 1e-6) + 1e-9])
     if not path.jumps:
         return None
     turn = path.jumps[0]
-    start, end = (turn.before["x"], turn.before["y"]), (turn.after["x"], turn.after["y"])
+    begin, end = (np.array([where[name] for name in model.coordinates]) for where in (turn.before, turn.after))
     at = p.replace(mu0=jump / study.fraction if study.fraction else jump)
     if jump > study.friction[2]:
-        belt["V"] = jump_speed(study, jump) * scales.time / scales.length
-        at = p.replace(mu0=jump / float(sliding_friction(1.0, **belt)))
-    theta = (1 - _AWAY) * turn.before["theta"] + _AWAY * turn.after["theta"]
-    given = p.scalars("theta0", "kappa", "sigma", "beta")
-    _, x, y = kernel.state(math.cos(theta), math.sin(theta), math.cos(given[0]), math.sin(given[0]), *given[1:], 1)
+        faster = p.replace(V=friction.speed_for(study, jump) * scales.time / scales.length)
+        at = faster.replace(mu0=jump / float(brake_quantities.share(model, faster)))
+    held = int(np.abs(end - begin).argmax())
+    start = _balanced(model, p.replace(mu0=jump), begin + _AWAY * (end - begin), held)
     for t_end in _T_END:
         try:
-            motion = simulate(at, **belt, x0=x, y0=y, t_end=t_end)
+            motion = model.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
             comes_to = motion.outcome(0.5 * t_end).regime
         except ConvergenceError:
             return None
-        if np.abs(motion.x - start[0]).max() > 0.5 * abs(end[0] - start[0]):
+        if np.abs(motion.state[held] - begin[held]).max() > 0.5 * abs(end[held] - begin[held]):
             break
     else:
         return None
     times = np.union1d(motion.t, np.linspace(0.0, motion.t[-1], _INSTANTS))
-    place = motion(times)
-    (theta0, sigma) = p.scalars("theta0", "sigma")
-    spring = sigma * (np.hypot(math.cos(theta0) - place[0], math.sin(theta0) - place[1]) - 1.0)
-    contact = np.maximum(-place[1], 0.0)
-    size = 1e3 * scales.length
+    states = np.asarray(motion(times))
+    constants = [float(value) for value in model.arguments(at, "motion")]
+    told = {name: _range(force(states, constants)) for name, force in forces.told_of(model).items()}
+    contact = told.pop("contact_force", None)
+    lowest, highest = (
+        place_in_units(study, dict(zip(model.coordinates, find(states[: start.size], axis=1), strict=True)))
+        for find in (np.min, np.max)
+    )
+    before, after = (
+        place_in_units(study, {name: where[name] for name in model.coordinates}) for where in (turn.before, turn.after)
+    )
     return JumpPeak(
-        jump, start[0] * size, end[0] * size, _range(place[0] * size), _range(place[1] * size), _range(spring * scales.force),
-        _range(contact * scales.force), bool(contact.min() == 0), _SETTLES.get(comes_to, "unsettled"),
-        float(motion.t[-1] * scales.time),
+        jump, before, after, {name: (float(lowest[name]), float(highest[name])) for name in lowest},
+        of_springs(model, [_scaled(ends, scales.force) for ends in told.values()]),
+        None if contact is None else _scaled(contact, scales.force), contact is not None and contact[0] == 0,
+        _SETTLES.get(comes_to, "unsettled"), float(motion.t[-1] * scales.time),
     )  # fmt: skip
+
+
+def _balanced(model: Any, p: Any, place: FloatArray, held: int) -> FloatArray:
+    """A place with one coordinate as it is, and the forces on all others balanced: by Newton's method."""
+    balance = Balance(model, True)
+    values = balance.arguments_of(dict(zip(balance.parameters, p.scalars(*balance.parameters), strict=True)), np)
+    free = np.delete(np.arange(place.size), held)
+    q = place.copy()
+    for _ in range(_STEPS if free.size else 0):
+        directions = balance.plain_directions(list(q), values, np)
+        rows, residual = (balance.by_coordinate(name, list(q), directions, values, np) for name in ("forces_jacobian", "forces"))
+        stiffness = np.array(rows, dtype=float)[np.ix_(free, free)]
+        q[free] -= np.linalg.solve(stiffness, np.array(residual, dtype=float)[free])
+    return q
 
 
 def _range(values: FloatArray) -> tuple[float, float]:
     return float(values.min()), float(values.max())
+
+
+def _scaled(ends: tuple[float, float], size: float) -> tuple[float, float]:
+    return ends[0] * size, ends[1] * size

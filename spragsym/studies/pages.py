@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 import io
+import math
 import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..errors import SpragsymError
+from ..parameters import Parameters
 from .reports import Report
 from .study import Study
 from .texts import sections
 
-if TYPE_CHECKING:
-    from .other_reports import ModelReport
-
 #: Lines on which onsets of oscillation are looked for.
 _ONSETS = 12
+#: Lines of a bifurcation set, and values along the friction.
+_LINES, _VALUES = 40, 240
 _STYLE = """
 body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:58rem;margin:2rem auto;padding:0 1rem}
 h1{font-size:1.5rem;margin-bottom:.3rem}h2{font-size:1.1rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}
@@ -51,7 +52,7 @@ def page(study: Study, report: Report) -> str:
 Section: TypeAlias = tuple[str, Iterable[tuple[str, str]]]
 
 
-def document(study: Study, report: Report | ModelReport, drawn: Iterable[tuple[str, str]], headed: Iterable[Section]) -> str:
+def document(study: Study, report: Report, drawn: Iterable[tuple[str, str]], headed: Iterable[Section]) -> str:
     """A page from its verdict and warnings, pictures as SVG with captions, and sections."""
     sprags = " sprags" if report.verdict.startswith("It sprags") else ""
     title = f"Sprag-slip report{': ' + study.source if study.source else ''}"
@@ -79,23 +80,16 @@ def _data(study: Study) -> Iterator[tuple[str, str]]:
 
 
 def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
-    """Each picture as SVG, with its caption."""
+    """Each picture as SVG, with its caption; none of a plane that the model does not have."""
     from ..figures import brakes
 
-    low, working, high = study.friction
-    p, angles = study.dimensionless.replace(mu0=working), study.quantities["theta0"]
-    millimetre = 1e3 * study.scales.length
-    yield (
-        picture(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), report.mu_jump, ax=ax)),
-        "Where the brake works (dot) and its tolerances (box). Shaded: three states of sliding; on the lines two of them meet. "
-        "Cross: the friction at which the state of small deformation jumps at this angle.",
-    )
-    yield (
-        picture(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=millimetre, label="x in mm")),
-        "The displacement along the belt as the friction rises from 0 (red, with its jumps); grey: all states, full where "
-        "stable. Shaded: the friction within its tolerances.",
-    )
-    yield from stability_map(study, p, (low, high), max(1.0, 1.15 * high))
+    p = study.at_work
+    if "mu0" in p.model.parameters:
+        low, _, high = study.friction
+        known = (value for value in report.folds["mu0"].mu0.tolist() if value < 3) if "mu0" in report.folds else ()
+        top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
+        yield from (closed_planes if isinstance(p, Parameters) else planes)(study, report, top)
+        yield from stability_map(study, p, (low, high), top)
     if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
         shares = report.probability.sobol
         yield (
@@ -106,11 +100,57 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         yield from _of_motion(study, report)
 
 
+def closed_planes(study: Study, report: Report, top: float) -> Iterator[tuple[str, str]]:
+    """The brake in the plane of angle and friction, and its states as the friction rises, by closed forms."""
+    from ..figures import brakes
+
+    (low, _, high), angles, millimetre = study.friction, study.quantities["theta0"], 1e3 * study.scales.length
+    p, jump = study.at_work, math.nan if report.mu_jump is None else report.mu_jump
+    yield (
+        picture(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), jump, ax=ax)),
+        "Where the brake works (dot) and its tolerances (box). Shaded: three states of sliding; on the lines two of them meet. "
+        "Cross: the friction at which the state of small deformation jumps at this angle.",
+    )
+    yield (
+        picture(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=millimetre, label="x in mm")),
+        "The displacement along the belt as the friction rises from 0 (red, with its jumps); grey: all states, full where "
+        "stable. Shaded: the friction within its tolerances.",
+    )
+
+
+def planes(study: Study, report: Report, top: float) -> Iterator[tuple[str, str]]:
+    """The same by search: nothing of angles where the model has none."""
+    from ..figures import models as drawings
+    from ..figures.style import BLUE, SKY
+
+    p, (low, working, high) = study.at_work, study.friction
+    model = p.model
+
+    def along(ax: Any) -> None:
+        drawings.draw_equilibria_of(model, p, "mu0", ax=ax, between={"mu0": (0.0, top)}, n=_VALUES)
+        ax.axvspan(low, high, color=SKY, alpha=0.25, linewidth=0, zorder=0)
+        ax.plot([working] * 2, ax.get_ylim(), color=BLUE, linewidth=0.8)
+
+    if "theta0" in model.parameters:
+        with suppress(SpragsymError):
+            turns = model.bifurcation_set(p, ("theta0", "mu0"), _LINES, between={"mu0": (0.0, top)})
+            yield (
+                with_brake(study, p, (low, high), lambda ax: drawings.draw_bifurcation_set_of(model, turns, ax)),
+                "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding meet.",
+            )
+    yield (
+        picture(along),
+        f"All states of sliding over the friction, {model.coordinates[0]} without units (one is "
+        f"{1e3 * study.scales.length:.4g} mm if it is a length); shaded: the friction within its tolerances, the line: the "
+        "one that works.",
+    )
+
+
 def stability_map(study: Study, p: Any, friction: tuple[float, float], top: float) -> Iterator[tuple[str, str]]:
     """Where oscillation sets in, over angle and friction up to ``top``; nothing where the belt or its law is not known."""
     from ..figures import models as drawings
 
-    if not {"V", "d"} & set(p.model.parameters) <= set(study.quantities):
+    if "theta0" not in p.model.parameters or not study.moves:
         return
     with suppress(SpragsymError):
         onsets = p.model.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})

@@ -2,7 +2,7 @@
 
 A value is rounded to what stands in the report, away from the old one, and verified as it stands there. A change that a brake
 within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing. What a model answers of
-brakes stands in :mod:`spragsym.studies.redesign_questions`; the search is the same for all.
+brakes stands in :mod:`spragsym.studies.questions`; the search is the same for all.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import SpragsymError
 from ..parameters import FloatArray
-from . import other_models
-from .redesign_questions import Questions, questions
+from . import brake_quantities
+from .questions import Questions, questions
 from .study import Study
 from .tolerances import corners, counterexample, samples, varied
 from .units import factor
@@ -93,7 +93,7 @@ class _Search:
 
     def _unit(self, name: str) -> float:
         """What one of the model's units is in SI."""
-        return other_models.scale_of(self.study.si(name), other_models.bases(self.study.model, self.study.values))
+        return brake_quantities.scale_of(self.study.si(name), brake_quantities.bases(self.study.model, self.study.values))
 
     # ------------------------------------------------------------------------------------------------- which are kept
 

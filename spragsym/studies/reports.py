@@ -5,49 +5,53 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
 
-from ..catastrophe import critical_friction, cusp_friction, folds
-from ..design import jump_margin, jump_value
 from ..display import Result
-from ..errors import ParameterError
+from ..errors import ModelError, ParameterError, SpragsymError
 from ..statics.points import Points
 from .cautions import cautions
 from .facts import Facts, facts
 from .jumps import JumpPeak, jump_peak
 from .oscillations import Oscillation, oscillation_of
+from .questions import Questions, questions
 from .redesigns import Change, changes
-from .states import State, states
+from .states import State, current, states
 from .study import Study
-from .tolerances import BoxCertificate, Chance, certificate, chance
+from .tolerances import BoxCertificate, Chance, varied
+from .tube_tolerances import bracket
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Report(Result):
-    """What can be said of a brake.
+    """What can be said of a brake; None where a model gives no answer, with the reason among ``warnings``.
 
     Attributes
     ----------
-    mu_jump, theta0_jump_deg : float
+    mu_jump, theta0_jump_deg : float or None
         Friction at which the state of small deformation jumps at this angle, and angle at which it does at this friction; NaN
         where it never does.
-    mu_lowest, theta0_lowest_deg : float
+    mu_lowest, theta0_lowest_deg : float or None
         The lowest fold: the friction below which it jumps at no angle, ``inf`` where it never does, and its angle.
     kind_lowest : str
-        ``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.LowestEnd`; empty where it never jumps.
-    mu_cusp : float
+        ``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.LowestEnd`; empty where it never jumps, or that is not known.
+    mu_cusp : float or None
         Friction of the lowest cusp, ``inf`` where there is none.
     mu_effective : float
-        The friction that works at the speed of the belt.
-    margin_percent : float
+        The friction that works at the speed of the belt, by the model's law.
+    margin_percent : float or None
         By how much ``mu_jump`` exceeds the largest friction within the tolerances; NaN where nothing jumps.
     distance : float
-        The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one.
+        The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that was not asked.
     states : tuple of State
         All states in contact.
+    complete : bool
+        Whether states and folds along the friction are proved to be all there are.
     folds : dict of str to Points
-        Folds along the friction and along the inclination.
+        Folds along the friction and along the inclination, where they are known.
     oscillation : Oscillation or None
     certificate : BoxCertificate or None
     probability : Chance or None
@@ -65,16 +69,17 @@ class Report(Result):
         One sentence.
     """
 
-    mu_jump: float
-    theta0_jump_deg: float
-    mu_lowest: float
-    theta0_lowest_deg: float
+    mu_jump: float | None
+    theta0_jump_deg: float | None
+    mu_lowest: float | None
+    theta0_lowest_deg: float | None
     kind_lowest: str
-    mu_cusp: float
+    mu_cusp: float | None
     mu_effective: float
-    margin_percent: float
+    margin_percent: float | None
     distance: float
     states: tuple[State, ...]
+    complete: bool
     folds: Mapping[str, Points]
     oscillation: Oscillation | None
     certificate: BoxCertificate | None
@@ -89,9 +94,9 @@ class Report(Result):
     study: Study
 
     @property
-    def current(self) -> State:
-        """The state that the brake is in."""
-        return next(state for state in self.states if state.current)
+    def current(self) -> State | None:
+        """The state that the brake is in; None where that is not known."""
+        return next((state for state in self.states if state.current), None)
 
     def to_dict(self) -> dict[str, Any]:
         """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the units of the file."""
@@ -115,8 +120,6 @@ class Report(Result):
 
 #: Says what is computed now; nothing, for an empty text.
 Tell = Callable[[str], None]
-#: Points that a probability is estimated from.
-POINTS = 4096
 
 
 def teller(show: bool) -> Tell:
@@ -132,7 +135,7 @@ def teller(show: bool) -> Tell:
 
 
 def report(
-    study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int = POINTS, progress: bool
+    study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int | None, progress: bool
 ) -> Report:
     """The report of a study; see :meth:`Study.report`."""
     tell = teller(progress)
@@ -142,54 +145,141 @@ def report(
         tell("")
 
 
-def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int, tell: Tell) -> Report:
+class _Asked:
+    """What is asked of the model of a brake; what it can't answer is remarked, and None."""
+
+    def __init__(self, study: Study) -> None:
+        self.study, self.remarks = study, list[str]()
+
+    def known(self, what: str, question: Callable[[], T]) -> T | None:
+        """The answer."""
+        try:
+            return question()
+        except SpragsymError as reason:
+            self.remarks.append(f"{what} not known: {reason}")
+            return None
+
+    def jump(self, p: Any, vary: str) -> float | None:
+        """Where the state of small deformation jumps as a parameter rises."""
+        if vary not in p.model.parameters:
+            self.remarks.append(f"the model has no {vary}: a jump along it is not defined")
+            return None
+        found = self.known(f"the jump along {vary} is", lambda: p.model.jump_value(p, vary))
+        return None if found is None else float(found)
+
+    def lowest(self, p: Any) -> tuple[float | None, float | None, str]:
+        """Friction, angle in degrees and kind of the lowest end over all angles."""
+        if not {"theta0", "mu0"} <= set(p.model.parameters):
+            return None, None, ""
+        found = self.known("the friction below which it jumps at no angle is", lambda: p.model.critical_friction(p))
+        if found is None:
+            return None, None, ""
+        why = "; ".join(found.remarks)
+        if found.kind == "undecided":
+            below = f"below a friction of {found.value:.4g} it jumps at no angle; whether it does above is not decided: {why}"
+            self.remarks.append(below)
+            return None, None, ""
+        if not found.complete:
+            self.remarks.append(f"that nothing jumps below mu_lowest is not proved for all: {why}")
+        return float(found.value), math.degrees(float(found.where)), str(found.kind)
+
+    def cusp(self, p: Any) -> float | None:
+        """Friction of the lowest cusp."""
+        if not {"theta0", "mu0"} <= set(p.model.parameters):
+            return None
+        try:
+            return float(p.model.cusp_friction(p))
+        except ModelError:
+            pass
+        found = self.known("cusps are", lambda: p.model.cusps(p))
+        if found is None:
+            return None
+        positive = found.mu0[found.mu0 > 0]
+        if not positive.size:
+            self.remarks.append("no cusp was found with this model")
+            return None
+        self.remarks.append("mu_cusp is the lowest cusp that was found; folds may lie below it")
+        return float(positive.min())
+
+    def folds(self, sets: Mapping[str, Any]) -> dict[str, Points]:
+        """Folds along each parameter of these sets."""
+        found = {}
+        for vary, p in sets.items():
+            points = self.known(f"folds along {vary} are", lambda p=p, vary=vary: p.model.folds(p, vary))  # type: ignore[misc]
+            if points is not None:
+                found[vary] = points
+        if "mu0" in found and not found["mu0"].complete:
+            self.remarks.append(f"that these are all folds along mu0 is not proved: {'; '.join(found['mu0'].remarks)}")
+        return found
+
+
+def _report(
+    study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int | None, tell: Tell
+) -> Report:
     low, working, high = study.friction
-    if high == 0 and study.quantities["mu0"].high > 0:
+    if high == 0 and "mu0" in study.quantities and study.quantities["mu0"].high > 0:
         raise ParameterError(
             f"V = {study.shown('V', study.values['V'])}: nothing slides at that speed, and the friction law has no friction "
             "there; give the speed of the belt, or leave V and d out for friction at full slip"
         )
     tell("jumps, lowest fold and states")
-    p = study.dimensionless
-    mu_jump = float(jump_value(p, "mu0"))
-    theta0_jump = float(jump_value(p.replace(mu0=working), "theta0"))
-    lowest, mu_cusp = critical_friction(p), float(cusp_friction(p))
-    found = states(study)
-    margin = 100 * (mu_jump / high - 1) if high > 0 else math.inf
+    p, at, asked = study.dimensionless, study.at_work, _Asked(study)
+    rises = "mu0" in p.model.parameters
+    mu_jump, theta0_jump = asked.jump(p, "mu0"), asked.jump(at, "theta0")
+    lowest, mu_cusp = asked.lowest(p), asked.cusp(p)
+    here = asked.known("the state that the brake is in is", lambda: current(study))
+    found = states(study, here)
+    eq = at.model.equilibria(at)
+    if not eq.complete:
+        asked.remarks.append(f"that these are all states is not proved: {'; '.join(eq.remarks)}")
+    turns = asked.folds({name: one for name, one in (("mu0", p), ("theta0", at)) if name in p.model.parameters})
+    told = questions(study)
     tell("the proof for all within the tolerances")
-    reached = certificate(study) if probability else None
+    reached = (
+        asked.known("whether nothing within the tolerances jumps is", lambda: told.certificate(study))
+        if probability and rises
+        else None
+    )
     moving = oscillation and study.moves
     tell("the jump as a motion (--no-oscillation leaves it out)" if moving else "")
-    peak = jump_peak(study, mu_jump) if moving and mu_jump <= study.quantities["mu0"].high else None
+    peak = lives = None
+    if moving and mu_jump is not None and mu_jump <= study.quantities["mu0"].high:
+        peak = asked.known("the jump as a motion is", lambda: jump_peak(study, mu_jump))
     tell("the oscillation (--no-oscillation leaves it out)" if moving else "the probability of a jump")
-    lives = oscillation_of(study) if moving else None
+    if moving:
+        settles = next((state.settles for state in found if state.current), None)
+        lives = asked.known("the oscillation is", lambda: oscillation_of(study, settles))
     tell("the probability of a jump")
-    odds = chance(study, n) if probability else None
+    odds = _chance(asked, told, reached, n) if probability and rises else None
     tell("what to change (--no-redesign leaves it out)" if redesign else "")
     so = facts(study, mu_jump, reached, odds)
     faster = so.reach == "faster"
     target = safety * (so.full[2] if faster else high)
-    needed = redesign and target > 0 and bool(mu_jump < target or so.hits or so.within == "refuted")
-    turns = {"mu0": folds(p, "mu0"), "theta0": folds(p.replace(mu0=working), "theta0")}
+    sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")
+    needed = redesign and target > 0 and bool(sprags)
+    margin = None if mu_jump is None else 100 * (mu_jump / high - 1) if high > 0 else math.inf
     parts: dict[str, Any] = dict(
-        mu_jump=mu_jump, theta0_jump_deg=math.degrees(theta0_jump), mu_lowest=float(lowest),
-        theta0_lowest_deg=math.degrees(lowest.theta0), kind_lowest=lowest.kind, mu_cusp=mu_cusp, mu_effective=working,
-        margin_percent=margin,
-        distance=_distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
+        mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu_lowest=lowest[0],
+        theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=working, margin_percent=margin,
+        distance=told.distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
+        complete=bool(eq.complete and (not rises or ("mu0" in turns and turns["mu0"].complete))),
         probability=odds, redesign=changes(study.at_full_slip() if faster else study, target) if needed else (),
         needed=needed, target=target, peak=peak, facts=so,
-        warnings=cautions(study, found, so.jumped), study=study,
+        warnings=(*cautions(study, found, so.jumped), *asked.remarks), study=study,
     )  # fmt: skip
     from .texts import verdict
 
     return Report(**parts, verdict=verdict(study, parts))
 
 
-def _distance(study: Study) -> float:
-    """The nearest jump in tolerances, at the friction that works."""
-    scale = {name: size for name, size in study.tolerances.items() if name not in ("m", "V", "d")}
-    if not scale:
-        return math.nan
-    brake = study.parameters
-    friction = type(brake)(**{**asdict(brake), "mu0": study.friction[1]})
-    return jump_margin(friction, scale).distance
+def _chance(asked: _Asked, told: Questions, reached: BoxCertificate | None, n: int | None) -> Chance | None:
+    """The probability, by samples and between its proved bounds; nothing is sampled where no brake jumps, by proof."""
+    study = asked.study
+    if not varied(study):
+        return None
+    proved = reached is not None and reached.outcome == "proved"
+    if proved and not study.unbounded:
+        return Chance(0.0, 0.0, 0.0, 1.0, 0, {}, (0.0, 0.0))
+    odds = told.chance(study, told.samples if n is None else n)
+    bounds = asked.known("bounds of the probability are", lambda: bracket(study))
+    return odds if odds is None or bounds is None else replace(odds, proved=bounds)

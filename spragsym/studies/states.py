@@ -3,41 +3,53 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..catastrophe.paths import quasi_static_path
-from ..cycles.sprag import SPRAG
 from ..display import Result
-from ..parameters import NAMES, FloatArray, Parameters
+from ..dynamics import forces
+from ..models.balance import Balance
+from ..models.stability import linearization, roots
+from ..names import hint
+from ..parameters import FloatArray
 from ..statics.results import Stability
-from ..statics.solver import equilibria
+from . import friction
 from .study import Study
 
-#: What the eigenvalues of a matrix of four rows are off by, relative to the largest, generously.
+#: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
 ROUNDING = 1e-14
 #: Damping ratio below which a state is neither damped nor driven to speak of.
 NEUTRAL = 1e-3
+#: A speed of the belt at which no friction law has a slope.
+LEVEL = 1e9
+#: What the coordinates of one state differ by.
+SAME = 1e-6
+
+#: Of the only inclined spring a number, of several their numbers by name, and of none None.
+OfSprings: TypeAlias = float | Mapping[str, float] | None
 
 
 @dataclass(frozen=True)
 class State(Result):
     """A state of steady sliding in contact.
 
-    ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion linearized about it, slowest first, the friction
-    law's own damping included where the belt speed is known; ``growth_per_s`` is their largest real part. ``stable`` says that it
-    is negative, or zero without damping; ``statics`` is the word of (27) and (28), which leave the damping out. ``settles`` is
-    None where that calls it stable, and so little damps or drives it that what the model leaves out decides.
+    ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too. Direction, length and force of
+    the inclined spring are numbers, mappings by name where there are several, and None where there is none;
+    ``contact_force_N`` is None without a contact. ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion
+    linearized about it, slowest first, the friction law's own damping included where the belt speed is known; ``growth_per_s``
+    is their largest real part. ``stable`` says that it is negative, or zero without damping; ``statics`` is the word of (27)
+    and (28), which leave the damping out. ``settles`` is None where that calls it stable, and so little damps or drives it that
+    what the model leaves out decides.
     """
 
-    direction_deg: float
-    x_mm: float
-    y_mm: float
-    spring_length_mm: float
-    spring_force_N: float
-    contact_force_N: float
+    places: Mapping[str, float]
+    direction_deg: OfSprings
+    spring_length_mm: OfSprings
+    spring_force_N: OfSprings
+    contact_force_N: float | None
     statics: str
     stable: bool
     frequencies_hz: tuple[float, ...]
@@ -51,60 +63,103 @@ class State(Result):
         least = min(self.damping_ratio, default=math.inf)
         return None if self.statics == "stable" and (self.growth_per_s == 0 or abs(least) < NEUTRAL) else self.stable
 
+    def __getattr__(self, name: str) -> float:
+        places = self.__dict__.get("places", {})
+        if name not in places:
+            raise AttributeError(f"a state has no {name!r}{hint(name, places)}")
+        found: float = places[name]
+        return found
 
-def states(study: Study, friction: float | None = None) -> tuple[State, ...]:
-    """Every state in contact at the friction that works, by θ; the one that is reached as friction rises is ``current``."""
-    working = study.friction[1] if friction is None else friction
-    p = study.dimensionless.replace(mu0=working)
-    eq = equilibria(p)
-    here = current_theta(p)
+
+def states(study: Study, here: Mapping[str, float] | None) -> tuple[State, ...]:
+    """Every state in contact at the friction that works, in the order of ``equilibria``; the one that is ``here`` is ``current``.
+
+    Notes
+    -----
+    Source: :func:`spragsym.equilibria` with the friction that works, and the linearization at the belt's speed.
+    """
+    at = study.at_work
+    eq = at.model.equilibria(at)
     found = []
     for slot in range(int(eq.count)):
-        theta, L, x, y = (float(getattr(eq, name)[slot]) for name in ("theta", "L", "x", "y"))
-        roots = _roots(study, p, theta, L, x, y, eq.eigenvalues[slot])
-        current = slot == int(np.nanargmin(np.abs(eq.theta - here)))
-        found.append(_state(study, p, (theta, L, x, y), Stability(int(eq.stability[slot])), roots, current))
+        place = {name: float(eq.coordinates[name][slot]) for name in at.model.coordinates}
+        is_here = here is not None and all(abs(place[name] - here[name]) < SAME for name in place)
+        found.append(_state(study, place, Stability(int(eq.stability[slot])), is_here))
     return tuple(found)
 
 
-def current_theta(p: Parameters) -> float:
-    """θ of the state that is reached from small deformation as the friction rises from 0 to μ₀."""
-    (mu0,) = p.scalars("mu0")
-    values = [0.0, mu0] if mu0 > 0 else [0.0]
-    return float(quasi_static_path(p, "mu0", values).theta[-1])
+def current(study: Study) -> dict[str, float] | None:
+    """The coordinates of the state that the brake is in; None where that can't be said.
+
+    It is the one that is reached from small deformation as the friction rises from 0; without μ₀, the only one.
+    """
+    at = study.at_work
+    if "mu0" not in at.model.parameters:
+        eq = at.model.equilibria(at)
+        return {name: float(eq.coordinates[name][0]) for name in at.model.coordinates} if int(eq.count) == 1 else None
+    (mu0,) = at.scalars("mu0")
+    path = at.model.quasi_static_path(at, "mu0", [0.0, mu0] if mu0 > 0 else [0.0])
+    return {name: float(path.coordinates[name][-1]) for name in at.model.coordinates}
 
 
-def _roots(study: Study, p: Parameters, theta: float, L: float, x: float, y: float, undamped: Any) -> Any:
-    """λ over the unit of time: of (8)–(11) linearized, or of (27) where the belt speed is not known."""
-    if not study.moves:
-        return undamped
-    belt = study.parameters.belt()
-    (mu0,) = study.dimensionless.scalars("mu0")
-    if study.friction[1] > 0:
-        mu0 *= p.scalars("mu0")[0] / study.friction[1]
-    values = (*p.replace(mu0=mu0).scalars(*NAMES), belt["V"], belt["d"])
-    constants = SPRAG.constants(values)
-    rows = np.array(SPRAG.jacobian((x, y, 0.0, 0.0), constants, (1, 1, 1), math), dtype=float)
-    matrix = np.vstack([np.hstack([np.zeros((2, 2)), np.eye(2)]), rows])
-    return np.linalg.eigvals(matrix)
+def of_springs(model: Any, values: Sequence[Any]) -> Any:
+    """One number, several by the names of the springs, or None."""
+    if len(values) < 2:
+        return next(iter(values), None)
+    return dict(zip((entry["name"] for entry in model.about["springs"]), values, strict=True))
 
 
-def _state(
-    study: Study, p: Parameters, place: tuple[float, float, float, float], kind: Stability, roots: FloatArray, current: bool
-) -> State:
-    theta, L, x, y = place
-    scales = study.scales
-    rate = np.asarray(roots, dtype=complex) / scales.time
+def place_in_units(study: Study, place: Mapping[str, float]) -> dict[str, float]:
+    """Coordinates by name and unit: lengths in millimetres, angles in degrees."""
+    scale = {"m": ("mm", 1e3 * study.scales.length)}
+    entries = {entry["name"]: scale.get(entry["unit"], ("deg", math.degrees(1.0))) for entry in study.about["coordinates"]}
+    return {f"{name}_{entries[name][0]}": entries[name][1] * value for name, value in place.items()}
+
+
+def _state(study: Study, place: Mapping[str, float], kind: Stability, is_here: bool) -> State:
+    at, scales = study.at_work, study.scales
+    model, q = at.model, list(place.values())
+    told = _forces(model, at, q)
+    vectors = _springs(model, at, q)
+    rate = _roots(study, q) / scales.time
     size = float(np.abs(rate).max())
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
     rate = np.where(np.abs(rate.real) <= ROUNDING * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: float(root.imag))
     growth = float(rate.real.max())
     stable = growth < 0 if study.moves and growth else kind == Stability.STABLE
-    (sigma,) = p.scalars("sigma")
-    millimetre = 1e3 * scales.length
+    contact = told.pop("contact_force", None)
     return State(
-        math.degrees(theta), x * millimetre, y * millimetre, L * millimetre, sigma * (L - 1.0) * scales.force, -y * scales.force,
+        place_in_units(study, place), of_springs(model, [math.degrees(math.atan2(dy, dx)) for dx, dy in vectors]),
+        of_springs(model, [1e3 * scales.length * math.hypot(dx, dy) for dx, dy in vectors]),
+        of_springs(model, [scales.force * force for force in told.values()]),
+        None if contact is None else contact * scales.force,
         kind.name.lower(), bool(stable), tuple(float(root.imag) / (2 * math.pi) for root in upper),
-        tuple(float(-root.real / abs(root)) + 0.0 for root in upper), growth, current,
+        tuple(float(-root.real / abs(root)) + 0.0 for root in upper), growth, is_here,
     )  # fmt: skip
+
+
+def _forces(model: Any, p: Any, q: list[float]) -> dict[str, float]:
+    """The forces of the model at a place, by their names, those of springs first."""
+    constants = [float(value) for value in model.arguments(p, "motion")]
+    return {name: float(force(q, constants)) for name, force in forces.told_of(model).items()}
+
+
+def _springs(model: Any, p: Any, q: list[float]) -> list[tuple[float, float]]:
+    """Vectors from the mass to the anchor of each inclined spring."""
+    balance = Balance(model, True)
+    values = balance.arguments_of(dict(zip(balance.parameters, p.scalars(*balance.parameters), strict=True)), np)
+    return [(float(dx), float(dy)) for dx, dy, _ in balance.geometry(q, values, np)]
+
+
+def _roots(study: Study, q: list[float]) -> FloatArray:
+    """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope where that is not known."""
+    p = study.dimensionless
+    model = p.model
+    balance = Balance(model, True, friction.law_of(study))
+    given, state = np.array([[value] for value in p.scalars(*model.parameters)]), np.array(q)[:, None]
+    M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, state, given))
+    if not study.moves and "V" in model.parameters:
+        level = np.array([[value] for value in p.replace(V=LEVEL).scalars(*model.parameters)])
+        C = np.moveaxis(linearization(balance, state, level)[1], -1, 0)
+    return np.asarray(roots(M, C, K)[0])

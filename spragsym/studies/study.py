@@ -7,22 +7,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..catastrophe import sliding_friction
 from ..design.dependence import Correlation, Dependence, dependence
 from ..errors import ParameterError
 from ..names import hint
-from ..parameters import Parameters, PhysicalParameters, Scales, as_number, physical_ranges
-from . import other_models
+from ..parameters import PhysicalParameters, Scales, as_number, physical_ranges
+from . import brake_quantities
 from .brake_files import QUANTITY_UNITS, BrakeFile, allowed_range, physical, read_brake
 from .measurements import FrictionFit
 from .units import Measured, factor, read, shown_in
 
 if TYPE_CHECKING:
-    from .other_reports import ModelReport
     from .reports import Report
 
 #: Units of the report where the data came as plain numbers in SI.
@@ -98,9 +96,13 @@ class Study:
 
     def changed(self, after: Mapping[str, float]) -> Study:
         """The study of another design: a quantity that changes keeps its tolerance as a share of its value, an angle as it is."""
-        study = Study.__new__(Study)
         new = {name: self.quantities[name].scaled(value, self.si(name) != "rad") for name, value in after.items()}
-        study.quantities = {**self.quantities, **new}
+        return self.with_quantities({**self.quantities, **new})
+
+    def with_quantities(self, quantities: Mapping[str, Measured]) -> Study:
+        """The study of the same file with other quantities."""
+        study = Study.__new__(Study)
+        study.quantities = quantities
         study.model, study.source, study.fit, study.correlation = self.model, self.source, self.fit, self.correlation
         return study
 
@@ -123,12 +125,20 @@ class Study:
             raise ParameterError(f"model = {self.model!r} has other quantities than PhysicalParameters; use study.quantities")
         return physical(self.quantities)
 
+    @property
+    def about(self) -> Mapping[str, Any]:
+        """``model.json`` of the model."""
+        return brake_quantities.about(self.model)
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the model's coordinates."""
+        return tuple(entry["name"] for entry in self.about["coordinates"])
+
     @cached_property
     def scales(self) -> Scales:
         """Scales of length, time and force."""
-        if self.model != "kang_nam":
-            return Scales(**other_models.dimensionless(self.model, self.values)[1])
-        return self.parameters.scales
+        return Scales(**brake_quantities.dimensionless(self.model, self.values)[1])
 
     @property
     def values(self) -> dict[str, float]:
@@ -136,33 +146,34 @@ class Study:
         return {name: one.value for name, one in self.quantities.items()}
 
     @cached_property
-    def dimensionless(self) -> Parameters:
+    def dimensionless(self) -> Any:
         """The dimensionless parameters at the operating point, with the friction μ₀."""
-        return self.parameters.dimensionless()
+        return brake_quantities.dimensionless(self.model, self.values)[0]
 
-    @property
+    @cached_property
+    def at_work(self) -> Any:
+        """The same with the friction that works as μ₀, where the model has one."""
+        p = self.dimensionless
+        return p.replace(mu0=self.fraction * p.mu0) if "mu0" in p.model.parameters else p
+
+    @cached_property
     def moves(self) -> bool:
         """Whether belt speed and steepness of the friction law are known, so that there is a motion in time."""
-        return {"V", "d"} <= set(self.quantities)
+        needed = {"V", "d"} & {entry["name"] for entry in self.about["parameters"]}
+        return bool(needed) and needed <= set(self.quantities)
 
-    @property
+    @cached_property
     def fraction(self) -> float:
         """The share of μ₀ at which friction works at the speed of the belt; 1 where that is not known."""
-        return float(sliding_friction(1.0, **self.parameters.belt())) if self.moves else 1.0
+        p = self.dimensionless
+        return float(brake_quantities.share(p.model, p)) if "V" in self.quantities and self.about["friction"] else 1.0
 
-    @property
+    @cached_property
     def friction(self) -> tuple[float, float, float]:
-        """The friction that works: least, at the operating point, and largest within the tolerances."""
-        ends = self.quantities["mu0"]
-        if not self.moves:
-            return ends.low, ends.value, ends.high
-        V, d = self.quantities["V"], self.quantities["d"]
-        return tuple(  # type: ignore[return-value]  # three, as listed
-            float(sliding_friction(mu0, speed, steepness))
-            for mu0, speed, steepness in (
-                (ends.low, V.low, d.low), (ends.value, V.value, d.value), (ends.high, V.high, d.high),
-            )  # d V has no dimension, in SI as without units
-        )  # fmt: skip
+        """The friction that works: least, at the operating point, and largest within the tolerances; by the model's law."""
+        from . import friction
+
+        return friction.working(self)
 
     @property
     def tolerances(self) -> dict[str, float]:
@@ -171,9 +182,7 @@ class Study:
 
     def at_full_slip(self) -> Study:
         """The study without the belt's speed: friction is μ₀."""
-        study = self.changed({})
-        study.quantities = {name: one for name, one in self.quantities.items() if name not in ("V", "d")}
-        return study
+        return self.with_quantities({name: one for name, one in self.quantities.items() if name not in ("V", "d")})
 
     def together(self, names: Sequence[str]) -> Dependence:
         """How some of the quantities vary together."""
@@ -191,18 +200,23 @@ class Study:
         """The unit of this file for an SI unit, that of a quantity if it is there, and what one of the model's is in it."""
         here = name if name in self.quantities else next((other for other in self.quantities if self.si(other) == si), "")
         unit = self.quantities[here].unit if here else PLAIN_UNITS.get(si, si)
-        return unit, other_models.scale_of(si, other_models.bases(self.model, self.values)) / factor(unit, si)
+        return unit, brake_quantities.scale_of(si, brake_quantities.bases(self.model, self.values)) / factor(unit, si)
+
+    @property
+    def si_units(self) -> Mapping[str, str]:
+        """The SI unit of each quantity that the model takes."""
+        return QUANTITY_UNITS if self.model == "kang_nam" else brake_quantities.quantity_units(self.model)
 
     def si(self, name: str) -> str:
         """The SI unit of a quantity."""
-        return (QUANTITY_UNITS if self.model == "kang_nam" else other_models.quantity_units(self.model))[name]
+        return self.si_units[name]
 
     # ---------------------------------------------------------------------------------------------------------- the answers
 
     def report(
         self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2,
         n: int | None = None, progress: bool = False,
-    ) -> Report | ModelReport:  # fmt: skip
+    ) -> Report:  # fmt: skip
         """Everything that can be said of this brake.
 
         Parameters
@@ -222,30 +236,21 @@ class Study:
 
         Returns
         -------
-        Report or ModelReport
-            The second with any other model than the article's, with the same keys in JSON; what is not answered is None there,
-            with the reason among the warnings.
+        Report
+            What is not answered for the model is None there, with the reason among the warnings.
         """
-        from . import other_reports, reports
+        from . import reports
 
-        points = {} if n is None else {"n": n}
         safety = as_number("safety", safety, physical_ranges()["k"])
-        of = reports.report if self.model == "kang_nam" else other_reports.model_report
-        return of(
-            self, probability=probability, redesign=redesign, oscillation=oscillation, safety=safety, progress=progress, **points
+        return reports.report(
+            self, probability=probability, redesign=redesign, oscillation=oscillation, safety=safety, n=n, progress=progress
         )
 
-    def to_html(self, path: str | os.PathLike[str], report: Report | ModelReport | None = None) -> None:
+    def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""
-        found = self.report() if report is None else report
-        if self.model == "kang_nam":
-            from .pages import write_page
+        from .pages import write_page
 
-            write_page(self, cast("Report", found), Path(path))
-        else:
-            from .other_pages import write_other_page
-
-            write_other_page(self, cast("ModelReport", found), Path(path))
+        write_page(self, self.report() if report is None else report, Path(path))
 
     def __repr__(self) -> str:
         return f"Study({', '.join(f'{name}={self.shown(name, one.value)}' for name, one in self.quantities.items())})"

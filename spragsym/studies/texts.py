@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..statics.points import Points
 from .facts import Facts
+from .jumps import JumpPeak
 from .redesigns import Change
-from .states import State
+from .states import State, place_in_units
 from .study import Study
 from .tolerances import Chance
 from .units import ENDS
 
 #: Sobol' indices whose 95 % interval is wider to either side are not told.
 RESOLVED = 0.2
+
+#: The model of a file that names none.
+USUAL = "kang_nam"
 
 if TYPE_CHECKING:
     from .reports import Report
@@ -26,27 +28,48 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     """One sentence: whether it sprags, at what friction, and how far that is."""
     so: Facts = parts["facts"]
     (low, _, high), full, jump = so.working, so.full[2], so.jump
-    angle = study.shown("theta0", study.values["theta0"])
+    model = "" if study.model == USUAL else f" with the model {study.model}"
+    state = "the state of small deformation"
+    if "theta0" in study.quantities:
+        state = f"at {study.shown('theta0', study.values['theta0'])} {state}"
+    if jump is None:
+        return _unknown(study, parts)
+    if so.reach == "never" and not parts["complete"]:
+        return (
+            f"No jump was found{model}: {state} goes on, and that there is no fold at all is not proved{_within(study, parts)}."
+        )
     if so.reach in ("never", "beyond"):
         if so.reach == "never":
-            what = "has no jump at any friction" if math.isinf(parts["mu_lowest"]) else "has no jump at this angle"
+            what = "has no jump at any friction" if parts["mu_lowest"] == math.inf else "has no jump at this angle"
+            what = what if parts["mu_lowest"] is not None else "never jumps"
         else:
             above = f", {100 * (jump / full - 1):.0f} % above the largest that you have, {full:.3g}" if full > 0 else ""
             what = f"jumps at a friction of {jump:.4g}{above}"
         begin = "As drawn it does not sprag" if so.within == "refuted" or so.hits else "It does not sprag"
-        return f"{begin}: at {angle} the state of small deformation {what}{_within(study, parts)}."
+        return f"{begin}{model}: {state} {what}{_within(study, parts)}."
     if so.reach == "faster":
         speed = study.shown("V", study.values["V"], 3)
+        above = "at a higher speed" if math.isnan(so.speed) else f"above V = {study.shown('V', so.speed, 3)}"
         return (
-            f"It sprags above V = {study.shown('V', so.speed, 3)}: at {angle} the state of small deformation jumps at a friction "
-            f"of {jump:.4g}; at {speed} only {high:.3g} of your {full:.3g} works, and it does not jump{_within(study, parts)}."
+            f"It sprags{model} {above}: {state} jumps at a friction of {jump:.4g}; at {speed} only {high:.3g} of your {full:.3g} "
+            f"works, and it does not jump{_within(study, parts)}."
         )
     friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
     where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
-    return (
-        f"It sprags: at {angle} the state of small deformation jumps at a friction of {jump:.4g}, {where} friction {friction}"
-        f"{_within(study, parts)}."
-    )
+    return f"It sprags{model}: {state} jumps at a friction of {jump:.4g}, {where} friction {friction}{_within(study, parts)}."
+
+
+def _unknown(study: Study, parts: Mapping[str, Any]) -> str:
+    """The verdict where nothing is known of a jump."""
+    states: Sequence[State] = parts["states"]
+    about = study.about
+    where = (" of sliding" if about["friction"] else "") + (" in contact" if about["contact"]["gap"] is not None else "")
+    count = "one state" if len(states) == 1 else f"{len(states)} states"
+    stable = sum(state.stable for state in states)
+    why = "whether it sprags is not known"
+    if "mu0" not in {entry["name"] for entry in about["parameters"]}:
+        why = "it has no mu0 along which a jump would be looked for"
+    return f"With the model {study.model} there {'is' if len(states) == 1 else 'are'} {count}{where}, {stable} stable; {why}."
 
 
 def _within(study: Study, parts: Mapping[str, Any]) -> str:
@@ -121,22 +144,29 @@ def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
 def _jump(report: Report) -> Iterator[tuple[str, str]]:
     study, so = report.study, report.facts
     low, working, high = so.working
+    if not study.about["friction"]:
+        return
     yield ("friction at the belt's speed", f"{working:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""))
     if so.slow:
         yield ("friction at full slip", f"{so.full[1]:.4g}" + (f", up to {so.full[2]:.4g}" if so.full[2] > so.full[1] else ""))
-    yield ("jump at this angle", "never" if math.isnan(report.mu_jump) else f"at friction {report.mu_jump:.6g}")
-    if not math.isnan(report.mu_jump) and high > 0:
+    if "mu0" not in study.quantities:
+        return
+    jump = math.nan if report.mu_jump is None else report.mu_jump
+    yield ("jump at this angle", _or_unknown(report.mu_jump, "at friction {:.6g}", "never"))
+    if not math.isnan(jump) and high > 0:
         yield ("margin to the largest friction", f"{report.margin_percent:+.1f} %")
         if so.slow:
-            yield ("the same at full slip", f"{100 * (report.mu_jump / so.full[2] - 1):+.1f} %")
-    if study.moves:
+            yield ("the same at full slip", f"{100 * (jump / so.full[2] - 1):+.1f} %")
+    if study.moves and report.mu_jump is not None:
         begins = "at no speed" if math.isnan(so.speed) else f"{study.shown('V', so.speed)}, with the largest friction"
         yield ("speed at which it begins to jump", begins)
-    at = "never" if math.isnan(report.theta0_jump_deg) else f"at {report.theta0_jump_deg:.6g} deg"
-    yield ("jump at this friction", at)
-    lowest = f"friction {report.mu_lowest:.6g}, a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg"
-    yield ("lowest fold of all angles", f"{lowest}; below it it jumps at no angle" if report.kind_lowest else "there is none")
-    yield ("friction of the cusp", "there is none" if math.isinf(report.mu_cusp) else f"{report.mu_cusp:.6g}")
+    if "theta0" in study.quantities:
+        yield ("jump at this friction", _or_unknown(report.theta0_jump_deg, "at {:.6g} deg", "never"))
+        lowest = _or_unknown(report.mu_lowest, "friction {:.6g}", "there is none")
+        if report.kind_lowest:
+            lowest += f", a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg; below it it jumps at no angle"
+        yield ("lowest fold of all angles", lowest)
+        yield ("friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}", "there is none"))
     if not math.isnan(report.distance):
         where = "0, it has jumped already" if report.distance == 0 else "none found" if math.isinf(report.distance) else (
             f"{report.distance:.3g}, as the root of the sum of squares"
@@ -144,22 +174,53 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
         yield ("tolerances to the nearest jump", where)
 
 
+def _or_unknown(value: float | None, shown: str, never: str) -> str:
+    """A number as it is shown, or words where there is none, or none is known."""
+    if value is None:
+        return "unknown"
+    return shown.format(value) if math.isfinite(value) else never
+
+
+def _springs(told: Any, shown: Callable[[Any], str]) -> Iterator[tuple[str, str]]:
+    """Rows of a number of the spring, or of several by their names; none where there is no spring."""
+    named = told if isinstance(told, Mapping) else {"the spring": told}
+    for name, value in named.items():
+        if value is not None:
+            yield name, shown(value)
+
+
+def _ends(ends: tuple[float, float]) -> str:
+    return f"{ends[0]:.5g} N to {ends[1]:.5g} N"
+
+
+def _places(places: Mapping[str, float]) -> str:
+    """Coordinates with their units."""
+    named = (key.rpartition("_") for key in places)
+    return ", ".join(f"{name} = {value:.4g} {unit}" for (name, _, unit), value in zip(named, places.values(), strict=True))
+
+
 def _state(report: Report) -> Iterator[tuple[str, str]]:
     for state in report.states:
         yield (_name(report, state), _described(state))
-    state = report.current
-    yield ("place along and across the belt", f"{state.x_mm:.4g} mm, {state.y_mm:.4g} mm")
-    yield ("force of the spring", f"{state.spring_force_N:.5g} N" + (", it pushes" if state.spring_force_N < 0 else ", it pulls"))
-    yield ("force of the contact", f"{state.contact_force_N:.5g} N")
-    ratios = state.damping_ratio
+    here = report.current
+    if here is None:
+        return
+    yield ("place of the mass", _places(here.places))
+    for name, force in _springs(here.spring_force_N, lambda N: f"{N:.5g} N, it {'pushes' if N < 0 else 'pulls'}"):
+        yield (f"force of {name}", force)
+    if here.contact_force_N is not None:
+        yield ("force of the contact", f"{here.contact_force_N:.5g} N")
+    ratios = here.damping_ratio
     yield ("frequencies", ", ".join(
         f"{f:.4g} Hz (damping ratio {ratio:.2g})" if report.study.moves else f"{f:.4g} Hz"
-        for f, ratio in zip(state.frequencies_hz, ratios, strict=True)
+        for f, ratio in zip(here.frequencies_hz, ratios, strict=True)
     ) or "none")  # fmt: skip
 
 
 def _name(report: Report, state: State) -> str:
     here = "the state it jumped to" if report.facts.jumped else "the state of small deformation"
+    if report.mu_jump is None:
+        here = "the state"
     return here if state.current else "another state"
 
 
@@ -169,19 +230,28 @@ def _described(state: State) -> str:
         word = "stable without damping, and whether it settles is up to the damping of the real brake"
     elif not state.stable and state.statics == "stable":
         word = "unstable by the friction law's own damping"
-    return f"{word}; spring at {state.direction_deg:.4g} deg, x = {state.x_mm:.4g} mm"
+    springs = "".join(
+        f"; {name.removeprefix('the ')} at {at}" for name, at in _springs(state.direction_deg, lambda at: f"{at:.4g} deg")
+    )
+    first = dict(list(state.places.items())[:1])
+    return f"{word}{springs}, {_places(first)}" if springs else f"{word}; {_places(first)}"
 
 
 def _peak(report: Report) -> Iterator[tuple[str, str]]:
     found = report.peak
     if found is None:
         return
-    places = f"from x = {found.from_mm:.4g} mm to {found.to_mm:.4g} mm"
+    first = next(iter(found.before))
+    unit = first.rpartition("_")[2]
+    places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {unit}"
     yield ("the states before and after", f"at friction {found.friction:.4g}, {places}")
-    yield ("range of x", f"{found.x_mm[0]:.4g} mm to {found.x_mm[1]:.4g} mm")
-    yield ("range of y", f"{found.y_mm[0]:.4g} mm to {found.y_mm[1]:.4g} mm")
-    for name, ends in (("force of the spring", found.spring_force_N), ("force of the contact", found.contact_force_N)):
-        yield (name, f"{ends[0]:.5g} N to {ends[1]:.5g} N")
+    for key, (least, most) in found.ranges.items():
+        name, _, unit = key.rpartition("_")
+        yield (f"range of {name}", f"{least:.4g} {unit} to {most:.4g} {unit}")
+    for name, force in _springs(found.spring_force_N, _ends):
+        yield (f"force of {name}", force)
+    if found.contact_force_N is not None:
+        yield ("force of the contact", _ends(found.contact_force_N))
     ends_in = {
         "rest": "it settles at rest", "cycle": "it goes over into an oscillation", "lift-off": "it lifts off for good",
         "unsettled": f"it still swings after {found.seconds:.3g} s",
@@ -189,31 +259,28 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     yield ("then", ends_in[found.settles])
 
 
-def fold_rows(found: Points, scale: float = 1.0) -> list[dict[str, Any]]:
-    """Each fold: where, which state ends there, when, and where that jumps to."""
-    (vary,) = found.vary
-    value, rows = getattr(found, vary), []
-    for i in range(value.size):
-        at = math.degrees(value[i]) if vary == "theta0" else float(value[i])
-        rows.append({
-            "theta0_deg" if vary == "theta0" else vary: at, "kind": str(found.kind[i]), "ends": str(found.ends[i]),
-            "when": str(found.when[i]), "theta_deg": math.degrees(found.theta[i]), "x": scale * float(found.x[i]),
-            "theta_after_deg": math.degrees(found.after["theta"][i]), "x_after": scale * float(found.after["x"][i]),
-        })  # fmt: skip
-    return rows
-
-
 def _folds(report: Report) -> Iterator[tuple[str, str]]:
-    unit = 1e3 * report.study.scales.length
-    for vary, word in (("mu0", "friction"), ("theta0", "inclination")):
-        for row in fold_rows(report.folds[vary], unit):
-            at = row["theta0_deg"] if vary == "theta0" else row[vary]
-            name = f"{word} {at:.5g}{' deg' if vary == 'theta0' else ''}"
-            if row["kind"] != "fold":
-                yield (name, f"a {row['kind']}")
+    study = report.study
+    for vary, found in report.folds.items():
+        value = getattr(found, vary)
+        for i in range(value.size):
+            name = f"friction {value[i]:.5g}" if vary == "mu0" else f"inclination {math.degrees(value[i]):.5g} deg"
+            if found.kind[i] != "fold":
+                yield (name, f"a {found.kind[i]}")
                 continue
-            way = "rises" if row["when"] == "up" else "falls"
-            yield (name, f"the {row['ends']} state ends as it {way}; x goes from {row['x']:.4g} mm to {row['x_after']:.4g} mm")
+            before, after = (
+                place_in_units(study, {key: float(column[i]) for key, column in columns.items()})
+                for columns in (
+                    {key: getattr(found, key) for key in study.coordinates},
+                    {key: found.after[key] for key in study.coordinates},
+                )
+            )
+            way = "rises" if found.when[i] == "up" else "falls"
+            key = next(iter(before))
+            coordinate, _, unit = key.rpartition("_")
+            goes = f"{coordinate} goes from {before[key]:.4g} {unit} to {after[key]:.4g} {unit}"
+            left = "nothing is left in contact" if math.isnan(after[key]) else goes
+            yield (name, f"the {found.ends[i]} state ends as it {way}; {left}")
 
 
 def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
@@ -228,7 +295,7 @@ def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
         yield ("probability of a jump", "0, as is proved")
         yield from _indices(odds)
     else:
-        yield from chance_rows(odds, ", and at least one brake" if _one_corner(so) else "")
+        yield from _chance(odds, ", and at least one brake" if _one_corner(so) else "")
 
 
 def no_jump(unbounded: Sequence[str]) -> str:
@@ -236,11 +303,17 @@ def no_jump(unbounded: Sequence[str]) -> str:
     return f"no jump within {box(unbounded)}" if unbounded else "no jump within all of them"
 
 
-def chance_rows(odds: Chance | None, more: str = "") -> Iterator[tuple[str, str]]:
-    """The probability with its interval, and what decides."""
+def _chance(odds: Chance | None, more: str = "") -> Iterator[tuple[str, str]]:
+    """The probability with its interval and its proved bounds, and what decides."""
     if odds is not None:
         ends = f"{_percent(odds.low)} to {_percent(odds.high)} with confidence {odds.confidence:g}"
         yield ("probability of a jump", f"{share(odds)}, {ends}{more}")
+        if odds.proved != (0.0, 1.0):
+            low, high = (math.floor(1e4 * odds.proved[0]) / 1e2, math.ceil(1e4 * odds.proved[1]) / 1e2)
+            yield (
+                "the same by proof",
+                f"{low:g} % to {high:g} %: what is proved to jump, and all but what is proved not to; no sampling can leave that",
+            )
         yield from _indices(odds)
 
 
@@ -275,10 +348,12 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
         return
     if found.kind == "cycle":
         yield ("frequency", f"{found.frequency_hz:.5g} Hz")
-    yield ("amplitude along the belt", f"{found.amplitude_mm:.4g} mm")
-    for name, ends in (("force of the spring", found.spring_force_N), ("force of the contact", found.contact_force_N)):
-        yield (name, f"{ends[0]:.5g} N to {ends[1]:.5g} N")
-    yield ("lifts off the belt", "yes" if found.lifts_off else "no")
+    yield ("amplitude along the belt" if found.unit == "mm" else "amplitude", f"{found.amplitude:.4g} {found.unit}")
+    for name, force in _springs(found.spring_force_N, _ends):
+        yield (f"force of {name}", force)
+    if found.contact_force_N is not None:
+        yield ("force of the contact", _ends(found.contact_force_N))
+        yield ("lifts off the belt", "yes" if found.lifts_off else "no")
     beside = {True: "yes", False: "no", None: "up to the damping of the real brake"}[found.coexists]
     yield ("coexists with stable sliding", beside)
 
@@ -294,18 +369,12 @@ def _aim(report: Report) -> str:
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
     if report.needed and not report.redesign:
         yield "nothing", "no change of one quantity or of several was found that does it"
-    yield from change_rows(report.study, report.redesign, box(report.facts.unbounded))
-
-
-def change_rows(
-    study: Study, changes: Iterable[Change], within: str, never: str = "then it never jumps"
-) -> Iterator[tuple[str, str]]:
-    """What changes, and what is known of it; ``within`` is what a certificate covers, and ``never`` the words for no jump."""
-    for one in changes:
+    study, within = report.study, box(report.facts.unbounded)
+    for one in report.redesign:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
         )
-        then = never if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
+        then = "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
             known = f"proved for everything within {within}"
@@ -319,6 +388,11 @@ def as_json(report: Report) -> dict[str, Any]:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
     state, lives, odds = report.current, report.oscillation, report.probability
     alive = lives if lives is not None and lives.alive else None
+
+    def both(name: str) -> dict[str, Any]:
+        return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}
+
+    lengths = None if state is None else [value for key, value in state.places.items() if key.endswith("_mm")]
     return {
         "mu_jump": report.mu_jump,
         "theta0_jump_deg": report.theta0_jump_deg,
@@ -329,31 +403,30 @@ def as_json(report: Report) -> dict[str, Any]:
         "mu_effective": report.mu_effective,
         "margin_percent": report.margin_percent,
         "states": [_state_json(one) for one in report.states],
-        "frequencies_hz": list(state.frequencies_hz),
-        "spring_force_N": {"rest": state.spring_force_N, "oscillation": None if alive is None else list(alive.spring_force_N)},
-        "contact_force_N": {"rest": state.contact_force_N, "oscillation": None if alive is None else list(alive.contact_force_N)},
-        "displacement_mm": {
-            "rest": [state.x_mm, state.y_mm], "oscillation_amplitude": None if alive is None else alive.amplitude_mm,
-        },
+        "frequencies_hz": None if state is None else list(state.frequencies_hz),
+        "spring_force_N": both("spring_force_N"),
+        "contact_force_N": both("contact_force_N"),
+        "displacement_mm": {"rest": lengths or None, "oscillation_amplitude": None if alive is None else alive.amplitude_mm},
         "oscillation": None if lives is None else {
             "kind": lives.kind, "stable": lives.kind == "cycle", "frequency_hz": lives.frequency_hz,
-            "amplitude_mm": lives.amplitude_mm, "start": lives.start, "lifts_off": lives.lifts_off,
+            f"amplitude_{lives.unit}": lives.amplitude, "start": lives.start, "lifts_off": lives.lifts_off,
             "coexists_with_stable_sliding": lives.coexists, "remark": lives.remark,
         },
         "certificate": _certificate_json(report),
-        **chance_json(odds),
-        "redesign": [change_json(report.study, report.target, one) for one in report.redesign],
+        **_chance_json(odds),
+        "redesign": [_change_json(report.study, report.target, one) for one in report.redesign],
         "warnings": list(report.warnings),
-        "reach": report.facts.reach, "speed_jump": _speed_json(report),
-        "jump": None if report.peak is None else asdict(report.peak),
+        "reach": report.facts.reach or None, "speed_jump": _speed_json(report),
+        "jump": None if report.peak is None else _peak_json(report.peak),
     }  # fmt: skip
 
 
-def chance_json(odds: Chance | None) -> dict[str, Any]:
+def _chance_json(odds: Chance | None) -> dict[str, Any]:
     """The keys of the probability and of what decides; None where nothing varies."""
     return {
         "probability": None if odds is None else {
             "value": odds.probability, "low": odds.low, "high": odds.high, "confidence": odds.confidence, "n": odds.n,
+            "proved": None if odds.proved == (0.0, 1.0) else list(odds.proved),
         },
         "sobol": None if odds is None else {
             name: {"first": first, "total": total, "total_error": error} for name, (first, total, error) in odds.sobol.items()
@@ -364,11 +437,20 @@ def chance_json(odds: Chance | None) -> dict[str, Any]:
 def _state_json(state: State) -> dict[str, Any]:
     return {
         "current": state.current, "stable": state.stable, "settles": state.settles, "statics": state.statics,
-        "direction_deg": state.direction_deg,
-        "x_mm": state.x_mm, "y_mm": state.y_mm, "spring_length_mm": state.spring_length_mm,
+        "direction_deg": state.direction_deg, **state.places, "spring_length_mm": state.spring_length_mm,
         "spring_force_N": state.spring_force_N,
         "contact_force_N": state.contact_force_N, "frequencies_hz": list(state.frequencies_hz),
         "damping_ratio": list(state.damping_ratio), "growth_per_s": state.growth_per_s,
+    }  # fmt: skip
+
+
+def _peak_json(peak: JumpPeak) -> dict[str, Any]:
+    first = next(iter(peak.before))
+    unit = first.rpartition("_")[2]
+    return {
+        "friction": peak.friction, f"from_{unit}": peak.before[first], f"to_{unit}": peak.after[first], **peak.ranges,
+        "spring_force_N": peak.spring_force_N, "contact_force_N": peak.contact_force_N, "lifts_off": peak.lifts_off,
+        "settles": peak.settles, "seconds": peak.seconds,
     }  # fmt: skip
 
 
@@ -388,8 +470,7 @@ def _certificate_json(report: Report) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def change_json(study: Study, target: float, one: Change) -> dict[str, Any]:
-    """The keys of a change."""
+def _change_json(study: Study, target: float, one: Change) -> dict[str, Any]:
     return {
         "from": _in_file(study, one.before), "to": _in_file(study, one.after), "mu_jump": one.mu_jump,
         "target": target, "distance": one.distance, "probability": one.probability, "outcome": one.outcome,

@@ -53,6 +53,11 @@ class Normal:
     low: float
     high: float
 
+    def cdf(self, value: Any) -> FloatArray:
+        """The share of it up to a value."""
+        least, most, here = (ndtr((end - self.mean) / self.sd) for end in (self.low, self.high, np.asarray(value)))
+        return np.asarray(np.clip((here - least) / (most - least), 0.0, 1.0))
+
     def ppf(self, share: Any) -> FloatArray:
         """The value below which a share of it lies."""
         least, most = (ndtr((end - self.mean) / self.sd) for end in (self.low, self.high))
@@ -207,7 +212,10 @@ def _corners(box: Mapping[str, tuple[float, float]]) -> tuple[Parameters, Parame
 
 @dataclass(frozen=True)
 class Chance(Result):
-    """The probability of a jump with its interval; Sobol' indices: first order, total, and the total's half-width."""
+    """The probability of a jump with its interval; Sobol' indices: first order, total, and the total's half-width.
+
+    ``proved`` are bounds of the probability by proof, not by samples; (0, 1) where nothing was asked to be proved.
+    """
 
     probability: float
     low: float
@@ -215,6 +223,7 @@ class Chance(Result):
     confidence: float
     n: int
     sobol: Mapping[str, tuple[float, float, float]]
+    proved: tuple[float, float] = (0.0, 1.0)
 
 
 def chance(study: Study, n: int) -> Chance | None:
@@ -235,8 +244,8 @@ def correlated(study: Study) -> dict[tuple[str, str], float]:
 
 
 def distributions(study: Study) -> dict[str, Any]:
-    """Each quantity as a number, a range or a distribution."""
-    return {name: _distribution(study.quantities[name]) for name in names_of(study)}
+    """Each quantity as a number, a range or a distribution, see :func:`distribution`."""
+    return {name: distribution(study.quantities[name]) for name in names_of(study)}
 
 
 def told(found: JumpProbability) -> Chance:
@@ -248,7 +257,8 @@ def told(found: JumpProbability) -> Chance:
     return Chance(found.probability, found.low, found.high, found.confidence, found.n, indices)
 
 
-def _distribution(one: Measured) -> Any:
+def distribution(one: Measured) -> Any:
+    """A quantity as a number, a range or a distribution."""
     if one.low == one.high:
         return one.value
     if not one.sd:

@@ -10,7 +10,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.models.load import shipped
-from spragsym.studies.other_models import scale_of
+from spragsym.studies.brake_quantities import scale_of
 from tests.support import few
 
 MODELS = shipped()

@@ -1,4 +1,4 @@
-"""What is asked of a model where a brake is to be changed: by closed forms of the article's, by tubes of any other."""
+"""What is asked of a model about tolerances and changes of a brake: by closed forms of the article's, by tubes of any other."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from ..design import redesign
+from ..design import jump_margin, redesign
 from ..design.design_space import PHYSICAL, Design, dimensionless, space
 from ..design.events import have_jumped
 from ..design.jump_values import first_jumps
@@ -19,9 +19,9 @@ from ..models.balance import Balance
 from ..models.load import load
 from ..models.redesigns import reaching
 from ..parameters import FloatArray, Parameters, PhysicalParameters
-from . import other_models, other_tolerances
+from . import brake_quantities, tube_tolerances
 from .study import Study
-from .tolerances import Jumping, brakes, certificate, jumping, values_at
+from .tolerances import BoxCertificate, Chance, Jumping, brakes, certificate, chance, jumping, values_at
 
 #: What may be changed of the article's brake, one at a time.
 SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
@@ -35,15 +35,22 @@ _FEW_BOXES, _FEW_POINTS, _MOST = 3000, 64, 4
 class Questions:
     """What is asked of a model, of brakes by the values of their quantities in SI.
 
-    ``names`` are the quantities that may be changed one at a time; ``inside(name, low, high)`` whether all between two ends are
-    quantities. ``rows(study, shares)`` are brakes of the tolerances, and ``ending(study, rows, friction)`` is 1 for those that
-    jump at a friction or below it, the own one of each where it is None, 0 for those that don't, and NaN where that is not known;
-    ``jumping`` the same of shares. ``outcome`` is that of a hasty certificate of a study, ``jump`` where a brake jumps, and
-    ``joint`` the least change of some quantities at once, in SI; None for none. A single quantity is looked at at ``values``
-    first, then ``rounds`` times at ``between``, and the ``most`` that are the nearest are proved, each ``further`` by these
-    shares of what is left; ``points`` are those of the share that jumps, and where there is no proof.
+    ``certificate`` is the claim that no brake within the tolerances jumps, ``chance`` how probable a jump is from that many
+    samples, ``samples`` if not said otherwise, and ``distance`` the nearest jump in tolerances, at the friction that works, NaN
+    where that is not asked. ``names`` are the quantities that may be changed one at a time; ``inside(name, low, high)``
+    whether all between two ends are quantities. ``rows(study, shares)`` are brakes of the tolerances, and ``ending(study,
+    rows, friction)`` is 1 for those that jump at a friction or below it, the own one of each where it is None, 0 for those
+    that don't, and NaN where that is not known; ``jumping`` the same of shares. ``outcome`` is that of a hasty certificate of
+    a study, ``jump`` where a brake jumps, and ``joint`` the least change of some quantities at once, in SI; None for none. A
+    single quantity is looked at at ``values`` first, then ``rounds`` times at ``between``, and the ``most`` that are the
+    nearest are proved, each ``further`` by these shares of what is left; ``points`` are those of the share that jumps, and
+    where there is no proof.
     """
 
+    certificate: Callable[[Study], BoxCertificate]
+    chance: Callable[[Study, int], Chance | None]
+    samples: int
+    distance: Callable[[Study], float]
     names: tuple[str, ...]
     inside: Callable[[str, float, float], bool]
     rows: Callable[[Study, FloatArray], dict[str, FloatArray]]
@@ -94,7 +101,13 @@ def _article() -> Questions:
     def inside(name: str, low: float, high: float) -> bool:
         return (low > 0 and (name != "theta0" or high < math.pi)) or (low == 0 and name in ("k_x", "k_y"))
 
+    def distance(study: Study) -> float:
+        scale = {name: size for name, size in study.tolerances.items() if name not in ("m", "V", "d")}
+        brake = PhysicalParameters(**{**study.values, "mu0": study.friction[1]})
+        return jump_margin(brake, scale).distance if scale else math.nan
+
     return Questions(
+        certificate, chance, 4096, distance,
         SINGLE, inside, rows, ending, jumping, lambda study: certificate(study, _SLICES, _BOXES, hasty=True).outcome, jump, joint,
         160, 32, 2, len(SINGLE), (0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0), (1 << 10, 1 << 17),
     )  # fmt: skip
@@ -108,35 +121,40 @@ def _set(rows: Mapping[str, FloatArray]) -> Parameters:
 def _any(study: Study) -> Questions:
     """Tubes around the states that are followed."""
     model = load(study.model)
-    units = other_models.bases(study.model, study.values)
+    units = brake_quantities.bases(study.model, study.values)
 
     def inside(name: str, low: float, high: float) -> bool:
         if name in units and low <= 0:
             return False
         try:
-            other_models.dimensionless(study.model, {**study.values, name: np.array([low, high])})
+            brake_quantities.dimensionless(study.model, {**study.values, name: np.array([low, high])})
         except ParameterError:
             return False
         return True
 
     def outcome(study: Study) -> str:
-        return str(other_tolerances.certificate_of(study, _FEW_BOXES, _FEW_POINTS)["outcome"])
+        return tube_tolerances.certificate(study, _FEW_BOXES, _FEW_POINTS).outcome
 
     def jump(study: Study, values: Mapping[str, float]) -> float:
-        return float(model.jump_value(other_models.dimensionless(study.model, values)[0], "mu0"))
+        return float(model.jump_value(brake_quantities.dimensionless(study.model, values)[0], "mu0"))
 
     matter = _that_matter(study)
 
     def joint(study: Study, names: tuple[str, ...], target: float, scale: Mapping[str, float]) -> dict[str, float] | None:
         names = names if len(names) > 1 else matter[:3]
         design = Design(
-            study.values, other_models.ranges(study.model), partial(other_models.groups, study.model), dict, model.Parameters
+            study.values,
+            brake_quantities.ranges(study.model),
+            partial(brake_quantities.groups, study.model),
+            dict,
+            model.Parameters,
         )
         found = reaching(model, space(design, {name: scale[name] for name in names}, None), {"mu0": target}, 0.0)
         return {name: study.values[name] + step for name, step in found.change.items()} or None
 
     return Questions(
-        matter, inside, values_at, other_tolerances.ending, other_tolerances.jumping, outcome, jump, joint,
+        tube_tolerances.certificate, tube_tolerances.chance, 2048, lambda study: math.nan,
+        matter, inside, values_at, tube_tolerances.ending, tube_tolerances.jumping, outcome, jump, joint,
         32, 8, 3, _MOST, (0.0, 0.03, 0.3), (1 << 8, 1 << 11),
     )  # fmt: skip
 
@@ -150,7 +168,7 @@ def _that_matter(study: Study) -> tuple[str, ...]:
     names = [name for name in balance.parameters if {name, *balance.angles.get(name, ())} & set(taken)]
 
     def groups(values: Mapping[str, float]) -> list[float]:
-        return [float(value) for value in other_models.dimensionless(study.model, values)[0].scalars(*names)]
+        return [float(value) for value in brake_quantities.dimensionless(study.model, values)[0].scalars(*names)]
 
     before = groups(study.values)
     moved = {name: {**study.values, name: value * (1 - 2.0**-10) or 0.5} for name, value in study.values.items()}

@@ -1,0 +1,166 @@
+"""The friction that works at the speed of the belt, by the model's law, within the tolerances; and the speed for a friction."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..exact.interval_arrays import Intervals, stacked
+from ..models.balance import Balance
+from ..models.load import load
+from ..models.varying_units import BalanceInUnits
+from ..parameters import FloatArray
+from . import brake_quantities
+from .tube_boxes import corners
+
+if TYPE_CHECKING:
+    from .study import Study
+
+#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how many boxes at once.
+CLOSE, HALVINGS, MOST = 1e-9, 60, 1 << 12
+#: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and parts that are looked at.
+OCTAVES, SHARP, PARTS = 30, 2.0**-44, 1 << 12
+
+
+def law_of(study: Study) -> str:
+    """Which friction works: that at the belt's speed where it is known, else what the statics take."""
+    return "friction_at_speed" if "V" in study.quantities else "friction_at_rest"
+
+
+def drawn(study: Study) -> float:
+    """The friction that works as drawn; 0 for a model without friction."""
+    p = study.dimensionless
+    return brake_quantities.friction(p.model, p, law_of(study)) if p.model.about["friction"] else 0.0
+
+
+def working(study: Study) -> tuple[float, float, float]:
+    """The friction that works: least, as drawn, and largest within the tolerances.
+
+    Notes
+    -----
+    The ends are those of the law at the corners of the tolerances; where it says less or more between them, they are bounds.
+    """
+    here = drawn(study)
+    if not study.dimensionless.model.about["friction"]:
+        return here, here, here
+    at_corners = _at_corners(study)
+    least, most = min(here, *at_corners), max(here, *at_corners)
+    below, above = bounds(study)
+    return (
+        least if below >= least - CLOSE * abs(least) else below, here, most if above <= most + CLOSE * abs(most) else above,
+    )  # fmt: skip
+
+
+def _at_corners(study: Study) -> list[float]:
+    model = load(study.model)
+    ends = [{one.low, one.high} for name, one in study.quantities.items() if name in _deciding(study)]
+    names = [name for name in study.quantities if name in _deciding(study)]
+    rows = np.array(list(itertools.product(*map(sorted, ends)))).reshape(-1, len(names))
+    p, _ = brake_quantities.dimensionless(study.model, {**study.values, **dict(zip(names, rows.T, strict=True))})
+    found: list[float] = np.atleast_1d(brake_quantities.frictions(model, p, law_of(study))).tolist()
+    return found
+
+
+def _deciding(study: Study) -> list[str]:
+    """Quantities with tolerances on which the friction depends."""
+    model, law, here = load(study.model), law_of(study), drawn(study)
+    moved = {name: {**study.values, name: study.quantities[name].low} for name in study.tolerances}
+    moved |= {f"{name} ": {**study.values, name: study.quantities[name].high} for name in study.tolerances}
+    sets = {name: brake_quantities.dimensionless(study.model, values)[0] for name, values in moved.items()}
+    changed = {name.strip() for name, p in sets.items() if brake_quantities.friction(model, p, law) != here}
+    return [name for name in study.tolerances if name in changed]
+
+
+def bounds(study: Study) -> tuple[float, float]:
+    """Bounds of the friction that works for everything within the tolerances, by intervals."""
+    low, high, units = corners(study)
+    model = low.model
+    law = BalanceInUnits(model, True, units, law_of(study))
+    below, above = (
+        np.array([[value] for value in (*corner.scalars(*model.parameters), *(getattr(unit, side) for unit in units.values()))])
+        for corner, side in ((low, "low"), (high, "high"))
+    )
+    return -_largest(law, below, above, -1.0), _largest(law, below, above, 1.0)
+
+
+def _largest(law: BalanceInUnits, low: FloatArray, high: FloatArray, sign: float) -> float:
+    """A bound of ± the law over a box: parts are halved along the side over which it moves most, until it is close."""
+    above, done = np.full(1, np.inf), -np.inf
+    for _ in range(HALVINGS):
+        above = sign * _law(law, low, high)[1 if sign > 0 else 0]
+        best = float((sign * _law(law, low, low)[0 if sign > 0 else 1]).max())
+        best = max(best, float((sign * _law(law, high, high)[0 if sign > 0 else 1]).max()))
+        open_ = np.flatnonzero(above > best + CLOSE * abs(best))
+        if not open_.size or 2 * open_.size > MOST:
+            break
+        done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))
+        low, high = low[:, open_], high[:, open_]
+        middle = 0.5 * (low + high)
+        moves = [_moves(law, low, high, middle, side) for side in range(len(low))]
+        side, rows = np.argmax(moves, axis=0), np.arange(open_.size)
+        first, second = high.copy(), low.copy()
+        first[side, rows] = second[side, rows] = middle[side, rows]
+        low, high = np.concatenate([low, second], axis=1), np.concatenate([first, high], axis=1)
+    return max(done, float(above.max()))
+
+
+def _moves(law: BalanceInUnits, low: FloatArray, high: FloatArray, middle: FloatArray, side: int) -> FloatArray:
+    """By how much the law moves over one side, all others in their middles."""
+    one, other = middle.copy(), middle.copy()
+    one[side], other[side] = low[side], high[side]
+    ends = _law(law, one, other)
+    moves: FloatArray = np.where(low[side] < high[side], ends[1] - ends[0], -1.0)
+    return moves
+
+
+def _law(law: Balance, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
+    found = stacked([law.friction(law.arguments(law.prepared(Intervals.between(low, high))))], low.shape[1:])
+    return found.low[0], found.high[0]
+
+
+def speed_for(study: Study, friction: float) -> float:
+    """The least speed of the belt in m/s at which the largest friction within the tolerances is this one; NaN where none is.
+
+    Notes
+    -----
+    Source: the model's law over intervals of the speed, from 0 up to 2³⁰ times the belt's own; all else as where the friction
+    that works is largest.
+    """
+    if not study.moves or "V" not in load(study.model).parameters or not study.values["V"]:
+        return math.nan
+    model = load(study.model)
+    names = [name for name in _deciding(study) if name != "V"]
+    rows = np.array(list(itertools.product(*((study.quantities[name].low, study.quantities[name].high) for name in names))))
+    given = {**study.values, **dict(zip(names, rows.reshape(-1, len(names)).T, strict=True))}
+    p, scales = brake_quantities.dimensionless(study.model, given)
+    most = int(np.argmax(np.atleast_1d(brake_quantities.frictions(model, p, "friction_at_speed"))))
+    values = {name: float(np.broadcast_to(getattr(p, name), p.shape).flat[most]) for name in model.parameters}
+    return _first_speed(model, values, friction) * scales["length"] / scales["time"]
+
+
+def _first_speed(model: Any, values: Mapping[str, float], friction: float) -> float:
+    law = Balance(model, True, "friction_at_speed")
+    place, fixed = law.parameters.index("V"), np.array([[values[name]] for name in law.parameters])
+    speed = abs(values["V"])
+
+    def reaches(low: float, high: float) -> bool:
+        one, other = fixed.copy(), fixed.copy()
+        one[place], other[place] = low, high
+        return bool(_law(law, one, other)[1][0] >= friction)
+
+    parts = [(speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))] + [(0.0, speed)]
+    for _ in range(PARTS):
+        if not parts:
+            return math.nan
+        low, high = parts.pop()
+        if not reaches(low, high):
+            continue
+        middle = 0.5 * (low + high)
+        if high - low <= SHARP * high:
+            return middle
+        parts += [(middle, high), (low, middle)]
+    return math.nan

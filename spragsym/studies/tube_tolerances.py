@@ -1,0 +1,119 @@
+"""What the tolerances leave possible with any model: a certificate for all of them, and the probability of a jump."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ..design.probability import estimated, variable
+from ..models.certificates import Splitting, certify
+from ..models.jumps import Followed
+from ..models.load import load
+from ..models.probability import measured
+from ..models.varying_units import Unit
+from ..parameters import FloatArray, Range
+from . import brake_quantities, tube_boxes
+from .friction import bounds
+from .study import Study
+from .tolerances import BoxCertificate, Chance, correlated, counterexample, distribution, distributions, told, values_at, varied
+
+#: Parts of the tolerances, and points at which counterexamples are looked for.
+_BOXES, _POINTS = 4000, 512
+#: Quantities with tolerances up to which their probability is bracketed by proof, and parts of them.
+_MOST_SIDES, _PARTS = 4, 200
+#: What a share of a distribution is rounded by, where values go over its width.
+_ROUNDING = 2.0**-50
+#: A share of the friction that is none.
+_NOTHING = 1e-300
+
+
+def certificate(study: Study, boxes: int = _BOXES, points: int = _POINTS) -> BoxCertificate:
+    """Whether any brake within the tolerances jumps: proved, refuted by one that does, or undecided.
+
+    Notes
+    -----
+    Source: :func:`spragsym.models.certificates.certify` over a box of the model's parameters and of the quantities that are their
+    units, rounded outward. The friction of the proof is μ₀ itself, or the one that works at the belt's speed where a law may say
+    more there; that of a counterexample is the one that works.
+    """
+    point = counterexample(study, points, jumping)
+    if point is not None:
+        return BoxCertificate("no jump", "refuted", point, 0.0, 0)
+    low, high, units = box(study)
+    found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=boxes, refute=False, units=units)
+    return BoxCertificate("no jump", found.outcome, None, found.undecided, found.boxes)
+
+
+def chance(study: Study, n: int) -> Chance | None:
+    """How probable a jump is with the distributions of the file; None where nothing varies."""
+    if not varied(study):
+        return None
+    everything = Range(-np.inf)
+    variables = {name: variable(name, given, everything) for name, given in distributions(study).items()}
+    found = estimated(
+        variables, lambda values: ending(study, values), correlation=correlated(study), n=n, rng=0, confidence=0.95, sobol=True,
+        replicates=8, workers=1, progress=False, store=None,
+    )  # fmt: skip
+    return told(found)
+
+
+def jumping(study: Study, shares: FloatArray) -> FloatArray:
+    """1 for the brakes that jump, 0 for those that don't, and NaN where that is not known."""
+    return ending(study, values_at(study, shares))
+
+
+def ending(study: Study, values: Mapping[str, Any], friction: float | None = None) -> FloatArray:
+    """The same of brakes by their quantities in SI: up to a friction, or up to the own one of each that works."""
+    model = load(study.model)
+    p, _ = brake_quantities.dimensionless(study.model, values)
+    works = p.mu0 * (brake_quantities.share(model, p) if "V" in study.quantities else 1.0) if friction is None else friction
+    found = Followed(model, p, "mu0", "up", 0.0, np.broadcast_to(works, p.shape)).ends(patient=False)
+    out = np.where(np.isnan(found.value), 0.0, 1.0)
+    out[list(found.reasons)] = np.nan
+    return out
+
+
+def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
+    """Corners between which all brakes lie, as of :func:`corners`; the upper friction is no less than what works anywhere."""
+    low, high, units = tube_boxes.corners(study)
+    if "V" in study.quantities:
+        high = high.replace(mu0=max(float(high.mu0), bounds(study)[1]))
+    return low, high, units
+
+
+def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
+    """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is proved not to.
+
+    (0, 1) where quantities vary together, or more of them vary than parts can be made of.
+
+    Notes
+    -----
+    Source: :func:`spragsym.models.probability.measured` over the box of :func:`certificate`. Of the belt's speed and the law's
+    steepness only how much of μ₀ works is taken, from least to most.
+    """
+    names = [name for name in varied(study) if name not in ("m", "V", "d")]
+    if not names or len(names) > _MOST_SIDES or correlated(study):
+        return 0.0, 1.0
+    low, high, units = tube_boxes.corners(study)
+    low, high = (p.replace(mu0=value) for p, value in zip((low, high), bounds(study), strict=True))
+    splitting, sides = Splitting(low, high, "mu0", 0.0, units), tube_boxes.sides(study)
+    laws = {side: _shares(study, *sides[side]) for side in splitting.free}
+    one = study.quantities["mu0"]
+    fixed = study.with_quantities({**study.quantities, "mu0": replace(one, low=one.value, high=one.value)})
+    least, most = (max(_NOTHING, end / one.value) if one.value else 1.0 for end in bounds(fixed))
+    up_to = _shares(study, "mu0", 1 / most), _shares(study, "mu0", 1 / least)
+    below, above = measured(splitting, laws, up_to, parts)
+    widths = [(one.high, one.high - one.low) for one in (study.quantities[name] for name in names)]
+    off = parts * _ROUNDING * max(abs(end) / width for end, width in widths)
+    return max(0.0, below - off), min(1.0, above + off)
+
+
+def _shares(study: Study, name: str, scale: float) -> Callable[[Any], Any]:
+    """The share of a quantity up to some multiples of a scale."""
+    law = variable(name, distribution(study.quantities[name]), Range(-np.inf))
+    if isinstance(law, float):
+        return lambda value: 1.0 * (np.asarray(value) * scale >= law)
+    return lambda value: law.cdf(np.asarray(value) * scale)

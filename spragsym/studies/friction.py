@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..exact.interval_arrays import Intervals, stacked
-from ..models.balance import Balance
+from ..models.balance import NOTHING, Balance
 from ..models.load import load
 from ..models.varying_units import BalanceInUnits
 from ..parameters import FloatArray
@@ -51,7 +51,8 @@ def working(study: Study) -> tuple[float, float, float]:
     least, most = min(here, *at_corners), max(here, *at_corners)
     below, above = bounds(study)
     return (
-        least if below >= least - CLOSE * abs(least) else below, here, most if above <= most + CLOSE * abs(most) else above,
+        least if below >= least - CLOSE * abs(least) - NOTHING else below, here,
+        most if above <= most + CLOSE * abs(most) + NOTHING else above,
     )  # fmt: skip
 
 
@@ -59,7 +60,7 @@ def _at_corners(study: Study) -> list[float]:
     model = load(study.model)
     ends = [{one.low, one.high} for name, one in study.quantities.items() if name in _deciding(study)]
     names = [name for name in study.quantities if name in _deciding(study)]
-    rows = np.array(list(itertools.product(*map(sorted, ends)))).reshape(-1, len(names))
+    rows = np.array(list(itertools.product(*map(sorted, ends))))
     p, _ = brake_quantities.dimensionless(study.model, {**study.values, **dict(zip(names, rows.T, strict=True))})
     found: list[float] = np.atleast_1d(brake_quantities.frictions(model, p, law_of(study))).tolist()
     return found
@@ -135,7 +136,7 @@ def speed_for(study: Study, friction: float) -> float:
     model = load(study.model)
     names = [name for name in _deciding(study) if name != "V"]
     rows = np.array(list(itertools.product(*((study.quantities[name].low, study.quantities[name].high) for name in names))))
-    given = {**study.values, **dict(zip(names, rows.reshape(-1, len(names)).T, strict=True))}
+    given = {**study.values, **dict(zip(names, rows.T, strict=True))}
     p, scales = brake_quantities.dimensionless(study.model, given)
     most = int(np.argmax(np.atleast_1d(brake_quantities.frictions(model, p, "friction_at_speed"))))
     values = {name: float(np.broadcast_to(getattr(p, name), p.shape).flat[most]) for name in model.parameters}

@@ -54,3 +54,19 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
     )
     for slot, state in enumerate(told["states"]):
         assert state[key] == pytest.approx(unit * float(getattr(eq, coordinate["name"])[slot]), rel=1e-9)
+
+
+def test_two_springs_have_forces_lengths_and_directions(tmp_path: Path) -> None:
+    """By hand: the tension of a spring is its stiffness times what it is longer than without load."""
+    file, p, length = a_brake("two_springs", tmp_path)
+    (state,) = ss.Study.from_file(file).report(oscillation=False, probability=False, redesign=False).states
+    x, y = (state.places[name] / (1e3 * length) for name in ("x_mm", "y_mm"))
+    assert list(state.spring_force_N) == list(state.spring_length_mm) == list(state.direction_deg) == ["spring 1", "spring 2"]
+    for name, angle, stiffness, at_rest in (
+        ("spring 1", p.theta0, p.sigma, 1.0), ("spring 2", p.theta0_2, p.sigma_2, float(p.lambda_2)),
+    ):  # fmt: skip
+        along, up = at_rest * math.cos(angle) - x, at_rest * math.sin(angle) - y
+        assert state.spring_length_mm[name] == pytest.approx(1e3 * length * math.hypot(along, up))
+        assert state.direction_deg[name] == pytest.approx(math.degrees(math.atan2(up, along)))
+        force = SIZE["N/m"] * length * float(stiffness) * (math.hypot(along, up) - at_rest)
+        assert state.spring_force_N[name] == pytest.approx(force)

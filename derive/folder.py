@@ -18,7 +18,7 @@ from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
 from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
-from .model import Page, acceleration_of
+from .model import Friction, Page, acceleration_of
 from .pages import Model
 
 #: Text of a function → the model and the module that have it first.
@@ -150,7 +150,9 @@ def description(model: Model) -> dict[str, Any]:
         "friction": (
             None
             if it.slide is None or it.page.sliding is None
-            else {"along": str(it.slide), "belt": str(it.belt), "line": it.page.sliding.line}
+            else {
+                "along": str(it.slide), "belt": str(it.belt), "line": it.page.sliding.line, "quantities": _of_law(it.page.sliding),
+            }
         ),
         **({"waves": True} if mechanics.waves(sp.Tuple(*it.residuals)) else {}),
         **({"curved": True} if motion.Motion(it).curved else {}),
@@ -165,6 +167,13 @@ def description(model: Model) -> dict[str, Any]:
         "symmetric": balance_rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
+
+
+def _of_law(sliding: Friction) -> list[str]:
+    """Quantities of the page on which its friction law depends, at the belt's speed or at rest."""
+    speed = sp.Dummy()
+    expressions = sp.Tuple(sp.sympify(sliding.law(speed)), sliding.belt, *([] if sliding.at_rest is None else [sliding.at_rest]))
+    return sorted(str(symbol) for symbol in expressions.free_symbols - {speed})
 
 
 def _scale(page: Page, dimension: units.Dimension) -> str:

@@ -15,7 +15,7 @@ from spragsym.cli import main
 from spragsym.design.design_space import dimensionless
 from spragsym.design.events import have_jumped
 from spragsym.models.varying_units import BalanceInUnits
-from spragsym.studies import brake_quantities, tolerances, tube_tolerances
+from spragsym.studies import brake_quantities, friction, tolerances, tube_tolerances
 from spragsym.studies.tube_tolerances import certificate
 from tests.support import few
 
@@ -562,17 +562,52 @@ def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) 
     file.write_text(other, encoding="utf-8")
     study = ss.Study.from_file(file)
     found = study.report(probability=False, redesign=False)
+    tolerance = {"k": "15 %", "k_x": "15 %", "k_c": "15 %", "theta0": "1 deg", "mu0": (0.3, 0.6)}
+    right = ss.Study(brake(mu0=0.45), tolerance=tolerance).report(probability=False, redesign=False)
     assert found.oscillation is not None
-    right = ss.Study(brake(mu0=0.45)).report(probability=False, redesign=False).oscillation
-    assert right is not None
+    assert right.oscillation is not None
     for key in ("frequency_hz", "amplitude_mm", "spring_force_N", "contact_force_N"):
-        assert getattr(found.oscillation, key) == pytest.approx(getattr(right, key), rel=1e-6, abs=1e-9)
+        assert getattr(found.oscillation, key) == pytest.approx(getattr(right.oscillation, key), rel=1e-6, abs=1e-9)
+    assert (found.facts.reach, found.facts.hits) == (right.facts.reach, None)
+    assert found.facts.speed == pytest.approx(right.facts.speed, rel=1e-9)
+    assert found.peak is not None
+    assert right.peak is not None
+    for key in ("before", "after", "x_mm", "y_mm", "spring_force_N", "contact_force_N"):
+        assert getattr(found.peak, key) == pytest.approx(getattr(right.peak, key), rel=1e-6)
+    assert (found.peak.settles, found.peak.lifts_off) == (right.peak.settles, right.peak.lifts_off)
     study.to_html(tmp_path / "page.html", found)
     text = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert text.count("<svg") == 5
     assert "with a knock where they are dashed" in text
     assert found.verdict in text
     assert "http" not in text.replace("http://www.w3.org", "")
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        pytest.param({}, id="at full slip, nearly"),
+        pytest.param({"V": "0.2 m/s", "mu0": "[0.37, 0.47]"}, id="a slow belt"),
+        pytest.param({"V": "[0.2, 0.3] m/s", "mu0": "[0.36, 0.46]"}, id="a belt whose speed varies"),
+        pytest.param({"theta0": "52 deg sd 0.5 deg"}, id="a normal angle"),
+    ],
+)
+def test_bounds_of_the_probability_hold_what_closed_forms_give(tmp_path: Path, rows: dict[str, str]) -> None:
+    """The share of angles, speeds and frictions at which the article's brake jumps, each at the middles of many small steps."""
+    study = of_model(
+        "kang_nam", {"k": "180 N/mm", "k_c": "1500 N/mm", "k_x": "9 N/mm", "mu0": "[0.34, 0.4]"} | rows, tmp_path / "b.toml"
+    )
+    low, high = tube_tolerances.bracket(study)
+    shares = (np.arange(400) + 0.5) / 400
+    angles, speeds = (tolerances.quantile(study.quantities[name], shares) for name in ("theta0", "V"))
+    jumps = ss.jump_value(study.dimensionless.replace(theta0=angles), "mu0")
+    needed = np.asarray(jumps)[:, None] / (1 - np.exp(-10 * speeds))
+    mu0 = study.quantities["mu0"]
+    right = float(np.clip((mu0.high - needed) / (mu0.high - mu0.low), 0, 1).mean())
+    assert 0.2 < right < 0.8
+    assert low < right < high
+    varies = study.quantities["V"].high > study.quantities["V"].low
+    assert high - low < (0.5 if varies else 0.02)
 
 
 @pytest.mark.thorough
@@ -636,6 +671,14 @@ def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
     works = brake_quantities.friction(p.model, p, "friction_at_speed")
     assert works == pytest.approx(0.22 * 9 / 8)
     assert float(high.mu0) >= works
+    # Most lies between the corners of the tolerances, and is bounded from above; least is at one, the slow end.
+    slow = math.exp(-10 * 0.1)
+    assert works <= study.friction[2] < works * (1 + 1e-5)
+    assert study.friction[0] == pytest.approx(0.2 * (1 - slow) * (1 + 2 * slow), rel=1e-12)
+    # By hand: with u = exp(-d V) the law is 1.05 at the roots of 2 u^2 - u + 0.05; the larger one is that of the lower speed.
+    slow = -math.log((1 + math.sqrt(1 - 8 * 0.05)) / 4) / 10
+    assert friction.speed_for(study, 1.05 * 0.22) == pytest.approx(slow, rel=1e-9)
+    assert math.isnan(friction.speed_for(study, 1.126 * 0.22))
 
 
 @pytest.mark.parametrize(

@@ -73,7 +73,7 @@ def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
 
 
 def _stiffness(study: Study) -> Iterator[str]:
-    if not _has(study, "k_c"):
+    if not _has(study, "k_c") or not study.about["contact"]["unilateral"]:
         return
     for name in (name for name in ("k", "k_x", "k_y") if _has(study, name)):
         ratio = study.values[name] / study.values["k_c"]

@@ -19,13 +19,13 @@ REACHES = ("never", "beyond", "faster", "within", "jumped")
 class Facts(Result):
     """Whether the state of small deformation jumps, and what is known of all brakes within the tolerances.
 
-    ``jump`` is NaN where it never jumps, and None where that is not known. ``reach`` compares the friction of the jump, as drawn
-    otherwise, with that which works at the belt's speed, and with that at full slip: one of ``REACHES``, or ``""`` where nothing
-    is known of it. ``speed`` is the belt's speed in m/s above which the largest friction within the tolerances reaches the jump;
-    NaN where none does, or where the friction law is not known. ``within`` is what is known of all brakes within the tolerances
-    at the belt's speed: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or ``""`` if it was not asked. ``hits``
-    says whether any of the sampled brakes jumps, None without a sample. ``unbounded`` names the quantities of whose distribution
-    a part lies beyond the box of the certificate.
+    ``jump`` is NaN where it jumps at no friction up to ``top``, and None where that is not known. ``reach`` compares the
+    friction of the jump, as drawn otherwise, with that which works at the belt's speed, and with that at full slip: one of
+    ``REACHES``, or ``""`` where nothing is known of it. ``speed`` is the belt's speed in m/s above which the largest friction
+    within the tolerances reaches the jump; NaN where none does, or where the friction law is not known. ``within`` is what is
+    known of all brakes within the tolerances at the belt's speed: ``"proved"`` that none jumps, ``"refuted"``,
+    ``"undecided"``, or ``""`` if it was not asked. ``hits`` says whether any of the sampled brakes jumps, None without a
+    sample. ``unbounded`` names the quantities of whose distribution a part lies beyond the box of the certificate.
     """
 
     jump: float | None
@@ -36,6 +36,12 @@ class Facts(Result):
     within: str
     hits: bool | None
     unbounded: tuple[str, ...]
+    top: float
+
+    @property
+    def nowhere(self) -> str:
+        """At which friction there is no jump, in words, where there is none."""
+        return "at any friction" if math.isinf(self.top) else f"at any friction up to {self.top:g}"
 
     @property
     def sprags(self) -> bool:
@@ -53,8 +59,8 @@ class Facts(Result):
         return self.working[2] < 0.995 * self.full[2]
 
 
-def facts(study: Study, jump: float | None, reached: BoxCertificate | None, odds: Chance | None) -> Facts:
-    """The facts of a study, from the friction at which it jumps, its certificate and its probability."""
+def facts(study: Study, jump: float | None, top: float, reached: BoxCertificate | None, odds: Chance | None) -> Facts:
+    """The facts of a study, from the friction at which it jumps, up to which one was looked for, certificate and probability."""
     working = full = study.friction
     if "mu0" in study.quantities:
         one = study.quantities["mu0"]
@@ -72,4 +78,5 @@ def facts(study: Study, jump: float | None, reached: BoxCertificate | None, odds
         jump, working, full, reach, speed, "" if reached is None else reached.outcome,
         None if odds is None else odds.probability > 0,
         tuple(name for name in study.unbounded if name != "m"),  # of which no equilibrium depends
+        top,
     )  # fmt: skip

@@ -58,9 +58,9 @@ def working(study: Study) -> tuple[float, float, float]:
 
 def _at_corners(study: Study) -> list[float]:
     model = load(study.model)
-    ends = [{one.low, one.high} for name, one in study.quantities.items() if name in _deciding(study)]
-    names = [name for name in study.quantities if name in _deciding(study)]
-    rows = np.array(list(itertools.product(*map(sorted, ends))))
+    names = _deciding(study)
+    ends = [(study.quantities[name].low, study.quantities[name].high) for name in names]
+    rows = np.array(list(itertools.product(*ends)))
     p, _ = brake_quantities.dimensionless(study.model, {**study.values, **dict(zip(names, rows.T, strict=True))})
     found: list[float] = np.atleast_1d(brake_quantities.frictions(model, p, law_of(study))).tolist()
     return found
@@ -68,17 +68,15 @@ def _at_corners(study: Study) -> list[float]:
 
 def _deciding(study: Study) -> list[str]:
     """Quantities with tolerances on which the friction depends."""
-    model, law, here = load(study.model), law_of(study), drawn(study)
-    moved = {name: {**study.values, name: study.quantities[name].low} for name in study.tolerances}
-    moved |= {f"{name} ": {**study.values, name: study.quantities[name].high} for name in study.tolerances}
-    sets = {name: brake_quantities.dimensionless(study.model, values)[0] for name, values in moved.items()}
-    changed = {name.strip() for name, p in sets.items() if brake_quantities.friction(model, p, law) != here}
-    return [name for name in study.tolerances if name in changed]
+    return [name for name in study.about["friction"]["quantities"] if name in study.tolerances]
 
 
 def bounds(study: Study) -> tuple[float, float]:
     """Bounds of the friction that works for everything within the tolerances, by intervals."""
-    low, high, units = corners(study)
+    names = study.about["friction"]["quantities"]
+    # Of what the law does not depend on it does not matter which value is taken: units of measure cancel in it.
+    taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
+    low, high, units = corners(study.with_quantities(taken))
     model = low.model
     law = BalanceInUnits(model, True, units, law_of(study))
     below, above = (

@@ -60,7 +60,7 @@ class Oscillation(Result):
     @property
     def lifts_off(self) -> bool:
         """Whether the contact opens."""
-        return self.kind == "lift-off" or (self.contact_force_N is not None and self.contact_force_N[0] <= 0)
+        return self.kind == "lift-off" or (self.contact_force_N is not None and self.contact_force_N[0] == 0)
 
 
 def oscillation_of(study: Study, settles: bool | None) -> Oscillation:

@@ -17,6 +17,7 @@ from ..design.jump_values import first_jumps
 from ..errors import ParameterError
 from ..models.balance import Balance
 from ..models.load import load
+from ..models.points import ranges
 from ..models.redesigns import reaching
 from ..parameters import FloatArray, Parameters, PhysicalParameters
 from . import brake_quantities, tube_tolerances
@@ -36,20 +37,21 @@ class Questions:
     """What is asked of a model, of brakes by the values of their quantities in SI.
 
     ``certificate`` is the claim that no brake within the tolerances jumps, ``chance`` how probable a jump is from that many
-    samples, ``samples`` if not said otherwise, and ``distance`` the nearest jump in tolerances, at the friction that works, NaN
-    where that is not asked. ``names`` are the quantities that may be changed one at a time; ``inside(name, low, high)``
-    whether all between two ends are quantities. ``rows(study, shares)`` are brakes of the tolerances, and ``ending(study,
-    rows, friction)`` is 1 for those that jump at a friction or below it, the own one of each where it is None, 0 for those
-    that don't, and NaN where that is not known; ``jumping`` the same of shares. ``outcome`` is that of a hasty certificate of
-    a study, ``jump`` where a brake jumps, and ``joint`` the least change of some quantities at once, in SI; None for none. A
-    single quantity is looked at at ``values`` first, then ``rounds`` times at ``between``, and the ``most`` that are the
-    nearest are proved, each ``further`` by these shares of what is left; ``points`` are those of the share that jumps, and
-    where there is no proof.
+    samples, ``samples`` if not said otherwise, and ``distance`` the nearest jump in tolerances, at the friction that works,
+    NaN where that is not asked. Up to the friction ``top`` a jump is looked for. ``names`` are the quantities that may be
+    changed one at a time; ``inside(name, low, high)`` whether all between two ends are quantities. ``rows(study, shares)``
+    are brakes of the tolerances, and ``ending(study, rows, friction)`` is 1 for those that jump at a friction or below it,
+    the own one of each where it is None, 0 for those that don't, and NaN where that is not known; ``jumping`` the same of
+    shares. ``outcome`` is that of a hasty certificate of a study, ``jump`` where a brake jumps, and ``joint`` the least
+    change of some quantities at once, in SI; None for none. A single quantity is looked at at ``values`` first, then
+    ``rounds`` times at ``between``, and the ``most`` that are the nearest are proved, each ``further`` by these shares of
+    what is left; ``points`` are those of the share that jumps, and where there is no proof.
     """
 
     certificate: Callable[[Study], BoxCertificate]
     chance: Callable[[Study, int], Chance | None]
     samples: int
+    top: float
     distance: Callable[[Study], float]
     names: tuple[str, ...]
     inside: Callable[[str, float, float], bool]
@@ -107,7 +109,7 @@ def _article() -> Questions:
         return jump_margin(brake, scale).distance if scale else math.nan
 
     return Questions(
-        certificate, chance, 4096, distance,
+        certificate, chance, 4096, math.inf, distance,
         SINGLE, inside, rows, ending, jumping, lambda study: certificate(study, _SLICES, _BOXES, hasty=True).outcome, jump, joint,
         160, 32, 2, len(SINGLE), (0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0), (1 << 10, 1 << 17),
     )  # fmt: skip
@@ -121,6 +123,7 @@ def _set(rows: Mapping[str, FloatArray]) -> Parameters:
 def _any(study: Study) -> Questions:
     """Tubes around the states that are followed."""
     model = load(study.model)
+    top = float(ranges(model, ("mu0",), {})[0, 1]) if "mu0" in model.parameters else math.nan
     units = brake_quantities.bases(study.model, study.values)
 
     def inside(name: str, low: float, high: float) -> bool:
@@ -153,7 +156,7 @@ def _any(study: Study) -> Questions:
         return {name: study.values[name] + step for name, step in found.change.items()} or None
 
     return Questions(
-        tube_tolerances.certificate, tube_tolerances.chance, 2048, lambda study: math.nan,
+        tube_tolerances.certificate, tube_tolerances.chance, 2048, top, lambda study: math.nan,
         matter, inside, values_at, tube_tolerances.ending, tube_tolerances.jumping, outcome, jump, joint,
         32, 8, 3, _MOST, (0.0, 0.03, 0.3), (1 << 8, 1 << 11),
     )  # fmt: skip

@@ -159,12 +159,15 @@ class _Asked:
             self.remarks.append(f"{what} not known: {reason}")
             return None
 
-    def jump(self, p: Any, vary: str) -> float | None:
+    def jump(self, p: Any, vary: str, top: float = math.inf) -> float | None:
         """Where the state of small deformation jumps as a parameter rises."""
         if vary not in p.model.parameters:
             self.remarks.append(f"the model has no {vary}: a jump along it is not defined")
             return None
         found = self.known(f"the jump along {vary} is", lambda: p.model.jump_value(p, vary))
+        if found is not None and math.isnan(found) and self.study.quantities[vary].high > top:
+            self.remarks.append(f"the jump along {vary} is not known: it was looked for up to {top:g}, and there is none")
+            return None
         return None if found is None else float(found)
 
     def lowest(self, p: Any) -> tuple[float | None, float | None, str]:
@@ -223,17 +226,18 @@ def _report(
             "there; give the speed of the belt, or leave V and d out for friction at full slip"
         )
     tell("jumps, lowest fold and states")
-    p, at, asked = study.dimensionless, study.at_work, _Asked(study)
+    p, at, asked, told = study.dimensionless, study.at_work, _Asked(study), questions(study)
     rises = "mu0" in p.model.parameters
-    mu_jump, theta0_jump = asked.jump(p, "mu0"), asked.jump(at, "theta0")
+    mu_jump, theta0_jump = asked.jump(p, "mu0", told.top), asked.jump(at, "theta0")
     lowest, mu_cusp = asked.lowest(p), asked.cusp(p)
     here = asked.known("the state that the brake is in is", lambda: current(study))
     found = states(study, here)
+    if here is None and not rises:
+        asked.remarks.append("which of the states the brake is in is not known: the model has no mu0 that could rise from 0")
     eq = at.model.equilibria(at)
     if not eq.complete:
         asked.remarks.append(f"that these are all states is not proved: {'; '.join(eq.remarks)}")
     turns = asked.folds({name: one for name, one in (("mu0", p), ("theta0", at)) if name in p.model.parameters})
-    told = questions(study)
     tell("the proof for all within the tolerances")
     reached = (
         asked.known("whether nothing within the tolerances jumps is", lambda: told.certificate(study))
@@ -252,7 +256,7 @@ def _report(
     tell("the probability of a jump")
     odds = _chance(asked, told, reached, n) if probability and rises else None
     tell("what to change (--no-redesign leaves it out)" if redesign else "")
-    so = facts(study, mu_jump, reached, odds)
+    so = facts(study, mu_jump, told.top, reached, odds)
     faster = so.reach == "faster"
     target = safety * (so.full[2] if faster else high)
     sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")

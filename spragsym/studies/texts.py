@@ -34,14 +34,11 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
         state = f"at {study.shown('theta0', study.values['theta0'])} {state}"
     if jump is None:
         return _unknown(study, parts)
-    if so.reach == "never" and not parts["complete"]:
-        return (
-            f"No jump was found{model}: {state} goes on, and that there is no fold at all is not proved{_within(study, parts)}."
-        )
     if so.reach in ("never", "beyond"):
         if so.reach == "never":
-            what = "has no jump at any friction" if parts["mu_lowest"] == math.inf else "has no jump at this angle"
-            what = what if parts["mu_lowest"] is not None else "never jumps"
+            what = "has no jump at this angle"
+            if parts["mu_lowest"] is None or math.isinf(parts["mu_lowest"]):
+                what = f"has no jump {so.nowhere}"
         else:
             above = f", {100 * (jump / full - 1):.0f} % above the largest that you have, {full:.3g}" if full > 0 else ""
             what = f"jumps at a friction of {jump:.4g}{above}"
@@ -152,7 +149,8 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
     if "mu0" not in study.quantities:
         return
     jump = math.nan if report.mu_jump is None else report.mu_jump
-    yield ("jump at this angle", _or_unknown(report.mu_jump, "at friction {:.6g}", "never"))
+    never = "never" if math.isinf(so.top) else f"at no friction up to {so.top:g}"
+    yield ("jump at this angle", _or_unknown(report.mu_jump, "at friction {:.6g}", never))
     if not math.isnan(jump) and high > 0:
         yield ("margin to the largest friction", f"{report.margin_percent:+.1f} %")
         if so.slow:
@@ -189,6 +187,10 @@ def _springs(told: Any, shown: Callable[[Any], str]) -> Iterator[tuple[str, str]
             yield name, shown(value)
 
 
+def _pulling(force: float) -> str:
+    return f"{force:.5g} N" + (", it pushes" if force < 0 else ", it pulls" if force > 0 else "")
+
+
 def _ends(ends: tuple[float, float]) -> str:
     return f"{ends[0]:.5g} N to {ends[1]:.5g} N"
 
@@ -206,7 +208,7 @@ def _state(report: Report) -> Iterator[tuple[str, str]]:
     if here is None:
         return
     yield ("place of the mass", _places(here.places))
-    for name, force in _springs(here.spring_force_N, lambda N: f"{N:.5g} N, it {'pushes' if N < 0 else 'pulls'}"):
+    for name, force in _springs(here.spring_force_N, _pulling):
         yield (f"force of {name}", force)
     if here.contact_force_N is not None:
         yield ("force of the contact", f"{here.contact_force_N:.5g} N")
@@ -332,6 +334,11 @@ def _one_corner(so: Facts) -> bool:
     return so.within == "refuted" and so.hits is False
 
 
+def _never(report: Report) -> str:
+    top = report.facts.top
+    return "then it never jumps" if math.isinf(top) else f"then it jumps at no friction up to {top:g}"
+
+
 def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
     found = report.oscillation
     if found is None:
@@ -353,6 +360,7 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
         yield (f"force of {name}", force)
     if found.contact_force_N is not None:
         yield ("force of the contact", _ends(found.contact_force_N))
+    if report.study.about["contact"]["unilateral"]:
         yield ("lifts off the belt", "yes" if found.lifts_off else "no")
     beside = {True: "yes", False: "no", None: "up to the damping of the real brake"}[found.coexists]
     yield ("coexists with stable sliding", beside)
@@ -374,7 +382,7 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
         )
-        then = "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
+        then = _never(report) if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
             known = f"proved for everything within {within}"

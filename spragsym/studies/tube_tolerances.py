@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -102,7 +101,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     splitting, sides = Splitting(low, high, "mu0", 0.0, units), tube_boxes.sides(study)
     laws = {side: _shares(study, *sides[side]) for side in splitting.free}
     one = study.quantities["mu0"]
-    fixed = study.with_quantities({**study.quantities, "mu0": replace(one, low=one.value, high=one.value)})
+    fixed = study.with_quantities({**study.quantities, "mu0": one.alone})
     least, most = (max(_NOTHING, end / one.value) if one.value else 1.0 for end in bounds(fixed))
     up_to = _shares(study, "mu0", 1 / most), _shares(study, "mu0", 1 / least)
     below, above = measured(splitting, laws, up_to, parts)

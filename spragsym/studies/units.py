@@ -61,6 +61,11 @@ class Measured:
         """Half of the width of its range."""
         return 0.5 * (self.high - self.low)
 
+    @property
+    def alone(self) -> Measured:
+        """The value without its tolerance."""
+        return Measured(self.value, self.value, self.value, self.unit)
+
     def scaled(self, value: float, share: bool) -> Measured:
         """The same tolerance about another value, as a share of it, or as it is."""
         by = value / self.value if share and self.value else 1.0

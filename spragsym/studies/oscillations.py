@@ -82,8 +82,8 @@ def oscillation_of(study: Study, settles: bool | None) -> Oscillation:
     return _of_motion(study, settles, remark)
 
 
-def _unit(study: Study) -> tuple[str, float]:
-    """Of the first coordinate, with its size."""
+def first_unit(study: Study) -> tuple[str, float]:
+    """In which the first coordinate is told, and its size."""
     return ("mm", 1e3 * study.scales.length) if study.about["coordinates"][0]["unit"] == "m" else ("deg", math.degrees(1.0))
 
 
@@ -94,7 +94,7 @@ def _forces(study: Study, ends: dict[str, tuple[float, float]]) -> tuple[OfSprin
 
 
 def _of_cycle(study: Study, found: Cycle, settles: bool | None, start: str) -> Oscillation:
-    unit, size = _unit(study)
+    unit, size = first_unit(study)
     spring, contact = _forces(study, found.forces)
     frequency = 1 / (found.period * study.scales.time)
     return Oscillation("cycle", frequency, found.amplitude * size, unit, spring, contact, settles, start, "", found)
@@ -119,7 +119,7 @@ def _of_motion(study: Study, settles: bool | None, remark: str) -> Oscillation:
         name: (math.nan, math.nan) if nowhere else _range(force(late.state, constants))
         for name, force in forces.told_of(p.model).items()
     }
-    unit, size = _unit(study)
+    unit, size = first_unit(study)
     amplitude = math.nan if nowhere else 0.5 * now * size
     return Oscillation(kind, math.nan, amplitude, unit, *_forces(study, ends), None if nowhere else settles, "rest", remark, late)
 

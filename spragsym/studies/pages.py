@@ -15,6 +15,7 @@ import numpy as np
 
 from ..errors import SpragsymError
 from ..parameters import Parameters
+from .oscillations import first_unit
 from .reports import Report
 from .study import Study
 from .texts import sections
@@ -181,17 +182,17 @@ def _of_motion(study: Study, report: Report) -> Iterator[tuple[str, str]]:
     from ..figures import motion_pictures
 
     assert report.oscillation is not None
-    found, scales = report.oscillation.motion, study.scales
+    found, (unit, size), time = report.oscillation.motion, first_unit(study), study.scales.time
     motion = found.trajectory(8) if report.oscillation.kind == "cycle" else found
-    length, speed = 1e3 * scales.length, scales.length / scales.time
+    name = study.coordinates[0]
+    up, speed = ("speed along the belt in m/s", 1e-3 * size / time) if unit == "mm" else (f"rate of {name} in deg/s", size / time)
     yield (
-        picture(lambda ax: motion_pictures.draw_phase(motion, ax=ax, length=length, speed=speed,
-                                                   labels=("x in mm", "speed along the belt in m/s"))),
+        picture(lambda ax: motion_pictures.draw_phase(motion, ax=ax, length=size, speed=speed, labels=(f"{name} in {unit}", up))),
         "The oscillation: speed over place along the belt. Dotted: the speed of the belt.",
-    )  # fmt: skip
+    )
     yield (
-        picture(lambda ax: motion_pictures.draw_spectrum(motion, ax=ax, length=length, frequency=1 / scales.time,
-                                                      labels=("frequency in Hz", "amplitude of x in mm"))),
+        picture(lambda ax: motion_pictures.draw_spectrum(motion, name, ax=ax, length=size, frequency=1 / time,
+                                                      labels=("frequency in Hz", f"amplitude of {name} in {unit}"))),
         "Its spectrum.",
     )  # fmt: skip
 

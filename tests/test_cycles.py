@@ -685,7 +685,7 @@ def test_the_map_is_drawn_by_one_command(tmp_path: Any) -> None:
     assert "4 rest" in told.output
     assert "rest" in picture.read_text()
     refused = CliRunner().invoke(cli, [*given[:4], "0.4", *given[5:]])
-    assert "a map over --theta0 and --mu0" in str(refused.exception)
+    assert "a map over two parameters" in str(refused.exception)
 
 
 @pytest.mark.thorough

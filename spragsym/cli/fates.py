@@ -27,7 +27,7 @@ def fates(
 ) -> None:
     """What motions come to: rest, a cycle, chaos, lift-off, or undecided, and why.
 
-    Every parameter is an axis: a single number, a,b,c, or start:stop:count; the map is of theta0 and mu0. Killed or interrupted,
+    Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two that vary. Killed or interrupted,
     the same command goes on where it stopped; finished, it reads the file.
 
     \b
@@ -40,10 +40,9 @@ def fates(
     from ..cycles import fate_map
 
     case.require()
-    if plot is not None and (
-        plot.suffix not in (".pdf", ".png", ".svg") or any(_size(case, name) < 2 for name in ("theta0", "mu0"))
-    ):
-        raise ParameterError(f"--plot {plot}: it draws a map over --theta0 and --mu0, and the ending is .pdf, .png or .svg")
+    varied = [name for name, values in case.values.items() if np.size(values) > 1]
+    if plot is not None and (plot.suffix not in (".pdf", ".png", ".svg") or len(varied) != 2):
+        raise ParameterError(f"--plot {plot}: it draws a map over two parameters that vary, and the ending is .pdf, .png or .svg")
     refuse([] if plot is None else [plot], force)
     p, start = grid_of(case)
     begin = [float(value) for value in start.values()]
@@ -57,7 +56,3 @@ def fates(
         with house_style():
             fate_map_figure(found).savefig(plot, format=kind, metadata=FORMATS[kind])
     click.echo(f"{output}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))
-
-
-def _size(case: Case, name: str) -> int:
-    return int(np.size(case.values.get(name, ())))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import partial
 from pathlib import Path
@@ -15,24 +15,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..door import model_of
 from ..dynamics import integrators
-from ..errors import ConvergenceError, ModelError, ParameterError, TargetError
+from ..dynamics.trajectory import initial_state
+from ..errors import ConvergenceError, ParameterError, TargetError
 from ..files import storage
 from ..files.journal import Record, clear, journal
-from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, ParameterSet, as_number, common_shape, degrees
+from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
 from ..sweeps import code
 from ..sweeps import workers as processes
 from ..sweeps.many import advance
 from ..sweeps.workers import Workers
-from .sprag import SPRAG
-from .verdicts import fate_of
 
 #: Numbers of a record, in this order.
 MEASURED = ("kind", "period", "exponent", "exponent_error", "time_scale", "t")
 
 #: What a file says of the results.
 EXPLAINED = {
-    **storage.QUANTITIES,
     "kind": ("1", "0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic"),
     "exponent": ("sqrt(k_c/m)", "largest Lyapunov exponent but the trivial one"),
     "exponent_error": ("sqrt(k_c/m)", "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it"),
@@ -73,6 +72,7 @@ class FateMap(Result):
         How long the motion was followed.
     why : ndarray of str
         What decides the kind, or would.
+    model : Model
     """
 
     inputs: dict[str, FloatArray]
@@ -84,6 +84,7 @@ class FateMap(Result):
     time_scale: FloatArray
     t: FloatArray
     why: NDArray[np.str_]
+    model: Any = field(repr=False)
 
     def count(self) -> dict[str, int]:
         """How many points are of each kind."""
@@ -91,29 +92,31 @@ class FateMap(Result):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write ``*.csv``: one line a point."""
-        storage.write(Path(path), dict, self._columns, storage.provenance() | {"t_end": self.t_end}, EXPLAINED)
+        explained = {**self.model.quantities, **EXPLAINED}
+        storage.write(Path(path), dict, self._columns, storage.provenance() | {"t_end": self.t_end}, explained)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         shape = self.kind.shape
         given = {name: np.broadcast_to(values, shape).ravel() for name, values in self.inputs.items()}
-        given["theta0_deg"] = np.array([degrees(value) for value in given["theta0"]])
+        for name in self.model.about["angles"]:
+            given[f"{name}_deg"] = np.array([degrees(value) for value in given[name]])
         return given | {name: getattr(self, name).ravel() for name in (*MEASURED, "why")}
 
 
 def fate_map(
-    p: Parameters, *, V: Any = None, d: Any = None, start: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 40_000.0,
+    p: ParameterSet, *, V: Any = None, d: Any = None, start: Any = None, t_end: float = 40_000.0,
     backend: str | None = None, workers: Workers = 1, progress: bool = False, store: str | os.PathLike[str] | None = None,
 ) -> FateMap:  # fmt: skip
     """What the motion from one start comes to, at every point of a broadcast of parameters.
 
     Parameters
     ----------
-    p : Parameters
+    p : Parameters of any model
         Any shape.
     V, d : array_like, optional
         In place of those of ``p``.
-    start : array_like of 4 numbers
-        x, y, x', y'.
+    start : array_like, optional
+        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     t_end : float
         As for :func:`spragsym.fate`.
     backend : {"heyoka", "scipy"}, optional
@@ -140,17 +143,16 @@ def fate_map(
     >>> found.kind, found.period.round(3)
     (array([1, 2], dtype=int8), array([   nan, 34.267]))
     """
-    if isinstance(p, ParameterSet) and not isinstance(p, Parameters):
-        raise ModelError(f"p = {type(p).__name__}: a map is of the article's model; model.fate(p) has the verdict on one motion")
-    p.require()  # of what is no set, too, its error
+    model = model_of(p)
+    p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: np.asarray(getattr(p, name), dtype=float) for name in p.ranges}
     shape = common_shape({name: values.shape for name, values in inputs.items()})
-    state = tuple(as_number("start", value, FINITE) for value in start)
+    state = tuple(float(value) for value in initial_state(model, start, {}).values())
     t_end, name = as_number("t_end", t_end, POSITIVE), integrators.choose(backend, integrators.OF_ANY_MODEL)
     columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
     points = dict(enumerate(zip(*columns, strict=True)))
-    work = partial(_record, state, t_end, name)
+    work = partial(_record, model, state, t_end, name)
 
     def records(done: dict[int, Record], keep: Any) -> FateMap:
         left = {i: point for i, point in points.items() if i not in done}
@@ -158,7 +160,7 @@ def fate_map(
             for i, record in found:
                 keep(i, record)
                 step()
-        return _made(inputs, shape, t_end, [done[i] for i in points])
+        return _made(model, inputs, shape, t_end, [done[i] for i in points])
 
     if store is None:
         kept: dict[int, Record] = {}
@@ -166,11 +168,17 @@ def fate_map(
     target = storage.resolved(store)
     if target.suffix != ".csv":
         raise ParameterError(f"store = {target} does not end in .csv")
-    settings = {"start": state, "t_end": t_end, "integrator": integrators.version(name), "code": code.digest("cycles")}
+    settings = {
+        "model": model.name,
+        "start": state,
+        "t_end": t_end,
+        "integrator": integrators.version(name),
+        "code": code.digest("cycles"),
+    }
     key = storage.fingerprint(inputs, settings)
     if target.is_file():
         clear(target, key, len(points))
-        return _loaded(target, inputs, shape, t_end)
+        return _loaded(target, model, inputs, shape, t_end)
     storage.check_target(target, 100_000 + 1000 * len(points))
     with journal(target, key, len(points)) as (done, keep):
         found = records(done, keep)
@@ -178,10 +186,11 @@ def fate_map(
     return found
 
 
-def _record(start: tuple[float, ...], t_end: float, backend: str, values: tuple[float, ...]) -> Record:
+def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, values: tuple[float, ...]) -> Record:
     """What is said of one point; what makes its motion impossible is why it is undecided."""
     try:
-        found = fate_of(SPRAG, values, np.array(start), t_end, backend)
+        p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
+        found = model.fate(p, start=start, t_end=t_end, backend=backend)
     except (ConvergenceError, ParameterError, ArithmeticError) as error:
         return [float(Kind.UNDECIDED), *[float("nan")] * 5], f"the motion can't be followed: {error}"
     kind = Kind[found.kind.upper().replace("-", "_")]
@@ -191,22 +200,22 @@ def _record(start: tuple[float, ...], t_end: float, backend: str, values: tuple[
     return [float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why
 
 
-def _made(inputs: dict[str, FloatArray], shape: tuple[int, ...], t_end: float, records: list[Record]) -> FateMap:
+def _made(model: Any, inputs: dict[str, FloatArray], shape: tuple[int, ...], t_end: float, records: list[Record]) -> FateMap:
     table = np.array([values for values, _ in records], dtype=float).reshape(-1, len(MEASURED))
     columns: dict[str, Any] = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     columns["kind"] = columns["kind"].astype(np.int8)
     why = np.array([storage.plain(text) for _, text in records], dtype=np.str_).reshape(shape)
-    return FateMap(inputs, t_end, **columns, why=why)
+    return FateMap(inputs, t_end, **columns, why=why, model=model)
 
 
-def _loaded(path: Path, inputs: Mapping[str, FloatArray], shape: tuple[int, ...], t_end: float) -> FateMap:
+def _loaded(path: Path, model: Any, inputs: Mapping[str, FloatArray], shape: tuple[int, ...], t_end: float) -> FateMap:
     """The map that a file holds, if it is this one."""
     columns, attributes = storage.read(path)
     given = {name: np.broadcast_to(values, shape).ravel() for name, values in inputs.items()}
-    same = len(columns.get("why", ())) == len(given["theta0"]) and all(
+    same = len(columns.get("why", ())) == len(next(iter(given.values()))) and all(
         np.array_equal(np.asarray(columns[name], dtype=float), values) for name, values in given.items()
     )
     if not same or float(attributes.get("t_end", "nan")) != t_end:
         raise TargetError(f"{path} exists and holds something else; remove it, or give another path")
     numbers = np.array([np.asarray(columns[name], dtype=float) for name in MEASURED]).T.tolist()
-    return _made(dict(inputs), shape, t_end, list(zip(numbers, (str(text) for text in columns["why"]), strict=True)))
+    return _made(model, dict(inputs), shape, t_end, list(zip(numbers, (str(text) for text in columns["why"]), strict=True)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from contextlib import suppress
 from importlib import resources
 from typing import Any, NamedTuple
@@ -23,6 +24,7 @@ from ..statics.bifurcation_sets import BifurcationSet
 from ..statics.results import Stability
 from ..statics.solver import equilibria
 from .captions import BASE_TEXT
+from .labels import label
 from .style import (
     BLACK,
     BLUE,
@@ -170,9 +172,9 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     """Root mean square of x and period along one branch."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     unit = np.degrees(1.0) if branch.vary == "theta0" else 1.0
-    for ax, values, label in ((left, branch.rms, r"RMS of $x$"), (right, branch.periods, "period")):
+    for ax, values, title in ((left, branch.rms, r"RMS of $x$"), (right, branch.periods, "period")):
         draw_stretches(ax, unit * branch.values, values, branch.stable, BLUE, 1.3)
-        ax.set(xlabel=r"$\theta_0$ (deg)" if branch.vary == "theta0" else branch.vary, ylabel=label)
+        ax.set(xlabel=r"$\theta_0$ (deg)" if branch.vary == "theta0" else branch.vary, ylabel=title)
     for kind, marker in {**MARKERS, "grazing": "|"}.items():
         for event in branch.of(kind):
             for ax, value in ((left, event.cycle.rms), (right, event.cycle.period)):
@@ -270,39 +272,40 @@ PLAIN = {Kind.REST: ("#d9d9d9", "rest"), Kind.CHAOTIC: (VERMILION, "chaotic"), K
 
 @styled
 def fate_map_figure(found: FateMap) -> Sheet:
-    """What motions come to over θ₀ and μ₀: rest, cycles coloured by their period, chaos, undecided ones with a cross."""
-    shape = found.kind.shape
-    angles, frictions = np.unique(np.degrees(found.inputs["theta0"])), np.unique(found.inputs["mu0"])
-    if found.kind.size != angles.size * frictions.size:
-        raise ParameterError(f"a map of the shape {shape} is not one over theta0 and mu0 alone")
-    along = np.broadcast_to(found.inputs["theta0"], shape).ravel(), np.broadcast_to(found.inputs["mu0"], shape).ravel()
-    order = np.lexsort(along)  # friction by friction
+    """What motions come to over two parameters: rest, cycles coloured by their period, chaos, undecided ones with a cross."""
+    shape, model = found.kind.shape, found.model
+    varied = [name for name, values in found.inputs.items() if values.size > 1]
+    if len(varied) != 2 or found.kind.size != math.prod(found.inputs[name].size for name in varied):
+        raise ParameterError(f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one over two parameters")
+    given = {name: np.degrees(found.inputs[name]) if name in model.about["angles"] else found.inputs[name] for name in varied}
+    across, up = (np.unique(values) for values in given.values())
+    order = np.lexsort([np.broadcast_to(values, shape).ravel() for values in given.values()])  # row by row
     kind, period, positive = (
-        values.ravel()[order].reshape(frictions.size, angles.size)
+        values.ravel()[order].reshape(up.size, across.size)
         for values in (found.kind, found.period, found.exponent > found.exponent_error)
     )
     figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
     for code, (colour, _) in PLAIN.items():
-        ax.pcolormesh(angles, frictions, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
-    image = ax.pcolormesh(angles, frictions, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
+        ax.pcolormesh(across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
+    image = ax.pcolormesh(across, up, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
     for marker, colour, irregular in (("x", GREY, False), ("+", VERMILION, True)):
         rows, columns = np.nonzero((kind == Kind.UNDECIDED) & (positive == irregular))
-        ax.plot(angles[columns], frictions[rows], marker, color=colour, markersize=3 + 2 * irregular, linestyle="none")
+        ax.plot(across[columns], up[rows], marker, color=colour, markersize=3 + 2 * irregular, linestyle="none")
     if (kind == Kind.CYCLE).any():
         figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     shown = [code for code in PLAIN if (kind == code).any()]
     patches = [Patch(facecolor=PLAIN[code][0], edgecolor=GREY, label=PLAIN[code][1]) for code in shown]
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches), frameon=False)
-    angle_axis(ax)
-    ax.set(ylabel=r"$\mu_0$")
+    ax.set(xlabel=label(model, varied[0]), ylabel=label(model, varied[1]))
     counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
     return figure.describe(
-        f"""What the motion comes to by τ = {found.t_end:g}, over inclination and friction: {counts}. Cycles, by their colour the
+        f"""What the motion comes to by τ = {found.t_end:g}, over {' and '.join(varied)}: {counts}. Cycles, by their colour the
         period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is proved by Lyapunov
         exponents, as far as the motion was followed; crosses are undecided, upright
         ones in colour with an exponent above its 95 % interval: irregular so far.""",
-        a={"theta0_deg": np.tile(angles, frictions.size), "mu0": np.repeat(frictions, angles.size), "kind": kind.ravel(),
-           "period": period.ravel()},
+        a={**{f"{name}_deg" if name in model.about["angles"] else name: column for name, column in
+              zip(varied, (np.tile(across, up.size), np.repeat(up, across.size)), strict=True)},
+           "kind": kind.ravel(), "period": period.ravel()},
     )  # fmt: skip
 
 

@@ -12,7 +12,9 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli import main
+from spragsym.files import storage
 from spragsym.models.load import shipped
+from spragsym.models.parameters import options_of
 from tests.support import few
 
 MODELS = shipped()
@@ -257,7 +259,24 @@ def test_cycles_of_every_model_are_asked_for_alike(name: str, capsys: pytest.Cap
     assert "Give it as V=FROM:TO" in run(capsys, "cycles", *of(name), "--vary", "V", code=2)
 
 
-def test_what_is_there_for_one_model_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    said = run(capsys, "fates", *of("damped"), "-q", "-o", str(tmp_path / "a.csv"), code=2)
-    assert "a map is of the article's model; model.fate(p)" in said
-    assert not list(tmp_path.iterdir())
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
+def test_maps_of_fates_of_every_model_say_what_python_says_of_one_motion(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, picture = tmp_path / "map.csv", tmp_path / "map.svg"
+    also = next(entry["name"] for entry in ss.load(name).about["parameters"] if entry["name"] not in ("V", "theta0"))
+    base = float(getattr(a_set(name), also))
+    axes = ["-V", "0.3,0.5", options_of(ss.load(name).about, also)[0], f"{base!r},{1.1 * base!r}"]
+    run(capsys, "fates", *of(name), *axes, "--t-end", "300", "-q", "-o", str(out), "--plot", str(picture))
+    columns, _ = storage.read(out)
+    p = a_set(name)
+    for row in range(4):
+        point = p.replace(V=float(columns["V"][row]), **{also: float(columns[also][row])})
+        try:
+            known = ss.fate(point, t_end=300.0)
+        except ss.ConvergenceError:
+            assert int(columns["kind"][row]) == 0
+            continue
+        assert int(columns["kind"][row]) == ["undecided", "rest", "cycle", "lift-off", "chaotic"].index(known.kind)
+        assert float(columns["period"][row]) == pytest.approx(known.outcome.period, nan_ok=True)
+    assert "<svg" in picture.read_text(encoding="utf-8")

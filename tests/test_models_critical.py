@@ -140,3 +140,17 @@ def test_what_a_critical_value_is_not_asked_for() -> None:
         ss.critical_value(p, "theta0", (0.1, 0.2))
     with pytest.raises(ss.ParameterError, match=r"bracket = \(0.2, 0.1\) is empty"):
         ss.critical_value(p, "sigma", (0.2, 0.1))
+
+
+@pytest.mark.parametrize("given", [{}, TURN], ids=["article", "turn"])
+def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> None:
+    p = ss.Parameters.article(**given)
+    assert ss.cusp_friction(p, method="search") == pytest.approx(ss.cusp_friction(p), rel=1e-12)
+    assert ss.load("kang_nam").search.cusp_friction(p, between={"mu0": (0.0, 0.1)}) == math.inf
+
+
+def test_a_cusp_that_may_be_lower_is_not_ruled_out() -> None:
+    """Without the vertical plane: 30 to 40 degrees have none, and of an endless range only a part is searched."""
+    p = ss.load("inclined_belt").Parameters()
+    with pytest.raises(ss.ConvergenceError, match="searched mu0 from 0 to 10"):
+        ss.cusp_friction(p, between={"theta0": (0.5, 0.7)})

@@ -141,13 +141,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     def cusp() -> float | None:
         if not plane:
             raise ParameterError(f"{model.name} has not both theta0 and mu0")
-        if case.has_closed("cusp_friction"):
-            return float(model.cusp_friction(p))
-        found = model.cusps(p, **ask)
-        remarks.extend(f"mu_cusp: {text}" for text in found.remarks)
-        # Beyond the end of a range there may be others, but no lower ones.
-        known = found.decided and found.whole and (len(found) or not found.endless)
-        return float(found.mu0.min(initial=math.inf)) if known else None
+        return float(model.cusp_friction(p, **ask))
 
     def fold() -> Any:
         if not plane:

@@ -93,6 +93,37 @@ def critical_friction(
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
 
 
+def cusp_friction(
+    model: Model, p: Any, vary: str, over: str, *, between: Mapping[str, tuple[float, float]] | None = None
+) -> float:
+    """The least ``vary`` at a cusp, where folds are born over ``over``; infinite where there is none.
+
+    What decides whether a state can end is :func:`critical_friction`: folds may lie below their cusps.
+
+    Parameters
+    ----------
+    p, vary, over, between
+        As for :func:`critical_friction`.
+
+    Raises
+    ------
+    ConvergenceError
+        Where a lower one is not ruled out, or there is none in a part of an endless range.
+
+    Notes
+    -----
+    Source: :func:`spragsym.models.cusps.cusps`; beyond the end of a range there may be others, but no lower ones.
+    """
+    found = cusps(model, p, (over, vary), between=between)
+    value = float(getattr(found, vary).min(initial=math.inf))
+    place = len(model.about["coordinates"]) + list(found.vary).index(vary)
+    lower = any(float(box[place][0]) < value for box in found.undecided)
+    if lower or not found.whole or (not math.isfinite(value) and found.endless):
+        where = f", the lowest of those at {vary} = {value:.12g}" if len(found) else ""
+        raise ConvergenceError(f"{len(found)} cusps were found{where}; whether there is a lower one: {'; '.join(found.remarks)}")
+    return value
+
+
 def critical_value(
     model: Model, p: Any, change: str, bracket: Sequence[float], vary: str, over: str, *,
     between: Mapping[str, tuple[float, float]] | None = None,

@@ -240,6 +240,14 @@ class Model:
 
         return critical_friction(self, p, *self._rising_over(vary, over), **options)
 
+    @question
+    def cusp_friction(self, p: ParameterSet, vary: str | None = None, over: str | None = None, **options: Any) -> float:
+        """The friction of the lowest cusp, or the least ``vary`` of one over a range of another parameter; see
+        :func:`spragsym.models.critical.cusp_friction`."""
+        from .critical import cusp_friction
+
+        return cusp_friction(self, p, *self._rising_over(vary, over), **options)
+
     def _rising_over(self, vary: str | None, over: str | None) -> tuple[str, str]:
         """What rises, and over the range of what."""
         if vary is None or over is None:
@@ -500,7 +508,6 @@ class Model:
 
         return redesign(self, p, change, target, scale, begin=begin)
 
-    cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
     flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")
     surface = unanswered("equilibria(p) has all states over a grid of parameters")
     linear_sprag = unanswered("equilibria(p) has the states")

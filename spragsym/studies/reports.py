@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from ..display import Result
-from ..errors import ModelError, ParameterError, SpragsymError
+from ..errors import ParameterError, SpragsymError
 from ..statics.points import Points
 from .cautions import cautions
 from .facts import Facts, facts
@@ -190,19 +190,7 @@ class _Asked:
         """Friction of the lowest cusp."""
         if not {"theta0", "mu0"} <= set(p.model.parameters):
             return None
-        try:
-            return float(p.model.cusp_friction(p))
-        except ModelError:
-            pass
-        found = self.known("cusps are", lambda: p.model.cusps(p))
-        if found is None:
-            return None
-        positive = found.mu0[found.mu0 > 0]
-        if not positive.size:
-            self.remarks.append("no cusp was found with this model")
-            return None
-        self.remarks.append("mu_cusp is the lowest cusp that was found; folds may lie below it")
-        return float(positive.min())
+        return self.known("the lowest cusp is", lambda: float(p.model.cusp_friction(p)))
 
     def folds(self, sets: Mapping[str, Any]) -> dict[str, Points]:
         """Folds along each parameter of these sets."""

@@ -22,7 +22,6 @@ from spragsym.parameters import NAMES
 
 #: Questions that only closed forms answer so far.
 UNANSWERED = (
-    "cusp_friction",
     "flutter_boundary", "surface", "linear_sprag", "linear_critical_friction"
 )  # fmt: skip
 

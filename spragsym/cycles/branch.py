@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,7 +15,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer
-from .inspection import Finding, NotLocated, Seen, findings
+from .inspection import Finding, NotLocated, Seen, findings, unlocated
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
@@ -306,8 +305,12 @@ class _Trace:
         """What happens on the last part of a branch of doubled cycles, and the end."""
         for near in points:
             last = Seen(self.setting, near)
-            with suppress(NotLocated):
+            try:
                 yield from findings(seen, last, between(self.setting, seen.point, near), before)
+            except NotLocated as unfound:
+                # Shorter steps than these there are none so close to the end.
+                width = abs(self.value(near.loop) - self.value(seen.point.loop))
+                yield from unlocated(str(unfound), near.loop, width)
             yield near
             before, seen = None, last
         yield End("end", loop, error, how=MERGES)

@@ -31,6 +31,9 @@ LOCATED = 1e-11
 #: Said of an event that is none of a multiplier that is continuous.
 JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
 
+#: Said of an event whose place is not known better than the step.
+UNFOUND = "a sign changes there, and no zero was found"
+
 #: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at the ends of the step.
 JUMPS = 1e-2
 
@@ -200,6 +203,12 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
             raise NotLocated(kind)
         off, how = max(off, abs(_value(one) - _value(other))), JUMPED
     yield Finding(_of_multipliers(kind), point.loop, off, crossed=crossed, how=how)
+
+
+def unlocated(kind: str, loop: Loop, width: float) -> Iterator[Finding]:
+    """What is said of a step in which a test function changes its sign and no zero is found; of a crossing nothing."""
+    if kind != "crossing":
+        yield Finding(_of_multipliers(kind), loop, width, how=UNFOUND)
 
 
 def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:

@@ -96,11 +96,11 @@ def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
 def doubtful(branch: ss.CycleBranch) -> list[str]:
     """Events whose multipliers are not what they say, to 1e-3, or next to a grazing to a share of what they change between points.
 
-    Those that are said to jump are left out.
+    Those that are said to jump, or to have no place, are left out.
     """
     found = []
     for event in branch.of("fold", "period_doubling", "torus"):
-        if "jumps" in event.how:
+        if "jumps" in event.how or "no zero" in event.how:
             continue
         near = place(branch, event.cycle)
         beside = [

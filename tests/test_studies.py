@@ -783,6 +783,15 @@ def test_what_comes_to_rest_has_no_amplitude_and_no_forces() -> None:
     assert told["displacement_mm"]["oscillation_amplitude"] is None
 
 
+def test_an_index_of_an_angle_is_no_angle(report: ss.Report) -> None:
+    assert report.probability is not None
+    shown = str(report.probability)
+    first, total, error = report.probability.sobol["theta0"]
+    assert f"{first:.4f}" in shown
+    assert f"{total:.4f}" in shown
+    assert "deg" not in shown
+
+
 def test_a_corner_that_jumps_beside_a_sample_that_does_not() -> None:
     from spragsym.studies.texts import share
     from spragsym.studies.tolerances import Chance

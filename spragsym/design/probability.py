@@ -79,14 +79,17 @@ class JumpProbability(Result):
 
     def as_table(self) -> Table:
         """The probability on the line above, and the indices."""
-        ends = f"{self.low:.4g} to {self.high:.4g} with confidence {self.confidence:.4g}"
-        low, high = math.floor(1e4 * self.proved[0]) / 1e4, math.ceil(1e4 * self.proved[1]) / 1e4
-        proved = f", proved {low:g} to {high:g}" if self.proved != (0.0, 1.0) else ""
-        title = f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}{proved}"
-        header = ("", "first order", "±", "total", "±")
         columns = (self.first, self.first_error, self.total, self.total_error)
         rows = tuple((f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first)
-        return Table(title, header, rows or (("", "", "", "", ""),))
+        return probability_table("JumpProbability", self, ("", "first order", "±", "total", "±"), rows)
+
+
+def probability_table(name: str, found: Any, header: tuple[str, ...], rows: tuple[tuple[str, ...], ...]) -> Table:
+    """A probability with its interval and its proved bounds on the line above a table of its indices."""
+    ends = f"{found.low:.4g} to {found.high:.4g} with confidence {found.confidence:.4g}"
+    low, high = math.floor(1e4 * found.proved[0]) / 1e4, math.ceil(1e4 * found.proved[1]) / 1e4
+    proved = f", proved {low:g} to {high:g}" if found.proved != (0.0, 1.0) else ""
+    return Table(f"{name} {found.probability:.4g}, {ends}, n = {found.n}{proved}", header, rows or (("",) * len(header),))
 
 
 def jump_probability(

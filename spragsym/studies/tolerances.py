@@ -14,8 +14,8 @@ from ..catastrophe.sliding import sliding_friction
 from ..design import JumpProbability, certify, jump_probability
 from ..design.design_space import PHYSICAL, dimensionless
 from ..design.events import have_jumped
-from ..design.probability import BELT
-from ..display import Result
+from ..design.probability import BELT, probability_table
+from ..display import Result, Table
 from ..parameters import NAMES, FloatArray, Parameters
 from .study import Study
 from .units import WITHIN, Measured
@@ -224,6 +224,11 @@ class Chance(Result):
     n: int
     sobol: Mapping[str, tuple[float, float, float]]
     proved: tuple[float, float] = (0.0, 1.0)
+
+    def as_table(self) -> Table:
+        """The probability on the line above, and the indices."""
+        rows = tuple((f"of {name}", *(f"{value:.4f}" for value in indices)) for name, indices in self.sobol.items())
+        return probability_table("Chance", self, ("", "first order", "total", "±"), rows)
 
 
 def chance(study: Study, n: int) -> Chance | None:

@@ -136,8 +136,9 @@ def planes(study: Study, report: Report, top: float) -> Iterator[tuple[str, str]
         with suppress(SpragsymError):
             turns = model.bifurcation_set(p, ("theta0", "mu0"), _LINES, between={"mu0": (0.0, top)})
             yield (
-                with_brake(study, p, (low, high), lambda ax: drawings.draw_bifurcation_set_of(model, turns, ax)),
-                "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding meet.",
+                with_brake(study, p, (low, high), lambda ax: drawings.draw_bifurcation_set_of(model, turns, ax), report.mu_jump),
+                "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding meet. Cross: "
+                "the friction at which the state of small deformation jumps at this angle.",
             )
     yield (
         picture(along),
@@ -162,11 +163,11 @@ def stability_map(study: Study, p: Any, friction: tuple[float, float], top: floa
         )
 
 
-def with_brake(study: Study, p: Any, friction: tuple[float, float], draw: Callable[[Any], Any]) -> str:
-    """A picture over angle and friction, with the brake and its tolerances in it."""
+def with_brake(study: Study, p: Any, friction: tuple[float, float], draw: Callable[[Any], Any], jump: float | None = None) -> str:
+    """A picture over angle and friction, with the brake, its tolerances and the friction at which it jumps in it."""
     from matplotlib.patches import Rectangle
 
-    from ..figures.style import BLUE, SKY
+    from ..figures.style import BLACK, BLUE, SKY
 
     def both(ax: Any) -> None:
         draw(ax)
@@ -174,6 +175,8 @@ def with_brake(study: Study, p: Any, friction: tuple[float, float], draw: Callab
         size = high - low, friction[1] - friction[0]
         ax.add_patch(Rectangle((low, friction[0]), *size, facecolor=SKY, edgecolor=BLUE, alpha=0.6))
         ax.plot([float(np.degrees(p.theta0))], [float(p.mu0)], "o", color=BLUE, markersize=4.5, zorder=5)
+        if jump is not None and jump <= ax.get_ylim()[1]:
+            ax.plot([float(np.degrees(p.theta0))], [jump], "x", color=BLACK, markersize=5, zorder=5)
 
     return picture(both)
 

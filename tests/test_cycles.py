@@ -730,6 +730,14 @@ def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate(
 
 
 @pytest.mark.thorough
+def test_a_point_beside_which_basins_alternate_is_no_boundary() -> None:
+    """By another integrator both sides come to one cycle there; a millionth aside one was seen to come to rest."""
+    found = ss.basin_boundary(validate_basins.drawn(16), step=0.05, points=2)
+    assert not found.boundary[4]
+    assert ", and nearer by " in found.sides[4, 0]
+
+
+@pytest.mark.thorough
 def test_a_loaded_model_has_the_boundary_of_its_basin() -> None:
     p, model, to = ss.Parameters.article(theta0=FATE), ss.load("kang_nam").search, ((-0.1, 0.1), (-0.1, 0.1))
     found = ss.basin_boundary(p, **BELT, to=to, points=1)

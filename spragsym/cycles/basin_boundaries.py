@@ -27,6 +27,8 @@ MORE = 2.5
 
 #: To either side of a point it is looked what motions come to.
 ASIDE = 1e-6
+#: And at this share of that, where they differ there: basins may alternate beside the curve.
+NEARER = 0.25
 
 #: A refinement that moves the start by less than this is the last.
 SETTLED = 1e-11
@@ -56,10 +58,11 @@ class BasinBoundary(Result):
     error : ndarray, shape (n,)
         How much the last refinement moved them.
     boundary : ndarray of bool, shape (n,)
-        Whether starts 1e-6 to either side of a point, across the curve, come to different attractors. What is not is manifold,
-        with one basin on both sides, or undecided.
+        Whether starts 1e-6 to either side of a point, across the curve, come to different attractors, and to the same two at a
+        quarter of that. What is not is manifold, with one basin on both sides, or undecided.
     sides : ndarray of str, shape (n, 2)
-        What they come to, in words: where the part along the saddle's direction of growth becomes negative, and where positive.
+        What they come to, in words: where the part along the saddle's direction of growth becomes negative, and where positive;
+        and what nearer starts come to, where that is something else.
     saddle : ndarray, shape (m,)
         The equilibrium.
     growth : float
@@ -154,19 +157,37 @@ def boundary_of(
     first, error, span = walk.begun(start)
     ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
     found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
-    sides = [_sides(walk, name, each, span) for each, _ in found]
-    differ = np.array([_differ(field, values, *each, name) for each in sides])
+    sides = [_told_sides(walk, name, each, span) for each, _ in found]
     return BasinBoundary(
-        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]), differ,
-        np.array([[each.told() for each in both] for both in sides]), saddle.state, saddle.growth, (ways[0][1], ways[1][1]),
+        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]),
+        np.array([differ for differ, _ in sides]), np.array([told for _, told in sides]), saddle.state, saddle.growth,
+        (ways[0][1], ways[1][1]),
     )  # fmt: skip
 
 
-def _sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tuple[Verdict, Verdict]:
+def _told_sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tuple[bool, list[str]]:
+    """Whether the sides of a point lie in different basins, also nearer by, and what starts there come to, in words."""
+    field, values = walk.field, walk.values
+    both = _sides(walk, backend, state, span, ASIDE)
+    told = [each.told() for each in both]
+    if not _differ(field, values, *both, backend):
+        return False, told
+    nearer = _sides(walk, backend, state, span, NEARER * ASIDE)
+    other = [_alternate(field, values, one, near, backend) for one, near in zip(both, nearer, strict=True)]
+    also = (f", and nearer by {near.told()}" if differs else "" for near, differs in zip(nearer, other, strict=True))
+    return not any(other), [text + more for text, more in zip(told, also, strict=True)]
+
+
+def _alternate(field: Field, values: tuple[float, ...], one: Verdict, near: Verdict, backend: str) -> bool:
+    """Whether a nearer start is not seen to come to the attractor of one that is decided."""
+    return not near.decided or _differ(field, values, one, near, backend)
+
+
+def _sides(walk: _Walk, backend: str, state: FloatArray, span: float, aside: float) -> tuple[Verdict, Verdict]:
     """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
     normal = walk.off(state, span)[1]
     across = np.zeros_like(state)
-    across[list(walk.axes)] = ASIDE * normal / np.linalg.norm(normal)
+    across[list(walk.axes)] = aside * normal / np.linalg.norm(normal)
     one, other = (_surely(walk, state + sign * across, backend) for sign in (-1, 1))
     return one, other
 

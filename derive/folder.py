@@ -152,6 +152,7 @@ def description(model: Model) -> dict[str, Any]:
             if it.slide is None or it.page.sliding is None
             else {
                 "along": str(it.slide), "belt": str(it.belt), "line": it.page.sliding.line, "quantities": _of_law(it.page.sliding),
+                "at_rest": _at_rest(it),
             }
         ),
         **({"waves": True} if mechanics.waves(sp.Tuple(*it.residuals)) else {}),
@@ -174,6 +175,19 @@ def _of_law(sliding: Friction) -> list[str]:
     speed = sp.Dummy()
     expressions = sp.Tuple(sp.sympify(sliding.law(speed)), sliding.belt, *([] if sliding.at_rest is None else [sliding.at_rest]))
     return sorted(str(symbol) for symbol in expressions.free_symbols - {speed})
+
+
+def _at_rest(it: Mechanics) -> str:
+    """What statics takes for a friction that is proportional to mu0: that itself, or the law at the belt's speed; or neither."""
+    mu0 = next((datum.symbol for datum in it.parameters if datum.becomes == "mu0"), None)
+    sliding = it.page.sliding
+    if mu0 is None or sliding is None:
+        return "other"
+    law = sp.sympify(sliding.law(sp.Dummy(positive=True)))
+    times = sp.Dummy(positive=True)
+    if sp.simplify(law.subs(mu0, times * mu0) - times * law) != 0:
+        return "other"
+    return "speed" if sliding.at_rest is None else "mu0" if sliding.at_rest == mu0 else "other"
 
 
 def _scale(page: Page, dimension: units.Dimension) -> str:

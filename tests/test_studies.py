@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -679,6 +680,113 @@ def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
     slow = -math.log((1 + math.sqrt(1 - 8 * 0.05)) / 4) / 10
     assert friction.speed_for(study, 1.05 * 0.22) == pytest.approx(slow, rel=1e-9)
     assert math.isnan(friction.speed_for(study, 1.126 * 0.22))
+
+
+#: A brake by hand: it jumps where its friction is 0.59157, the closed form's.
+SLOW = {
+    "m": "0.4 kg", "k": "100 N/mm", "L_0": "40 mm", "theta0": "40 deg", "k_x": "7 N/mm", "k_y": "0 N/mm", "k_c": "1 kN/mm",
+    "F_L": "280 N", "mu0": "0.5", "V": "3 m/s", "d": "1 s/m",
+}  # fmt: skip
+JUMPS = 0.591571854569
+
+
+def with_law(tmp_path: Path, law: str, at_rest: str, more: str = "") -> str:
+    """The article's page with another friction law, in a folder."""
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder, pages
+
+    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
+    head, begun, rest = text.partition("page.friction(")
+    end = rest.index("\n", rest.index("lambda"))
+    while rest[:end].count("(") + 1 > rest[:end].count(")"):
+        end = rest.index("\n", end + 1)
+    text = f"{head}{more}{begun}x, V, lambda v: {law}{at_rest}){rest[end:]}"
+    page = tmp_path / "page.py"
+    page.write_text(text.replace("from ..model import", "from spragsym.derive.model import"), encoding="utf-8")
+    folder.write_page(page, tmp_path / "other")
+    return str(tmp_path / "other")
+
+
+def told(tmp_path: Path, model: str, rows: dict[str, str | None], **options: Any) -> ss.Report:
+    """Its report with some quantities replaced, or left out."""
+    file = tmp_path / "slow.toml"
+    given = {name: value for name, value in (SLOW | rows).items() if value is not None}
+    file.write_text(f'[brake]\nmodel = "{model}"\n' + "".join(f'{name} = "{value}"\n' for name, value in given.items()), "utf-8")
+    return ss.Study.from_file(file).report(**({"oscillation": False, "redesign": False} | options))
+
+
+FALL = 'v_s = page.parameter("v_s", "m/s", "fall speed", "> 0", 0.5)\n'
+
+
+@pytest.mark.thorough
+def test_on_a_slow_belt_another_model_is_proved_as_the_articles_is(tmp_path: Path) -> None:
+    rows = {"V": "0.6 m/s", "mu0": "[0.65, 0.7]"}
+    dampers = dict.fromkeys(("c_x", "c_y", "c_s"), "0 N*s/m")
+    one, other = told(tmp_path, "kang_nam", rows), told(tmp_path, "damped", rows | dampers)
+    assert one.facts.within == other.facts.within == "proved"
+    assert other.verdict == one.verdict.replace("It sprags", "It sprags with the model damped")
+    assert other.facts.working == pytest.approx((0.65 * -math.expm1(-0.6), 0.675 * -math.expm1(-0.6), 0.7 * -math.expm1(-0.6)))
+    assert other.facts.speed == pytest.approx(-math.log1p(-JUMPS / 0.7), rel=1e-9)
+
+
+def test_a_law_of_which_a_quantity_is_missing_says_nothing_of_a_speed(tmp_path: Path) -> None:
+    found = told(tmp_path, "kang_nam", {"d": None, "mu0": "[0.55, 0.65]"}, probability=False)
+    assert found.facts.working == (0.55, 0.6, 0.65)
+    assert found.facts.reach == "jumped"
+    assert any("d is not given: friction is taken at full slip" in one for one in found.warnings)
+    assert not any("so slow" in one for one in found.warnings)
+
+
+@pytest.mark.thorough
+def test_without_at_rest_the_friction_is_that_at_the_belts_speed(tmp_path: Path) -> None:
+    model = with_law(tmp_path, "mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
+    works = -math.expm1(-0.7)
+    found = told(tmp_path, model, {"V": "0.7 m/s", "mu0": "1.3"}, probability=False)
+    assert found.facts.reach == "jumped"
+    assert found.mu_jump == pytest.approx(JUMPS)
+    assert found.mu_effective == pytest.approx(1.3 * works)
+    found = told(tmp_path, model, {"V": "0.7 m/s", "mu0": "[1.0, 1.3]"}, n=256)
+    assert found.probability is not None
+    low, high = found.probability.proved
+    assert low < (1.3 - JUMPS / works) / 0.3 < high < low + 0.01
+
+
+@pytest.mark.thorough
+def test_a_law_may_say_more_than_at_full_slip(tmp_path: Path) -> None:
+    law = "mu0 * (1 + exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v)"
+    model = with_law(tmp_path, law, ", at_rest=mu0", FALL)
+    found = told(tmp_path, model, {"v_s": "2 m/s", "V": "2 m/s", "mu0": "0.55"}, oscillation=True, probability=False)
+    assert found.facts.reach == "jumped"
+    assert found.peak is not None
+    rows = {"v_s": "[0.5, 6] m/s", "V": "8 m/s", "d": "3 s/m", "mu0": "0.45"}
+    found = told(tmp_path, model, rows, probability=False)
+    speeds, falls = np.linspace(0.3, 0.5, 2001)[:, None], np.linspace(0.5, 6, 500)
+    most = (0.45 * (1 + np.exp(-speeds / falls)) * -np.expm1(-3 * speeds)).max(axis=1)
+    assert found.facts.reach == "faster"
+    assert found.facts.speed == pytest.approx(float(speeds[np.argmax(most >= JUMPS), 0]), abs=2e-4)
+    assert "at lower speeds, from V = 0.378 m/s on" in found.verdict
+
+
+@pytest.mark.thorough
+def test_the_worst_of_the_tolerances_may_change_with_the_speed(tmp_path: Path) -> None:
+    law = "mu0 * (1 + 2 * Abs(v) / v_s * exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v)"
+    model = with_law(tmp_path, law, ", at_rest=mu0", FALL)
+    found = told(tmp_path, model, {"v_s": "[0.5, 8] m/s", "V": "8 m/s", "mu0": "0.6"}, probability=False)
+    speeds, falls = np.linspace(0.7, 1.0, 3001)[:, None], np.linspace(0.5, 8, 1000)
+    most = (0.6 * (1 + 2 * speeds / falls * np.exp(-speeds / falls)) * -np.expm1(-speeds)).max(axis=1)
+    right = float(speeds[np.argmax(most >= JUMPS), 0])
+    assert 0.99 * right < found.facts.speed < right + 1e-4
+
+
+@pytest.mark.thorough
+def test_a_law_that_mu0_does_not_scale_is_taken_at_full_slip(tmp_path: Path) -> None:
+    more = 'mu_1 = page.parameter("mu_1", "1", "more friction", ">= 0", 0.1)\n'
+    model = with_law(tmp_path, "(mu_1 + mu0) * (1 - exp(-d * Abs(v))) * sgn(v)", ", at_rest=mu0 + mu_1", more)
+    found = told(tmp_path, model, {"V": "0.7 m/s", "mu_1": "0.1"}, probability=False)
+    assert found.facts.working == pytest.approx((0.6, 0.6, 0.6))
+    assert found.mu_jump == pytest.approx(JUMPS)
+    assert found.facts.reach == "jumped"
+    assert any("not proportional to mu0" in one for one in found.warnings)
 
 
 @pytest.mark.parametrize(

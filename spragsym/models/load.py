@@ -103,8 +103,8 @@ def _about(folder: Path) -> dict[str, Any]:
     if not isinstance(about, dict) or not about.keys() >= _KEYS:
         missing = ", ".join(sorted(_KEYS - about.keys())) if isinstance(about, dict) else "everything"
         raise StoreError(f"{path} is not what this version of spragsym writes (without {missing}); derive the page again")
-    if about["friction"] is not None and "quantities" not in about["friction"]:
-        raise StoreError(f"{folder} was derived by another version (without the quantities of its law); derive the page again")
+    if about["friction"] is not None and not about["friction"].keys() >= {"quantities", "at_rest"}:
+        raise StoreError(f"{folder} was derived by another version (without what is said of its law); derive the page again")
     return about
 
 

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..display import Result
-from .friction import speed_for
+from .friction import of_statics, speed_for
 from .study import Study
 from .tolerances import BoxCertificate, Chance
 
@@ -64,16 +64,16 @@ def facts(study: Study, jump: float | None, top: float, reached: BoxCertificate 
     working = full = study.friction
     if "mu0" in study.quantities:
         one = study.quantities["mu0"]
-        full = one.low, one.value, one.high
+        full = of_statics(study, one.low), of_statics(study, one.value), of_statics(study, one.high)
+    speed = math.nan if jump is None or math.isnan(jump) else speed_for(study, jump)
     if jump is None:
         reach = ""
     elif math.isnan(jump):
         reach = "never"
-    elif jump > full[2]:
-        reach = "beyond"
+    elif jump <= working[2]:
+        reach = "within" if jump > working[1] else "jumped"
     else:
-        reach = "faster" if jump > working[2] else "within" if jump > working[1] else "jumped"
-    speed = math.nan if jump is None or not jump < full[2] else speed_for(study, jump)
+        reach = "faster" if jump <= full[2] or not math.isnan(speed) else "beyond"
     return Facts(
         jump, working, full, reach, speed, "" if reached is None else reached.outcome,
         None if odds is None else odds.probability > 0,

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,21 +19,41 @@ from .tube_boxes import corners
 if TYPE_CHECKING:
     from .study import Study
 
-#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how many boxes at once.
-CLOSE, HALVINGS, MOST = 1e-9, 60, 1 << 12
+#: How closely the ends of the friction are enclosed, relative; in how many halvings, and in how many boxes at once, or few.
+CLOSE, HALVINGS, MOST, FEW = 1e-9, 60, 1 << 12, 1 << 6
 #: Times the belt's own speed up to which a speed is looked for, as a power of two; how closely; and parts that are looked at.
 OCTAVES, SHARP, PARTS = 30, 2.0**-44, 1 << 12
 
 
 def law_of(study: Study) -> str:
-    """Which friction works: that at the belt's speed where it is known, else what the statics take."""
-    return "friction_at_speed" if "V" in study.quantities else "friction_at_rest"
+    """Which friction works: that at the belt's speed where it is known and statics can take it, else what statics takes.
+
+    Statics takes μ₀, to which the law is proportional, or the law at the belt's speed itself; of other laws no value of μ₀ stands
+    for the friction at a speed.
+    """
+    said = study.about["friction"]
+    known = "V" in study.quantities and set(said["quantities"]) <= set(study.quantities)
+    return "friction_at_speed" if known and said["at_rest"] != "other" else "friction_at_rest"
 
 
 def drawn(study: Study) -> float:
     """The friction that works as drawn; 0 for a model without friction."""
     p = study.dimensionless
     return brake_quantities.friction(p.model, p, law_of(study)) if p.model.about["friction"] else 0.0
+
+
+def share(study: Study) -> float:
+    """The share of the friction of statics that works at the speed of the belt; 1 where that is not known."""
+    p = study.dimensionless
+    if not p.model.about["friction"] or law_of(study) == "friction_at_rest":
+        return 1.0
+    return float(brake_quantities.share(p.model, p))
+
+
+def of_statics(study: Study, mu0: float) -> float:
+    """The friction that statics takes with a value of μ₀."""
+    p = study.dimensionless
+    return brake_quantities.friction(p.model, p.replace(mu0=mu0), "friction_at_rest") if mu0 < math.inf else mu0
 
 
 def working(study: Study) -> tuple[float, float, float]:
@@ -86,7 +105,7 @@ def bounds(study: Study) -> tuple[float, float]:
     return -_largest(law, below, above, -1.0), _largest(law, below, above, 1.0)
 
 
-def _largest(law: BalanceInUnits, low: FloatArray, high: FloatArray, sign: float) -> float:
+def _largest(law: BalanceInUnits, low: FloatArray, high: FloatArray, sign: float, most: int = MOST) -> float:
     """A bound of ± the law over a box: parts are halved along the side over which it moves most, until it is close."""
     above, done = np.full(1, np.inf), -np.inf
     for _ in range(HALVINGS):
@@ -94,7 +113,7 @@ def _largest(law: BalanceInUnits, low: FloatArray, high: FloatArray, sign: float
         best = float((sign * _law(law, low, low)[0 if sign > 0 else 1]).max())
         best = max(best, float((sign * _law(law, high, high)[0 if sign > 0 else 1]).max()))
         open_ = np.flatnonzero(above > best + CLOSE * abs(best))
-        if not open_.size or 2 * open_.size > MOST:
+        if not open_.size or 2 * open_.size > most:
             break
         done = max(done, float(np.delete(above, open_).max(initial=-np.inf)))
         low, high = low[:, open_], high[:, open_]
@@ -126,40 +145,36 @@ def speed_for(study: Study, friction: float) -> float:
 
     Notes
     -----
-    Source: the model's law over intervals of the speed, from 0 up to 2³⁰ times the belt's own; all else as where the friction
-    that works is largest.
+    Source: bounds of the model's law over intervals of the speed, from 0 up to 2³⁰ times the belt's own, and over all other
+    tolerances. Where the law neither rises nor falls in these, its bounds are loose, and it is a little less than that.
     """
-    if not study.moves or "V" not in load(study.model).parameters or not study.values["V"]:
+    if not study.moves or law_of(study) != "friction_at_speed" or not study.values["V"]:
         return math.nan
-    model = load(study.model)
-    names = [name for name in _deciding(study) if name != "V"]
-    rows = np.array(list(itertools.product(*((study.quantities[name].low, study.quantities[name].high) for name in names))))
-    given = {**study.values, **dict(zip(names, rows.T, strict=True))}
-    p, scales = brake_quantities.dimensionless(study.model, given)
-    most = int(np.argmax(np.atleast_1d(brake_quantities.frictions(model, p, "friction_at_speed"))))
-    values = {name: float(np.broadcast_to(getattr(p, name), p.shape).flat[most]) for name in model.parameters}
-    return _first_speed(model, values, friction) * scales["length"] / scales["time"]
+    names = set(study.about["friction"]["quantities"]) - {"V"}
+    taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
+    low, high, units = corners(study.with_quantities(taken))
+    law = BalanceInUnits(low.model, True, units, "friction_at_speed")
+    one, other = (
+        np.array(
+            [[value] for value in (*corner.scalars(*low.model.parameters), *(getattr(unit, side) for unit in units.values()))]
+        )
+        for corner, side in ((low, "low"), (high, "high"))
+    )
+    place, speed = low.model.parameters.index("V"), abs(float(study.dimensionless.V))
 
-
-def _first_speed(model: Any, values: Mapping[str, float], friction: float) -> float:
-    law = Balance(model, True, "friction_at_speed")
-    place, fixed = law.parameters.index("V"), np.array([[values[name]] for name in law.parameters])
-    speed = abs(values["V"])
-
-    def reaches(low: float, high: float) -> bool:
-        one, other = fixed.copy(), fixed.copy()
-        one[place], other[place] = low, high
-        return bool(_law(law, one, other)[1][0] >= friction)
+    def reaches(slow: float, fast: float) -> bool:
+        one[place], other[place] = slow, fast
+        return _largest(law, one, other, 1.0, FEW) >= friction
 
     parts = [(speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))] + [(0.0, speed)]
     for _ in range(PARTS):
         if not parts:
             return math.nan
-        low, high = parts.pop()
-        if not reaches(low, high):
+        slow, fast = parts.pop()
+        if not reaches(slow, fast):
             continue
-        middle = 0.5 * (low + high)
-        if high - low <= SHARP * high:
-            return middle
-        parts += [(middle, high), (low, middle)]
+        middle = 0.5 * (slow + fast)
+        if fast - slow <= SHARP * fast:
+            return float(middle * study.scales.length / study.scales.time)
+        parts += [(middle, fast), (slow, middle)]
     return math.nan

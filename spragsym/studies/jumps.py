@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -59,8 +60,10 @@ class JumpPeak(Result):
         return found
 
 
-def jump_peak(study: Study, jump: float) -> JumpPeak | None:
+def jump_peak(study: Study, mu0: float, jump: float, speed: float) -> JumpPeak | None:
     """The jump as a motion; None where the belt's friction reaches none, the law is not known, or the motion creeps.
+
+    ``mu0`` is where statics has it, ``jump`` the friction there, and ``speed`` the least one of the belt in m/s that brings it.
 
     Notes
     -----
@@ -69,21 +72,21 @@ def jump_peak(study: Study, jump: float) -> JumpPeak | None:
     where the coordinate that moves most is a hundredth of the way from the fold to the state that is left, and the others are
     balanced; forces are looked at over equal steps of time.
     """
-    if not study.moves or not jump < study.quantities["mu0"].high:
+    if friction.law_of(study) != "friction_at_speed" or not study.moves or (jump > study.friction[2] and math.isnan(speed)):
         return None
     p, scales = study.dimensionless, study.scales
     model = p.model
-    path = model.quasi_static_path(p, "mu0", [0.0, jump * (1 + 1e-6) + 1e-9])
+    path = model.quasi_static_path(p, "mu0", [0.0, mu0 * (1 + 1e-6) + 1e-9])
     if not path.jumps:
         return None
     turn = path.jumps[0]
     begin, end = (np.array([where[name] for name in model.coordinates]) for where in (turn.before, turn.after))
-    at = p.replace(mu0=jump / study.fraction if study.fraction else jump)
+    at = p.replace(mu0=1.0)
     if jump > study.friction[2]:
-        faster = p.replace(V=friction.speed_for(study, jump) * scales.time / scales.length)
-        at = faster.replace(mu0=jump / float(brake_quantities.share(model, faster)))
+        at = at.replace(V=speed * scales.time / scales.length)
+    at = at.replace(mu0=jump / brake_quantities.friction(model, at, "friction_at_speed"))  # to which the law is proportional
     held = int(np.abs(end - begin).argmax())
-    start = _balanced(model, p.replace(mu0=jump), begin + _AWAY * (end - begin), held)
+    start = _balanced(model, p.replace(mu0=mu0), begin + _AWAY * (end - begin), held)
     for t_end in _T_END:
         try:
             motion = model.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)

@@ -29,11 +29,12 @@ class Oscillation(Result):
     """The motion that begins at rest where all coordinates are 0, or far out, and what it comes to.
 
     ``kind`` is ``"cycle"``, one that attracts it; ``"motion"``, if it goes on and has not repeated itself in the time it was
-    followed; ``"rest"``, if it decays to rest; ``"falls"``, if it was not followed to its end and became smaller and smaller; or
-    ``"lift-off"``, for good. Only the first two have an amplitude of the first coordinate, which is half of its range, in
-    millimetres or degrees by ``unit``, and forces, least and largest, of several springs by their names; only a cycle has a
-    frequency. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives although a small disturbance of steady
-    sliding dies out, None where that is up to what the model leaves out, or the state of the brake is not known.
+    followed; ``"rest"``, if it decays to rest; ``"falls"``, if it was not followed to its end, became smaller and smaller,
+    and steady sliding may hold it; or ``"lift-off"``, for good. Only the first two have an amplitude of the first coordinate,
+    which is half of its range, in millimetres or degrees by ``unit``, and forces, least and largest, of several springs by
+    their names; only a cycle has a frequency. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives
+    although a small disturbance of steady sliding dies out, None where that is up to what the model leaves out, or the state
+    of the brake is not known.
     """
 
     kind: str
@@ -112,7 +113,7 @@ def _of_motion(study: Study, settles: bool | None, remark: str) -> Oscillation:
     kind = {
         Regime.EQUILIBRIUM: "rest", Regime.APPROACHES_EQUILIBRIUM: "rest", Regime.LIFT_OFF: "lift-off",
         Regime.LIMIT_CYCLE: "motion", Regime.APPROACHES_CYCLE: "motion",
-    }.get(regime, "falls" if now < _FALLS * before else "motion")  # fmt: skip
+    }.get(regime, "falls" if settles is not False and now < _FALLS * before else "motion")  # fmt: skip
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     nowhere = kind != "motion"
     ends = {

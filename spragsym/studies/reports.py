@@ -13,6 +13,7 @@ from ..errors import ParameterError, SpragsymError
 from ..statics.points import Points
 from .cautions import cautions
 from .facts import Facts, facts
+from .friction import of_statics, speed_for
 from .jumps import JumpPeak, jump_peak
 from .oscillations import Oscillation, oscillation_of
 from .questions import Questions, questions
@@ -184,13 +185,13 @@ class _Asked:
             return None, None, ""
         if not found.complete:
             self.remarks.append(f"that nothing jumps below mu_lowest is not proved for all: {why}")
-        return float(found.value), math.degrees(float(found.where)), str(found.kind)
+        return of_statics(self.study, float(found.value)), math.degrees(float(found.where)), str(found.kind)
 
     def cusp(self, p: Any) -> float | None:
         """Friction of the lowest cusp."""
         if not {"theta0", "mu0"} <= set(p.model.parameters):
             return None
-        return self.known("the lowest cusp is", lambda: float(p.model.cusp_friction(p)))
+        return self.known("the lowest cusp is", lambda: of_statics(self.study, float(p.model.cusp_friction(p))))
 
     def folds(self, sets: Mapping[str, Any]) -> dict[str, Points]:
         """Folds along each parameter of these sets."""
@@ -216,7 +217,8 @@ def _report(
     tell("jumps, lowest fold and states")
     p, at, asked, told = study.dimensionless, study.at_work, _Asked(study), questions(study)
     rises = "mu0" in p.model.parameters
-    mu_jump, theta0_jump = asked.jump(p, "mu0", told.top), asked.jump(at, "theta0")
+    mu0_jump, theta0_jump = asked.jump(p, "mu0", told.top), asked.jump(at, "theta0")
+    mu_jump = None if mu0_jump is None else mu0_jump if math.isnan(mu0_jump) else of_statics(study, mu0_jump)
     lowest, mu_cusp = asked.lowest(p), asked.cusp(p)
     here = asked.known("the state that the brake is in is", lambda: current(study))
     found = states(study, here)
@@ -235,20 +237,26 @@ def _report(
     moving = oscillation and study.moves
     tell("the jump as a motion (--no-oscillation leaves it out)" if moving else "")
     peak = lives = None
-    if moving and mu_jump is not None and mu_jump <= study.quantities["mu0"].high:
-        peak = asked.known("the jump as a motion is", lambda: jump_peak(study, mu_jump))
+    if moving and mu0_jump is not None and mu_jump is not None and not math.isnan(mu_jump):
+        speed = speed_for(study, mu_jump)
+        peak = asked.known("the jump as a motion is", lambda: jump_peak(study, mu0_jump, mu_jump, speed))
     tell("the oscillation (--no-oscillation leaves it out)" if moving else "the probability of a jump")
     if moving:
-        settles = next((state.settles for state in found if state.current), None)
+        settles = next(
+            (state.settles for state in found if state.current), None if any(state.stable for state in found) else False
+        )
         lives = asked.known("the oscillation is", lambda: oscillation_of(study, settles))
     tell("the probability of a jump")
     odds = _chance(asked, told, reached, n) if probability and rises else None
     tell("what to change (--no-redesign leaves it out)" if redesign else "")
-    so = facts(study, mu_jump, told.top, reached, odds)
+    so = facts(study, mu_jump, of_statics(study, told.top) if rises else told.top, reached, odds)
     faster = so.reach == "faster"
     target = safety * (so.full[2] if faster else high)
     sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")
-    needed = redesign and target > 0 and bool(sprags)
+    plain = bool(p.model.about["friction"]) and p.model.about["friction"]["at_rest"] == "mu0"
+    needed = redesign and target > 0 and bool(sprags) and plain and (not faster or mu_jump is None or mu_jump <= so.full[2])
+    if redesign and sprags and not plain:
+        asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")
     margin = None if mu_jump is None else 100 * (mu_jump / high - 1) if high > 0 else math.inf
     parts: dict[str, Any] = dict(
         mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu_lowest=lowest[0],

@@ -80,12 +80,13 @@ def states(study: Study, here: Mapping[str, float] | None) -> tuple[State, ...]:
     """
     at = study.at_work
     eq = at.model.equilibria(at)
-    found = []
-    for slot in range(int(eq.count)):
-        place = {name: float(eq.coordinates[name][slot]) for name in at.model.coordinates}
-        is_here = here is not None and all(abs(place[name] - here[name]) < SAME for name in place)
-        found.append(_state(study, place, Stability(int(eq.stability[slot])), is_here))
-    return tuple(found)
+    places = [{name: float(eq.coordinates[name][slot]) for name in at.model.coordinates} for slot in range(int(eq.count))]
+    off = [math.inf if here is None else max(abs(place[name] - here[name]) for name in place) for place in places]
+    nearest = min(range(len(off)), key=off.__getitem__, default=-1)
+    return tuple(
+        _state(study, place, Stability(int(eq.stability[slot])), slot == nearest and off[slot] < SAME)
+        for slot, place in enumerate(places)
+    )
 
 
 def current(study: Study) -> dict[str, float] | None:

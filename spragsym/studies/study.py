@@ -152,7 +152,7 @@ class Study:
 
     @cached_property
     def at_work(self) -> Any:
-        """The same with the friction that works as μ₀, where the model has one."""
+        """The same with the μ₀ with which statics has the friction that works, where the model has one."""
         p = self.dimensionless
         return p.replace(mu0=self.fraction * p.mu0) if "mu0" in p.model.parameters else p
 
@@ -165,8 +165,9 @@ class Study:
     @cached_property
     def fraction(self) -> float:
         """The share of μ₀ at which friction works at the speed of the belt; 1 where that is not known."""
-        p = self.dimensionless
-        return float(brake_quantities.share(p.model, p)) if "V" in self.quantities and self.about["friction"] else 1.0
+        from . import friction
+
+        return friction.share(self)
 
     @cached_property
     def friction(self) -> tuple[float, float, float]:

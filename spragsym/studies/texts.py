@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .facts import Facts
+from .friction import of_statics
 from .jumps import JumpPeak
 from .redesigns import Change
 from .states import State, place_in_units
@@ -47,8 +48,11 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     if so.reach == "faster":
         speed = study.shown("V", study.values["V"], 3)
         above = "at a higher speed" if math.isnan(so.speed) else f"above V = {study.shown('V', so.speed, 3)}"
+        works = f"only {high:.3g} of your {full:.3g}" if high < full else f"{high:.3g}"
+        if so.speed < study.values["V"]:
+            above = f"at lower speeds, from V = {study.shown('V', so.speed, 3)} on"
         return (
-            f"It sprags{model} {above}: {state} jumps at a friction of {jump:.4g}; at {speed} only {high:.3g} of your {full:.3g} "
+            f"It sprags{model} {above}: {state} jumps at a friction of {jump:.4g}; at {speed} {works} "
             f"works, and it does not jump{_within(study, parts)}."
         )
     friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
@@ -266,7 +270,11 @@ def _folds(report: Report) -> Iterator[tuple[str, str]]:
     for vary, found in report.folds.items():
         value = getattr(found, vary)
         for i in range(value.size):
-            name = f"friction {value[i]:.5g}" if vary == "mu0" else f"inclination {math.degrees(value[i]):.5g} deg"
+            name = (
+                f"friction {of_statics(study, float(value[i])):.5g}"
+                if vary == "mu0"
+                else f"inclination {math.degrees(value[i]):.5g} deg"
+            )
             if found.kind[i] != "fold":
                 yield (name, f"a {found.kind[i]}")
                 continue

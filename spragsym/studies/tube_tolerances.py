@@ -15,9 +15,10 @@ from ..models.probability import measured
 from ..models.varying_units import Unit
 from ..parameters import FloatArray, Range
 from . import brake_quantities, tube_boxes
-from .friction import bounds
+from .friction import bounds, law_of
 from .study import Study
 from .tolerances import BoxCertificate, Chance, correlated, counterexample, distribution, distributions, told, values_at, varied
+from .units import Measured
 
 #: Parts of the tolerances, and points at which counterexamples are looked for.
 _BOXES, _POINTS = 4000, 512
@@ -43,7 +44,9 @@ def certificate(study: Study, boxes: int = _BOXES, points: int = _POINTS) -> Box
         return BoxCertificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
     found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=boxes, refute=False, units=units)
-    return BoxCertificate("no jump", found.outcome, None, found.undecided, found.boxes)
+    # A part of the box where all jump need not hold a brake: its friction is no less than what works.
+    outcome = found.outcome if found.outcome == "proved" else "undecided"
+    return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
 
 
 def chance(study: Study, n: int) -> Chance | None:
@@ -68,7 +71,8 @@ def ending(study: Study, values: Mapping[str, Any], friction: float | None = Non
     """The same of brakes by their quantities in SI: up to a friction, or up to the own one of each that works."""
     model = load(study.model)
     p, _ = brake_quantities.dimensionless(study.model, values)
-    works = p.mu0 * (brake_quantities.share(model, p) if "V" in study.quantities else 1.0) if friction is None else friction
+    at_speed = law_of(study) == "friction_at_speed"
+    works = p.mu0 * (brake_quantities.share(model, p) if at_speed else 1.0) if friction is None else friction
     found = Followed(model, p, "mu0", "up", 0.0, np.broadcast_to(works, p.shape)).ends(patient=False)
     out = np.where(np.isnan(found.value), 0.0, 1.0)
     out[list(found.reasons)] = np.nan
@@ -76,10 +80,10 @@ def ending(study: Study, values: Mapping[str, Any], friction: float | None = Non
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Corners between which all brakes lie, as of :func:`corners`; the upper friction is no less than what works anywhere."""
+    """Corners between which all brakes lie, as of :func:`tube_boxes.corners`, with the μ₀ of the friction that works."""
     low, high, units = tube_boxes.corners(study)
-    if "V" in study.quantities:
-        high = high.replace(mu0=max(float(high.mu0), bounds(study)[1]))
+    if study.about["friction"]["at_rest"] == "mu0" and law_of(study) == "friction_at_speed":
+        low, high = (p.replace(mu0=max(0.0, value)) for p, value in zip((low, high), bounds(study), strict=True))
     return low, high, units
 
 
@@ -96,18 +100,23 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     names = [name for name in varied(study) if name not in ("m", "V", "d")]
     if not names or len(names) > _MOST_SIDES or correlated(study):
         return 0.0, 1.0
-    low, high, units = tube_boxes.corners(study)
-    low, high = (p.replace(mu0=value) for p, value in zip((low, high), bounds(study), strict=True))
+    low, high, units = box(study)
     splitting, sides = Splitting(low, high, "mu0", 0.0, units), tube_boxes.sides(study)
     laws = {side: _shares(study, *sides[side]) for side in splitting.free}
-    one = study.quantities["mu0"]
-    fixed = study.with_quantities({**study.quantities, "mu0": one.alone})
-    least, most = (max(_NOTHING, end / one.value) if one.value else 1.0 for end in bounds(fixed))
+    least, most = _shares_that_work(study)
     up_to = _shares(study, "mu0", 1 / most), _shares(study, "mu0", 1 / least)
     below, above = measured(splitting, laws, up_to, parts)
     widths = [(one.high, one.high - one.low) for one in (study.quantities[name] for name in names)]
     off = parts * _ROUNDING * max(abs(end) / width for end, width in widths)
     return max(0.0, below - off), min(1.0, above + off)
+
+
+def _shares_that_work(study: Study) -> tuple[float, float]:
+    """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
+    if study.about["friction"]["at_rest"] != "mu0" or law_of(study) == "friction_at_rest":
+        return 1.0, 1.0
+    least, most = bounds(study.with_quantities({**study.quantities, "mu0": Measured(1.0, 1.0, 1.0, "")}))
+    return max(_NOTHING, least), max(_NOTHING, most)
 
 
 def _shares(study: Study, name: str, scale: float) -> Callable[[Any], Any]:

@@ -528,8 +528,9 @@ def test_with_another_model_tolerances_are_proved(tmp_path: Path) -> None:
     for share in (0.0, 0.3, 1.0):
         at = {name: float(tolerances.quantile(one, share)) for name, one in study.quantities.items()}
         p = brake_quantities.groups("cubic_contact", at | {"k_c": study.values["k_c"]})
+        works = -math.expm1(-at["V"] * at["d"])  # of mu0
         for name, value in p.items():
-            assert float(getattr(low, name)) <= value <= float(getattr(high, name))
+            assert float(getattr(low, name)) <= value * (works if name == "mu0" else 1.0) <= float(getattr(high, name))
         ((unit, one),) = units.items()
         assert one.low <= at["k_c"] / study.values["k_c"] <= one.high
         scaled = BalanceInUnits(low.model, True, units).scaled(p | {unit: at["k_c"] / study.values["k_c"]})

@@ -101,7 +101,7 @@ class Report(Result):
 
     def to_dict(self) -> dict[str, Any]:
         """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the units of the file."""
-        from .texts import as_json
+        from .report_json import as_json
 
         return as_json(self)
 

@@ -645,6 +645,7 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert found.mu_jump is None
     assert any("no mu0" in one for one in found.warnings)
     assert found.states
+    assert found.current is None
     assert all(state.contact_force_N is not None and math.isfinite(state.contact_force_N) for state in found.states)
 
 

@@ -57,7 +57,9 @@ def report(
 
     study = Study.from_file(file)
     on_terminal = sys.stderr.isatty()
-    told = "computing the report; --no-oscillation and --no-redesign leave out what takes longest"
+    options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]
+    less = f"; {' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest" if options else ""
+    told = f"computing the report{less}"
     with nullcontext() if on_terminal else busy(told):
         found = study.report(oscillation=oscillation, redesign=redesign, safety=safety, progress=on_terminal)
     if html is not None:

@@ -5,6 +5,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
 from .load import load, shipped
@@ -72,11 +75,18 @@ def _words(text: str) -> str:
 
 
 def _table(model: Model) -> list[str]:
-    rows = ["| parameter | base | allowed | meaning |", "|---|---|---|---|"]
+    rows = ["| parameter | base | allowed | meaning | in brake.toml |", "|---|---|---|---|---|"]
     for entry in model.about["parameters"]:
         base = "" if entry["base"] is None else f"{entry['base']:g}"
-        rows.append(f"| `{entry['name']}` | {base} | {entry['domain']} | {entry['meaning']} |")
-    return rows
+        rows.append(f"| `{entry['name']}` | {base} | {entry['domain']} | {entry['meaning']} | {_quantity(entry)} |")
+    units = (f"`{entry['name']}` in {entry['unit']}, the {entry['meaning']}" for entry in model.about["units"])
+    return [*rows, "", f"In `brake.toml` stand also {'; '.join(units)}: they are the units of the others."]
+
+
+def _quantity(entry: Mapping[str, Any]) -> str:
+    """The name of a quantity in the file of a brake, and its unit."""
+    unit = {"1": "", "rad": " in deg"}.get(entry["quantity_unit"], f" in {entry['quantity_unit']}")
+    return f"`{entry['quantity']}`{unit}"
 
 
 def _points(model: Model) -> list[str]:

@@ -87,7 +87,8 @@ class Onsets(Points):
         if not isinstance(index, int | np.integer) or isinstance(index, bool):
             raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
         if not 0 <= index < len(self):
-            raise ParameterError(f"index = {index}: there are {len(self)} onsets; give a number from 0 to {len(self) - 1}")
+            remedy = f"give a number from 0 to {len(self) - 1}" if len(self) else "search where there is one to begin from"
+            raise ParameterError(f"index = {index}: there are {len(self)} onsets; {remedy}")
         form = self.normal_forms[int(index)]
         if isinstance(form, str):
             raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")

@@ -83,7 +83,7 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     model = _model(table, lines)
     units = QUANTITY_UNITS if model == "kang_nam" else brake_quantities.quantity_units(model)
     measured, together = table.pop("friction", None), table.pop("correlation", None)
-    _check_names(table, units, lines)
+    _check_names(table, units, model, lines)
     found = {key: _quantity(key, table[key], units[key], lines) for key in units if key in table}
     fit = None
     if measured is not None:
@@ -157,12 +157,12 @@ def _model(table: dict[str, Any], lines: _Lines) -> str:
     return name
 
 
-def _check_names(table: Mapping[str, Any], units: Mapping[str, str], lines: _Lines) -> None:
+def _check_names(table: Mapping[str, Any], units: Mapping[str, str], model: str, lines: _Lines) -> None:
     known = [*units, "friction", "correlation", "model"]
     for key, value in table.items():
         if key not in known:
             remark = hint(key, known) or f"; the keys are {', '.join(known)}"
-            raise ParameterError(f"{lines.of(key)}: {key} = {value!r} is not a quantity of this model{remark}")
+            raise ParameterError(f"{lines.of(key)}: {key} = {value!r} is not a quantity of the model {model}{remark}")
 
 
 def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:

@@ -739,6 +739,15 @@ def test_a_law_of_which_a_quantity_is_missing_says_nothing_of_a_speed(tmp_path: 
     assert not any("so slow" in one for one in found.warnings)
 
 
+def test_a_motion_falls_only_where_steady_sliding_holds_it(tmp_path: Path) -> None:
+    """By another integrator: after 9000 units of time it swings for ever, by 5.5 mm peak to peak, where sliding is unstable."""
+    found = told(tmp_path, "kang_nam", {"theta0": "120 deg", "V": "1 m/s", "d": "3 s/m"}, oscillation=True, probability=False)
+    assert found.current is not None
+    assert not found.current.stable
+    assert found.oscillation is not None
+    assert found.oscillation.kind == "motion"
+
+
 @pytest.mark.thorough
 def test_without_at_rest_the_friction_is_that_at_the_belts_speed(tmp_path: Path) -> None:
     model = with_law(tmp_path, "mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")

@@ -64,10 +64,11 @@ class Oscillation(Result):
         return self.kind == "lift-off" or (self.contact_force_N is not None and self.contact_force_N[0] == 0)
 
 
-def oscillation_of(study: Study, settles: bool | None) -> Oscillation:
+def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillation:
     """The cycle that the motion comes to, from rest or from far out; or what it does instead.
 
-    ``settles`` says of the state that the brake is in whether a small disturbance dies out.
+    ``settles`` says of the state that the brake is in whether a small disturbance dies out, None where that is up to what the
+    model leaves out, and ``holds`` whether it does in the model: else no motion that falls comes to rest.
     """
     p = study.dimensionless
     size = len(p.model.coordinates)
@@ -80,7 +81,7 @@ def oscillation_of(study: Study, settles: bool | None) -> Oscillation:
             continue
         if found.stable:  # no motion comes to one that is not
             return _of_cycle(study, found, settles, word)
-    return _of_motion(study, settles, remark)
+    return _of_motion(study, settles, holds, remark)
 
 
 def first_unit(study: Study) -> tuple[str, float]:
@@ -101,7 +102,7 @@ def _of_cycle(study: Study, found: Cycle, settles: bool | None, start: str) -> O
     return Oscillation("cycle", frequency, found.amplitude * size, unit, spring, contact, settles, start, "", found)
 
 
-def _of_motion(study: Study, settles: bool | None, remark: str) -> Oscillation:
+def _of_motion(study: Study, settles: bool | None, holds: bool, remark: str) -> Oscillation:
     p = study.dimensionless
     motion = p.model.simulate(p, t_end=T_END)
     late = motion.after(0.75 * T_END)
@@ -113,7 +114,7 @@ def _of_motion(study: Study, settles: bool | None, remark: str) -> Oscillation:
     kind = {
         Regime.EQUILIBRIUM: "rest", Regime.APPROACHES_EQUILIBRIUM: "rest", Regime.LIFT_OFF: "lift-off",
         Regime.LIMIT_CYCLE: "motion", Regime.APPROACHES_CYCLE: "motion",
-    }.get(regime, "falls" if settles is not False and now < _FALLS * before else "motion")  # fmt: skip
+    }.get(regime, "falls" if holds and now < _FALLS * before else "motion")  # fmt: skip
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     nowhere = kind != "motion"
     ends = {

@@ -242,10 +242,9 @@ def _report(
         peak = asked.known("the jump as a motion is", lambda: jump_peak(study, mu0_jump, mu_jump, speed))
     tell("the oscillation (--no-oscillation leaves it out)" if moving else "the probability of a jump")
     if moving:
-        settles = next(
-            (state.settles for state in found if state.current), None if any(state.stable for state in found) else False
-        )
-        lives = asked.known("the oscillation is", lambda: oscillation_of(study, settles))
+        settles = next((state.settles for state in found if state.current), None)
+        holds = any(state.stable for state in found if state.current or here is None)
+        lives = asked.known("the oscillation is", lambda: oscillation_of(study, settles, holds))
     tell("the probability of a jump")
     odds = _chance(asked, told, reached, n) if probability and rises else None
     tell("what to change (--no-redesign leaves it out)" if redesign else "")

@@ -178,7 +178,7 @@ class _Asked:
         found = self.known("the friction below which it jumps at no angle is", lambda: p.model.critical_friction(p))
         if found is None:
             return None, None, ""
-        why = "; ".join(found.remarks)
+        why = "; ".join(dict.fromkeys(found.remarks))
         if found.kind == "undecided":
             below = f"below a friction of {found.value:.4g} it jumps at no angle; whether it does above is not decided: {why}"
             self.remarks.append(below)

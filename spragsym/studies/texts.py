@@ -248,7 +248,8 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     first = next(iter(found.before))
     unit = first.rpartition("_")[2]
     places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {unit}"
-    yield ("the states before and after", f"at friction {found.friction:.4g}, {places}")
+    faster = f" and V = {report.study.shown('V', report.facts.speed, 3)}" if report.facts.reach == "faster" else ""
+    yield ("the states before and after", f"at friction {found.friction:.4g}{faster}, {places}")
     for key, (least, most) in found.ranges.items():
         name, _, unit = key.rpartition("_")
         yield (f"range of {name}", f"{least:.4g} {unit} to {most:.4g} {unit}")

@@ -15,6 +15,7 @@ import click
 
 from ..errors import ParameterError
 from ..models import load
+from ..models.load import USUAL
 from ..models.parameters import options_of
 from ..parameters import Range, degrees
 from .commands import command
@@ -28,8 +29,6 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-#: The model that commands are about unless told otherwise.
-USUAL = "kang_nam"
 TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
 MODEL = f"{TEXT} Its parameters become options."
 DATA = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."

@@ -20,6 +20,9 @@ from ..names import hint
 from .model import Model
 from .parameters import parameter_class
 
+#: The model that is meant where none is named.
+USUAL = "kang_nam"
+
 #: What ``model.json`` says at least.
 _KEYS = frozenset((
     "name", "summary", "drawing", "source", "coordinates", "parameters", "angles", "arguments", "by_parameters", "contact",

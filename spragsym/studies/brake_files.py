@@ -14,6 +14,7 @@ from ..design.dependence import Correlation, dependence
 from ..errors import ParameterError, SpragsymError
 from ..files.text import decoded
 from ..generated.quantities import QUANTITIES
+from ..models.load import USUAL
 from ..names import hint
 from ..parameters import FINITE, RANGES, PhysicalParameters, Range, physical_ranges
 from . import brake_quantities
@@ -147,7 +148,7 @@ def _example(key: str, unit: str) -> str:
 
 
 def _model(table: dict[str, Any], lines: _Lines) -> str:
-    name = table.pop("model", "kang_nam")
+    name = table.pop("model", USUAL)
     if not isinstance(name, str):
         raise ParameterError(f'{lines.of("model")}: model = {name!r} is no name; write model = "kang_nam"')
     try:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..display import Result
-from .friction import of_statics, speed_for
+from .friction import of_statics
 from .study import Study
 from .tolerances import BoxCertificate, Chance
 
@@ -59,13 +59,14 @@ class Facts(Result):
         return self.working[2] < 0.995 * self.full[2]
 
 
-def facts(study: Study, jump: float | None, top: float, reached: BoxCertificate | None, odds: Chance | None) -> Facts:
-    """The facts of a study, from the friction at which it jumps, up to which one was looked for, certificate and probability."""
+def facts(
+    study: Study, jump: float | None, top: float, speed: float, reached: BoxCertificate | None, odds: Chance | None
+) -> Facts:
+    """The facts of a study: where it jumps, up to where that was looked for, at what speed, certificate and probability."""
     working = full = study.friction
     if "mu0" in study.quantities:
         one = study.quantities["mu0"]
         full = of_statics(study, one.low), of_statics(study, one.value), of_statics(study, one.high)
-    speed = math.nan if jump is None or math.isnan(jump) else speed_for(study, jump)
     if jump is None:
         reach = ""
     elif math.isnan(jump):

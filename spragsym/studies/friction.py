@@ -92,17 +92,23 @@ def _deciding(study: Study) -> list[str]:
 
 def bounds(study: Study) -> tuple[float, float]:
     """Bounds of the friction that works for everything within the tolerances, by intervals."""
+    law, low, high = _law_and_box(study)
+    return -_largest(law, low, high, -1.0), _largest(law, low, high, 1.0)
+
+
+def _law_and_box(study: Study) -> tuple[BalanceInUnits, FloatArray, FloatArray]:
+    """The law that works, and corners of all on which it depends, within the tolerances.
+
+    Of what the law does not depend on it does not matter which value is taken: units of measure cancel in it.
+    """
     names = study.about["friction"]["quantities"]
-    # Of what the law does not depend on it does not matter which value is taken: units of measure cancel in it.
     taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
     low, high, units = corners(study.with_quantities(taken))
-    model = low.model
-    law = BalanceInUnits(model, True, units, law_of(study))
-    below, above = (
-        np.array([[value] for value in (*corner.scalars(*model.parameters), *(getattr(unit, side) for unit in units.values()))])
+    one, other = (
+        np.array([[value] for value in (*corner.scalars(*corner.ranges), *(getattr(unit, side) for unit in units.values()))])
         for corner, side in ((low, "low"), (high, "high"))
     )
-    return -_largest(law, below, above, -1.0), _largest(law, below, above, 1.0)
+    return BalanceInUnits(low.model, True, units, law_of(study)), one, other
 
 
 def _largest(law: BalanceInUnits, low: FloatArray, high: FloatArray, sign: float, most: int = MOST) -> float:
@@ -150,21 +156,12 @@ def speed_for(study: Study, friction: float) -> float:
     """
     if not study.moves or law_of(study) != "friction_at_speed" or not study.values["V"]:
         return math.nan
-    names = set(study.about["friction"]["quantities"]) - {"V"}
-    taken = {name: one if name in names else one.alone for name, one in study.quantities.items()}
-    low, high, units = corners(study.with_quantities(taken))
-    law = BalanceInUnits(low.model, True, units, "friction_at_speed")
-    one, other = (
-        np.array(
-            [[value] for value in (*corner.scalars(*low.model.parameters), *(getattr(unit, side) for unit in units.values()))]
-        )
-        for corner, side in ((low, "low"), (high, "high"))
-    )
-    place, speed = low.model.parameters.index("V"), abs(float(study.dimensionless.V))
+    law, low, high = _law_and_box(study)
+    place, speed = law.parameters.index("V"), abs(float(study.dimensionless.V))
 
     def reaches(slow: float, fast: float) -> bool:
-        one[place], other[place] = slow, fast
-        return _largest(law, one, other, 1.0, FEW) >= friction
+        low[place], high[place] = slow, fast
+        return _largest(law, low, high, 1.0, FEW) >= friction
 
     parts = [(speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(OCTAVES))] + [(0.0, speed)]
     for _ in range(PARTS):

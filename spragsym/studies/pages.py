@@ -89,7 +89,7 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         low, _, high = study.friction
         known = (value for value in report.folds["mu0"].mu0.tolist() if value < 3) if "mu0" in report.folds else ()
         top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
-        yield from (closed_planes if isinstance(p, Parameters) else planes)(study, report, top)
+        yield from closed_planes(study, report) if isinstance(p, Parameters) else planes(study, report, top)
         yield from stability_map(study, p, (low, high), top)
     if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
         shares = report.probability.sobol
@@ -101,7 +101,7 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         yield from _of_motion(study, report)
 
 
-def closed_planes(study: Study, report: Report, top: float) -> Iterator[tuple[str, str]]:
+def closed_planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
     """The brake in the plane of angle and friction, and its states as the friction rises, by closed forms."""
     from ..figures import brakes
 

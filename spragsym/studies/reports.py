@@ -6,6 +6,7 @@ import math
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, TypeVar
 
 from ..display import Result
@@ -197,7 +198,7 @@ class _Asked:
         """Folds along each parameter of these sets."""
         found = {}
         for vary, p in sets.items():
-            points = self.known(f"folds along {vary} are", lambda p=p, vary=vary: p.model.folds(p, vary))  # type: ignore[misc]
+            points = self.known(f"folds along {vary} are", partial(p.model.folds, p, vary))
             if points is not None:
                 found[vary] = points
         if "mu0" in found and not found["mu0"].complete:
@@ -218,13 +219,16 @@ def _report(
     p, at, asked, told = study.dimensionless, study.at_work, _Asked(study), questions(study)
     rises = "mu0" in p.model.parameters
     mu0_jump, theta0_jump = asked.jump(p, "mu0", told.top), asked.jump(at, "theta0")
-    mu_jump = None if mu0_jump is None else mu0_jump if math.isnan(mu0_jump) else of_statics(study, mu0_jump)
+    mu_jump, speed = mu0_jump, math.nan
+    if mu0_jump is not None and not math.isnan(mu0_jump):
+        mu_jump = of_statics(study, mu0_jump)
+        speed = speed_for(study, mu_jump)
     lowest, mu_cusp = asked.lowest(p), asked.cusp(p)
-    here = asked.known("the state that the brake is in is", lambda: current(study))
-    found = states(study, here)
+    eq = at.model.equilibria(at)
+    here = asked.known("the state that the brake is in is", lambda: current(study, eq))
+    found = states(study, eq, here)
     if here is None and not rises:
         asked.remarks.append("which of the states the brake is in is not known: the model has no mu0 that could rise from 0")
-    eq = at.model.equilibria(at)
     if not eq.complete:
         asked.remarks.append(f"that these are all states is not proved: {'; '.join(eq.remarks)}")
     turns = asked.folds({name: one for name, one in (("mu0", p), ("theta0", at)) if name in p.model.parameters})
@@ -238,7 +242,6 @@ def _report(
     tell("the jump as a motion (--no-oscillation leaves it out)" if moving else "")
     peak = lives = None
     if moving and mu0_jump is not None and mu_jump is not None and not math.isnan(mu_jump):
-        speed = speed_for(study, mu_jump)
         peak = asked.known("the jump as a motion is", lambda: jump_peak(study, mu0_jump, mu_jump, speed))
     tell("the oscillation (--no-oscillation leaves it out)" if moving else "the probability of a jump")
     if moving:
@@ -248,7 +251,7 @@ def _report(
     tell("the probability of a jump")
     odds = _chance(asked, told, reached, n) if probability and rises else None
     tell("what to change (--no-redesign leaves it out)" if redesign else "")
-    so = facts(study, mu_jump, of_statics(study, told.top) if rises else told.top, reached, odds)
+    so = facts(study, mu_jump, of_statics(study, told.top) if rises else told.top, speed, reached, odds)
     faster = so.reach == "faster"
     target = safety * (so.full[2] if faster else high)
     sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")

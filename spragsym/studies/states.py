@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -15,7 +15,7 @@ from ..models.balance import Balance
 from ..models.stability import linearization, roots
 from ..names import hint
 from ..parameters import FloatArray
-from ..statics.results import Stability
+from ..statics.results import Equilibria, Stability, columns_of
 from . import friction
 from .study import Study
 
@@ -71,36 +71,33 @@ class State(Result):
         return found
 
 
-def states(study: Study, here: Mapping[str, float] | None) -> tuple[State, ...]:
-    """Every state in contact at the friction that works, in the order of ``equilibria``; the one that is ``here`` is ``current``.
+def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[State, ...]:
+    """Every state of ``eq``, those in contact at the friction that works, in its order; the one that is ``here`` is ``current``.
 
     Notes
     -----
-    Source: :func:`spragsym.equilibria` with the friction that works, and the linearization at the belt's speed.
+    Source: :func:`spragsym.equilibria`, and the linearization at the belt's speed.
     """
-    at = study.at_work
-    eq = at.model.equilibria(at)
-    places = [{name: float(eq.coordinates[name][slot]) for name in at.model.coordinates} for slot in range(int(eq.count))]
-    off = [math.inf if here is None else max(abs(place[name] - here[name]) for name in place) for place in places]
-    nearest = min(range(len(off)), key=off.__getitem__, default=-1)
-    return tuple(
-        _state(study, place, Stability(int(eq.stability[slot])), slot == nearest and off[slot] < SAME)
-        for slot, place in enumerate(places)
-    )
+    slots = range(int(eq.count))
+    off = [
+        math.inf if here is None else max(abs(float(column[slot]) - here[name]) for name, column in eq.coordinates.items())
+        for slot in slots
+    ]
+    nearest = min(slots, key=off.__getitem__, default=-1)
+    return tuple(_state(study, eq, slot, slot == nearest and off[slot] < SAME) for slot in slots)
 
 
-def current(study: Study) -> dict[str, float] | None:
+def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
     """The coordinates of the state that the brake is in; None where that can't be said.
 
-    It is the one that is reached from small deformation as the friction rises from 0; without μ₀, the only one.
+    It is the one that is reached from small deformation as the friction rises from 0; without μ₀, the only one of ``eq``.
     """
     at = study.at_work
     if "mu0" not in at.model.parameters:
-        eq = at.model.equilibria(at)
-        return {name: float(eq.coordinates[name][0]) for name in at.model.coordinates} if int(eq.count) == 1 else None
+        return {name: float(column[0]) for name, column in eq.coordinates.items()} if int(eq.count) == 1 else None
     (mu0,) = at.scalars("mu0")
     path = at.model.quasi_static_path(at, "mu0", [0.0, mu0] if mu0 > 0 else [0.0])
-    return {name: float(path.coordinates[name][-1]) for name in at.model.coordinates}
+    return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
 def of_springs(model: Any, values: Sequence[Any]) -> Any:
@@ -117,40 +114,30 @@ def place_in_units(study: Study, place: Mapping[str, float]) -> dict[str, float]
     return {f"{name}_{entries[name][0]}": entries[name][1] * value for name, value in place.items()}
 
 
-def _state(study: Study, place: Mapping[str, float], kind: Stability, is_here: bool) -> State:
-    at, scales = study.at_work, study.scales
-    model, q = at.model, list(place.values())
-    told = _forces(model, at, q)
-    vectors = _springs(model, at, q)
-    rate = _roots(study, q) / scales.time
+def _state(study: Study, eq: Equilibria, slot: int, is_here: bool) -> State:
+    scales, model = study.scales, study.at_work.model
+
+    def of(names: Iterable[str], scale: float) -> list[float]:
+        return [scale * float(getattr(eq, name)[slot]) for name in names]
+
+    place = {name: float(column[slot]) for name, column in eq.coordinates.items()}
+    where = [name for name in columns_of(model) if name not in place]  # direction and length of each spring in turn
+    told = forces.told_of(model)
+    tensions = of((name for name in told if name != "contact_force"), scales.force)
+    rate = _roots(study, list(place.values())) / scales.time
     size = float(np.abs(rate).max())
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
     rate = np.where(np.abs(rate.real) <= ROUNDING * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: float(root.imag))
-    growth = float(rate.real.max())
+    growth, kind = float(rate.real.max()), Stability(int(eq.stability[slot]))
     stable = growth < 0 if study.moves and growth else kind == Stability.STABLE
-    contact = told.pop("contact_force", None)
     return State(
-        place_in_units(study, place), of_springs(model, [math.degrees(math.atan2(dy, dx)) for dx, dy in vectors]),
-        of_springs(model, [1e3 * scales.length * math.hypot(dx, dy) for dx, dy in vectors]),
-        of_springs(model, [scales.force * force for force in told.values()]),
-        None if contact is None else contact * scales.force,
+        place_in_units(study, place), of_springs(model, of(where[::2], math.degrees(1.0))),
+        of_springs(model, of(where[1::2], 1e3 * scales.length)), of_springs(model, tensions),
+        scales.force * float(eq.contact_force[slot]) if "contact_force" in told else None,
         kind.name.lower(), bool(stable), tuple(float(root.imag) / (2 * math.pi) for root in upper),
         tuple(float(-root.real / abs(root)) + 0.0 for root in upper), growth, is_here,
     )  # fmt: skip
-
-
-def _forces(model: Any, p: Any, q: list[float]) -> dict[str, float]:
-    """The forces of the model at a place, by their names, those of springs first."""
-    constants = [float(value) for value in model.arguments(p, "motion")]
-    return {name: float(force(q, constants)) for name, force in forces.told_of(model).items()}
-
-
-def _springs(model: Any, p: Any, q: list[float]) -> list[tuple[float, float]]:
-    """Vectors from the mass to the anchor of each inclined spring."""
-    balance = Balance(model, True)
-    values = balance.arguments_of(dict(zip(balance.parameters, p.scalars(*balance.parameters), strict=True)), np)
-    return [(float(dx), float(dy)) for dx, dy, _ in balance.geometry(q, values, np)]
 
 
 def _roots(study: Study, q: list[float]) -> FloatArray:

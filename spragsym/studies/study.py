@@ -13,6 +13,7 @@ import numpy as np
 
 from ..design.dependence import Correlation, Dependence, dependence
 from ..errors import ParameterError
+from ..models.load import USUAL
 from ..names import hint
 from ..parameters import PhysicalParameters, Scales, as_number, physical_ranges
 from . import brake_quantities
@@ -78,7 +79,7 @@ class Study:
         self.quantities: Mapping[str, Measured] = {
             name: _measured(name, value, off.get(name)) for name, value in given.items() if value is not None
         }
-        self.model, self.source, self.fit, self.correlation = "kang_nam", "", None, dict(correlation or {})
+        self.model, self.source, self.fit, self.correlation = USUAL, "", None, dict(correlation or {})
         dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
 
     @classmethod

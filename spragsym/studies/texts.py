@@ -1,4 +1,4 @@
-"""A report in words: the verdict, the text and JSON."""
+"""A report in words: the verdict and the text."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from ..models.load import USUAL
 from .facts import Facts
 from .friction import of_statics
 from .states import State, place_in_units
@@ -15,9 +16,8 @@ from .units import ENDS
 
 #: Sobol' indices whose 95 % interval is wider to either side are not told.
 RESOLVED = 0.2
-
-#: The model of a file that names none.
-USUAL = "kang_nam"
+#: Of the names of rows.
+WIDTH = 32
 
 if TYPE_CHECKING:
     from .reports import Report
@@ -119,15 +119,15 @@ def as_text(report: Report) -> str:
     if report.warnings:
         blocks.append([f"warning: {one}" for one in report.warnings])
     for title, rows in sections(report):
-        body = lines(rows, 32)
+        body = lines(rows)
         if body:
             blocks.append([title, *body])
     return "\n\n".join("\n".join(block) for block in blocks)
 
 
-def lines(rows: Iterable[tuple[str, str]], width: int) -> list[str]:
+def lines(rows: Iterable[tuple[str, str]]) -> list[str]:
     """Rows of a name and a value, under each other where the name is long."""
-    return [f"  {name:<{width}}{value}" if len(name) < width else f"  {name}\n  {'':<{width}}{value}" for name, value in rows]
+    return [f"  {name:<{WIDTH}}{value}" if len(name) < WIDTH else f"  {name}\n  {'':<{WIDTH}}{value}" for name, value in rows]
 
 
 def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:

@@ -36,15 +36,14 @@ def certificate(study: Study, boxes: int = _BOXES, points: int = _POINTS) -> Box
     Notes
     -----
     Source: :func:`spragsym.models.certificates.certify` over a box of the model's parameters and of the quantities that are their
-    units, rounded outward. The friction of the proof is μ₀ itself, or the one that works at the belt's speed where a law may say
-    more there; that of a counterexample is the one that works.
+    units, rounded outward. Of the friction that works the proof takes bounds, and a counterexample its own.
     """
     point = counterexample(study, points, jumping)
     if point is not None:
         return BoxCertificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
     found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=boxes, refute=False, units=units)
-    # A part of the box where all jump need not hold a brake: its friction is no less than what works.
+    # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
     outcome = found.outcome if found.outcome == "proved" else "undecided"
     return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
 

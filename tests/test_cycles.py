@@ -696,12 +696,22 @@ def test_random_verdicts_are_confirmed_by_another_driver(number: int) -> None:
     assert line["kind"] != "undecided"
 
 
-def test_the_time_scale_is_that_of_the_friction_law() -> None:
-    p = at(30.0)
-    found = ss.fate(p, **BELT)
+@pytest.mark.parametrize("name", ["damped", "kang_nam"])
+def test_the_time_scale_is_that_on_which_motions_die_out(name: str) -> None:
+    p = ss.load(name).Parameters(theta0=np.radians(30.0), d=2.0)
+    found = ss.fate(p)
     assert found.kind == "rest"
-    contact = -found.outcome.rest_y  # the force of the contact over k_c L_0
-    assert found.time_scale == pytest.approx(math.exp(5.0) / (0.5 * 10.0 * contact), rel=1e-6)
+    late = 8 * found.time_scale + np.linspace(0, 2 * found.time_scale, 2000)
+    rates = ss.simulate(p, t_end=late[-1], rtol=1e-12)(late)[2:]
+    sizes = np.log(np.hypot(*rates)).reshape(2, -1).max(axis=1)  # largest of either half
+    assert sizes[0] - sizes[1] == pytest.approx(1.0, rel=0.05)
+
+
+def test_a_map_of_fates_leaves_the_trivial_exponent_out() -> None:
+    found, row = ss.fate(at(44.0), **BELT, t_end=500.0), ss.fate_map(at(44.0), **BELT, t_end=500.0)
+    told = float(str(row.why).removeprefix("an exponent of ").split(" ±")[0])
+    assert told == pytest.approx(row.exponent, rel=0.02)  # of a short motion it is not the one that is nearest to 0
+    assert row.exponent == np.delete(found.exponents, found.trivial)[0]
 
 
 def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:

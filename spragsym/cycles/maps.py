@@ -35,7 +35,7 @@ EXPLAINED = {
     "kind": ("1", "0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic"),
     "exponent": ("sqrt(k_c/m)", "largest Lyapunov exponent but the trivial one"),
     "exponent_error": ("sqrt(k_c/m)", "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it"),
-    "time_scale": ("sqrt(m/k_c)", "on which deviations die out at steady sliding"),
+    "time_scale": ("sqrt(m/k_c)", "on which the slowest deviations from steady sliding die out"),
     "t": ("sqrt(m/k_c)", "how long the motion was followed"),
     "why": ("1", "what decides the kind, or would"),
 }
@@ -67,7 +67,7 @@ class FateMap(Result):
     exponent, exponent_error : ndarray
         The largest Lyapunov exponent but the trivial one, and the half-width of its 95 % interval.
     time_scale : ndarray
-        On which deviations die out at steady sliding.
+        On which the slowest deviations from steady sliding die out.
     t : ndarray
         How long the motion was followed.
     why : ndarray of str
@@ -194,8 +194,7 @@ def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, va
     except (ConvergenceError, ParameterError, ArithmeticError) as error:
         return [float(Kind.UNDECIDED), *[float("nan")] * 5], f"the motion can't be followed: {error}"
     kind = Kind[found.kind.upper().replace("-", "_")]
-    trivial = int(np.argmin(np.abs(found.exponents))) if kind in (Kind.CYCLE, Kind.CHAOTIC, Kind.UNDECIDED) else -1
-    across = [i for i in range(len(found.exponents)) if i != trivial]
+    across = [i for i in range(len(found.exponents)) if i != found.trivial]
     largest, width = float(found.exponents[across[0]]), float(found.error[across[0]])
     return [float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why
 

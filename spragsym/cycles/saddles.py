@@ -93,6 +93,14 @@ def saddle_near(field: Field, values: Sequence[float], state: FloatArray) -> Sad
     return Saddle(place, float(eigenvalues[which].real), right / size, left * size, attracts)
 
 
+def decay_at(field: Field, values: Sequence[float], state: FloatArray) -> float:
+    """−max Re λ of an equilibrium; 0 unless it is proved to attract."""
+    matrix = linearization(field, values, state)
+    eigenvalues, vectors = np.linalg.eig(matrix)
+    below = eigenvalues.real + rounding_of(matrix) * sensitivities(vectors) < 0
+    return float(-eigenvalues.real.max()) if below.all() else 0.0
+
+
 def sensitivities(vectors: Any) -> FloatArray:
     """By how much more than a matrix each of its eigenvalues moves, from its eigenvectors; infinite for a double one."""
     try:

@@ -17,7 +17,7 @@ from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
 from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
 from .finding import cycle_near
 from .growth_rates import rates_along
-from .saddles import equilibrium_near, linearization
+from .saddles import decay_at, equilibrium_near
 from .sprag import SPRAG
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
@@ -44,9 +44,11 @@ class Fate(Result):
     exponents, error : ndarray, shape (m,)
         Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers; else measured, with half-widths of
         95 % intervals. NaN for lift-off.
+    trivial : int
+        Which of them is that of the flow's own direction, known to be 0; −1 where there is none.
     time_scale : float
-        On which deviations die out: 1 / \|divergence of the field\| at steady sliding, for the article's model
-        exp(d V) / (μ₀ d n), n the force of the contact there. A motion settles in some ten of these.
+        On which the slowest small deviations from steady sliding die out, −1 / max Re λ of its eigenvalues; infinite where they
+        do not. A motion settles in some ten of these.
     near : str
         What Newton's method finds near the end of an undecided motion; that is not to say that it comes to that.
     end : ndarray, shape (m,)
@@ -59,6 +61,7 @@ class Fate(Result):
     outcome: Outcome
     exponents: FloatArray
     error: FloatArray
+    trivial: int
     time_scale: float
     near: str
     end: FloatArray
@@ -108,8 +111,8 @@ def fate(
     >>> p = ss.Parameters.article(theta0=np.radians(42.0))
     >>> ss.fate(p, V=0.5, d=10.0).why
     'it comes to a cycle of period 34.2674'
-    >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale)
-    3026
+    >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale, -3)
+    227000.0
     """
     values = p.given(V=V, d=d).scalars(*p.ranges)
     state = np.array([as_number("start", value, FINITE) for value in start])
@@ -128,10 +131,11 @@ def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: f
         try:
             known = none if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
             error = none if verdict.kind == Regime.LIFT_OFF else np.zeros(field.size)
-            return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, scale, "", verdict.end)
+            trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
+            return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
         except ConvergenceError as failed:
             why = f"{why}, which Newton's method does not find again: {failed}"
-            return Fate("undecided", why, verdict.t, Outcome(), none, none, scale, "", verdict.end)
+            return Fate("undecided", why, verdict.t, Outcome(), none, none, -1, scale, "", verdict.end)
     rates = rates_along(field, fly, values, verdict.end, SHARES[0] * t_end)
     why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
     if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
@@ -149,18 +153,21 @@ def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: f
         "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "
         f"than {lasting:.2g} on the average (95 %)"
     )
+    trivial = int(np.flatnonzero(order == 0)[0]) if rates.moves else -1
     return Fate(
-        "undecided" if why else "chaotic", told, t, verdict.outcome, rates.exponents[order], rates.error[order], scale, near, end
-    )
+        "undecided" if why else "chaotic", told, t, verdict.outcome, rates.exponents[order], rates.error[order], trivial, scale, near,
+        end,
+    )  # fmt: skip
 
 
 def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> float:
-    """1 / |divergence| at an equilibrium near no displacement, or near the end; infinite where none damps."""
-    for near in (np.zeros(field.size), verdict.end):
+    """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end; infinite where none attracts."""
+    places = [np.zeros(field.size), verdict.end]
+    for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
-            divergence = float(np.trace(linearization(field, values, equilibrium_near(field, values, near))))
-            if divergence < 0:
-                return -1 / divergence
+            slowest = decay_at(field, values, equilibrium_near(field, values, near))
+            if slowest > 0:
+                return 1 / slowest
     return float("inf")
 
 

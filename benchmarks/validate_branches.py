@@ -40,7 +40,7 @@ SHARE = 0.1
 NEAREST = 6
 
 #: Seconds of processor time after which a seed is given up, and counted as late.
-LATEST = 90.0
+LATEST = 600.0
 
 #: What is known of an event: kind, value, period, error.
 Told = tuple[str, float, float, float]

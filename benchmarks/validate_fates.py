@@ -31,7 +31,9 @@ from scipy.optimize import minimize_scalar
 
 import spragsym as ss
 from benchmarks.parts import numbered
-from spragsym.cycles.sprag import SPRAG
+
+#: The article's model, as cycles take it.
+SPRAG = ss.load("kang_nam").field
 
 #: What varies, and by how much at most to either side.
 VARIED = {"theta0": 0.2, "mu0": 0.15, "kappa": 0.004, "alpha": 0.004, "sigma": 0.04, "V": 0.1, "d": 2.0}

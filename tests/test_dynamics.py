@@ -12,7 +12,6 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.motion import simulate as simulate_command
-from spragsym.cycles.sprag import SPRAG
 from spragsym.dynamics import (
     Event,
     Trajectory,
@@ -31,6 +30,9 @@ from spragsym.files import storage
 from spragsym.generated import stability
 from spragsym.statics.solver import equilibria
 from tests.support import few, needs_a_quick_integrator
+
+#: The article's model, as cycles take it.
+SPRAG = ss.load("kang_nam").field
 
 BACKENDS = [
     "scipy",

@@ -15,7 +15,7 @@ from .targets import force, refuse, resumed
 
 
 @of_model(kind=Axis, start=True)
-@click.option("--t-end", type=float, default=40_000.0, show_default=True, help="How long to follow a motion; exponents are measured after that.")
+@click.option("--t-end", type=float, default=40_000.0, show_default=True, help="How long to follow it; exponents come after.")
 @BACKEND
 @workers(1)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")

@@ -10,17 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..door import model_of
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, flow
 from ..dynamics.segment import Fly
+from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, FloatArray, Parameters, as_number
+from ..parameters import FloatArray, ParameterSet, as_numbers
 from .attractors import Verdict, attractor, judged, same, surely
-from .saddles import Saddle, saddle_near, side
-from .sprag import SPRAG
+from .saddles import Saddle, equilibrium_near, saddle_near, side
 
-#: Components of a state, by name.
-COMPONENTS = ("x", "y", "vx", "vy")
+#: Equilibria that differ by less than this are one.
+SAME = 1e-9
 
 #: How much longer the motion is followed in each refinement, in units of the saddle's time.
 MORE = 2.5
@@ -82,23 +83,26 @@ class BasinBoundary(Result):
 
 
 def basin_boundary(
-    p: Parameters, *, V: float | None = None, d: float | None = None, plane: tuple[str, str] = ("x", "vx"),
-    start: Any = (0.0, 0.0, 0.0, 0.0),
-    to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
+    p: ParameterSet, *, V: float | None = None, d: float | None = None, plane: tuple[str, str] | None = None, start: Any = None,
+    saddle: Any = None, to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
     backend: str | None = None,
 ) -> BasinBoundary:  # fmt: skip
-    """The stable manifold of the divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
+    """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
 
     Parameters
     ----------
-    p : Parameters
-        Scalars, where there are three equilibria.
+    p : Parameters of any model
+        Scalars, where there is a divergent equilibrium; in the article's model that is where there are three.
     V, d : float, optional
         In place of those of ``p``.
-    plane : tuple of str
-        Two of x, y, vx, vy; the other two are those of ``start``.
-    start : array_like of 4 numbers
-        A state in the plane; the curve is looked for along the first direction of the plane, from the equilibrium on.
+    plane : tuple of str, optional
+        Two of the coordinates and rates, as x, y, vx, vy; the others are those of ``start``. The first coordinate and its rate
+        unless told otherwise.
+    start : array_like, optional
+        A state in the plane, 0 where it is left out; the curve is looked for along the first direction of the plane, from the
+        equilibrium on.
+    saddle : array_like, optional
+        Coordinates near the equilibrium; needed where there are several.
     to : pair of ranges, optional
         Of the two; by default 3 to either side of the equilibrium, and 1 for speeds.
     step : float
@@ -113,7 +117,7 @@ def basin_boundary(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and where there is no divergent equilibrium.
+        For arguments that make no sense, and unless there is one divergent equilibrium, near ``saddle`` if that is given.
 
     Notes
     -----
@@ -134,33 +138,25 @@ def basin_boundary(
     >>> found.boundary.tolist(), found.sides[0].tolist()
     ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
-    values = p.given(V=V, d=d).scalars(*p.ranges)
-    state = np.array([as_number("start", value, FINITE) for value in start])
-    return boundary_of(
-        SPRAG, values, _divergent(p, values), COMPONENTS, plane, state, to, step=step, points=points, backend=backend
-    )
-
-
-def boundary_of(
-    field: Field, values: tuple[float, ...], saddle: Saddle, names: tuple[str, ...], plane: tuple[str, str], start: FloatArray,
-    to: Any = None, *, step: float = 0.02, points: int = 80, backend: str | None = None,
-) -> BasinBoundary:  # fmt: skip
-    """As :func:`basin_boundary`, of any field whose states have the components ``names``."""
+    model, p = model_of(p), p.given(V=V, d=d)
+    field, values, names = model.field, p.scalars(*p.ranges), (*model.coordinates, *model.rates)
+    plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
     if len(plane) != 2 or plane[0] == plane[1] or any(name not in names for name in plane):
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
     axes = (names.index(plane[0]), names.index(plane[1]))
+    known = _saddle(model, p, values, saddle)
     fly, name = carrier(field, backend)
     widths = [3.0 if axis < len(field.coordinates) else 1.0 for axis in axes]
-    ranges = to or tuple((saddle.state[a] - w, saddle.state[a] + w) for a, w in zip(axes, widths, strict=True))
+    ranges = to or tuple((known.state[a] - w, known.state[a] + w) for a, w in zip(axes, widths, strict=True))
     plain = flow(field, name, derivatives=False).fly
-    walk = _Walk(field, fly, plain, values, saddle, axes, ranges, step, points)
-    first, error, span = walk.begun(start)
+    walk = _Walk(field, fly, plain, values, known, axes, ranges, step, points)
+    first, error, span = walk.begun(state_of(model, start))
     ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
     found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
     sides = [_told_sides(walk, name, each, span) for each, _ in found]
     return BasinBoundary(
         plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]),
-        np.array([differ for differ, _ in sides]), np.array([told for _, told in sides]), saddle.state, saddle.growth,
+        np.array([differ for differ, _ in sides]), np.array([told for _, told in sides]), known.state, known.growth,
         (ways[0][1], ways[1][1]),
     )  # fmt: skip
 
@@ -215,21 +211,30 @@ def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdic
         return False
 
 
-def _divergent(p: Parameters, values: tuple[float, ...]) -> Saddle:
-    """The divergent equilibrium at the friction of steady sliding, as the motion has it."""
-    from ..catastrophe import sliding_friction
-    from ..statics.results import Stability
-    from ..statics.solver import equilibria
+def _saddle(model: Any, p: ParameterSet, values: tuple[float, ...], near: Any) -> Saddle:
+    """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
+    n, places = len(model.coordinates), [as_numbers("saddle", near)] if near is not None else _places(model, p)
+    if any(place.shape not in ((n,), (2 * n,)) for place in places):
+        raise ParameterError(f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it")
+    found: list[Saddle] = []
+    for place in places:
+        with suppress(ConvergenceError):
+            known = saddle_near(model.field, values, equilibrium_near(model.field, values, place))
+            if known is not None and not any(np.abs(known.state - other.state).max() < SAME for other in found):
+                found.append(known)
+    if len(found) != 1:
+        listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found) or "none"
+        raise ParameterError(
+            f"one divergent equilibrium is needed to follow its stable manifold, there are: {listed}; give saddle= near one"
+        )
+    return found[0]
 
-    found = equilibria(p.replace(mu0=sliding_friction(values[1], values[-2], values[-1])))
-    rows = np.flatnonzero(found.stability == Stability.DIVERGENT)
-    if not len(rows):
-        raise ParameterError("there is no divergent equilibrium, and so no such boundary; three equilibria are needed")
-    place = np.array([found.x[rows[0]], found.y[rows[0]], 0.0, 0.0])
-    saddle = saddle_near(SPRAG, values, place)
-    if saddle is None:
-        raise ConvergenceError("the divergent equilibrium repels in more than one direction")
-    return saddle
+
+def _places(model: Any, p: ParameterSet) -> Any:
+    """Where the equilibria of steady sliding are, shape (k, n)."""
+    found = model.equilibria(p)
+    columns = np.array([getattr(found, name) for name in model.coordinates]).T
+    return columns[np.isfinite(columns).all(axis=1)]
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,8 @@ from ..dynamics.shooting import Loop, extent, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
-from .halving import between_halves, due, halved, in_halves, meets, nearer
-from .inspection import Finding, NotLocated, Seen, findings, unlocated
+from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
+from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
@@ -37,8 +37,9 @@ COARSE = 1e-4
 #: Steps shorter than this are cut no more to see what happens before such an end.
 FINEST = 1e-9
 
-#: The last cycles before such an end: how far apart their halves are, each in that of the one before.
-SHORT_OF = (0.5, 0.5, 0.5)
+#: The last cycles before such an end have halves half as far apart, each than the one before: at least so many, and at most
+#: so many more while anything differs there from the end itself.
+LAST, MORE = 3, 12
 
 #: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
 ALIKE = 1e-7
@@ -252,7 +253,7 @@ class _Trace:
             if share is not None:
                 merged = halved(setting, *between_halves(point, ahead, share, setting.free[0]))
                 last = self._last_ones(point, merged[0]) if merged is not None else []
-                if merged is not None and (len(last) == len(SHORT_OF) or arc < FINEST):
+                if merged is not None and (len(last) >= LAST or arc < FINEST):
                     yield from self._merging(seen, before, last, *merged)
                     return
                 if arc > COARSE or merged is not None:
@@ -279,7 +280,7 @@ class _Trace:
                 yield end
                 return
             merged = self._soon(point, ahead)
-            if merged is not None and len(last := self._last_ones(ahead, merged[0])) == len(SHORT_OF):
+            if merged is not None and len(last := self._last_ones(ahead, merged[0])) >= LAST:
                 yield from self._merging(after, seen, last, *merged)
                 return
             finer = cut_finer(setting, ahead)
@@ -291,9 +292,10 @@ class _Trace:
     def _last_ones(self, point: Point, end: Loop) -> list[Point]:
         """The points on the last part of a branch of doubled cycles, a bit short of its end, as far as they are found."""
         found: list[Point] = []
-        for share in SHORT_OF:
-            near = nearer(self.setting, point, end, share)
-            if near is None:
+        there = Seen(self.setting, twice(self.setting, end, point))
+        for count in range(LAST + MORE):
+            near = nearer(self.setting, point, end, 0.5)
+            if near is None or (count >= LAST and not differing(Seen(self.setting, point), there)):
                 break
             found.append(near)
             point = near
@@ -313,6 +315,9 @@ class _Trace:
                 yield from unlocated(str(unfound), near.loop, width)
             yield near
             before, seen = None, last
+        for kind in differing(seen, Seen(self.setting, twice(self.setting, loop, seen.point))):
+            last_one = seen.point.loop
+            yield from unlocated(kind, last_one, abs(self.value(loop) - self.value(last_one)))
         yield End("end", loop, error, how=MERGES)
 
     def _soon(self, point: Point, ahead: Point) -> tuple[Loop, float] | None:

@@ -9,14 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..door import model_of
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
 from ..dynamics.regimes import Regime
+from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError
-from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
+from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from .attractors import KINDS, attractor, judged, limiting
 from .growth_rates import PROVED, rates_along
-from .sprag import SPRAG
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +65,7 @@ class Lyapunov(Result):
 
 
 def lyapunov(
-    p: Parameters, *, V: float | None = None, d: float | None = None, start: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 4000.0,
+    p: ParameterSet, *, V: float | None = None, d: float | None = None, start: Any = None, t_end: float = 4000.0,
     backend: str | None = None,
 ) -> Lyapunov:  # fmt: skip
     """The Lyapunov exponents of a motion with their errors, and what they prove.
@@ -75,12 +76,12 @@ def lyapunov(
 
     Parameters
     ----------
-    p : Parameters
+    p : Parameters of any model
         Scalars.
     V, d : float, optional
         In place of those of ``p``.
-    start : array_like of 4 numbers
-        x, y, x', y'.
+    start : array_like, optional
+        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     t_end : float
         Until when.
     backend : {"heyoka", "scipy"}, optional
@@ -107,9 +108,8 @@ def lyapunov(
     >>> bool(abs(found.exponents.sum() - found.trace) < 1e-9)
     True
     """
-    values = p.given(V=V, d=d).scalars(*p.ranges)
-    state = np.array([as_number("start", value, FINITE) for value in start])
-    return exponents_of(SPRAG, values, state, as_number("t_end", t_end, POSITIVE), backend)
+    model, values = model_of(p), p.given(V=V, d=d).scalars(*p.ranges)
+    return exponents_of(model.field, values, state_of(model, start), as_number("t_end", t_end, POSITIVE), backend)
 
 
 def exponents_of(

@@ -13,12 +13,14 @@ from typing import Any
 import numpy as np
 
 from ..display import Result
+from ..door import model_of
 from ..dynamics.cycles import same_orbit
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, follower
 from ..dynamics.regimes import Outcome, Regime
+from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, FloatArray, Parameters, as_number
+from ..parameters import FloatArray, ParameterSet, as_numbers
 from .attractors import (
     JUDGED,
     PARTED,
@@ -35,7 +37,6 @@ from .attractors import (
 from .branch import MERGES, cycle_branch
 from .finding import cycle_at
 from .saddles import growth_of_cycle, saddle_near
-from .sprag import SPRAG
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
 LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
@@ -119,8 +120,8 @@ class FateBoundary(Result):
 
 
 def fate_boundary(
-    p: Parameters, *, vary: str, bracket: tuple[float, float], V: float | None = None, d: float | None = None,
-    start: Any = (0.0, 0.0, 0.0, 0.0), backend: str | None = None,
+    p: ParameterSet, *, vary: str, bracket: tuple[float, float], V: float | None = None, d: float | None = None,
+    start: Any = None, backend: str | None = None,
 ) -> FateBoundary:  # fmt: skip
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers at.
 
@@ -130,17 +131,17 @@ def fate_boundary(
 
     Parameters
     ----------
-    p : Parameters
+    p : Parameters of any model
         Scalars; the one that varies is replaced.
     vary : str
-        theta0, mu0, kappa, alpha, sigma, beta, V or d.
+        A parameter of the model, of the article's theta0, mu0, kappa, alpha, sigma, beta, V or d.
     bracket : tuple of float
         Two values with different fates. Where there are several changes between them, one is found, and ``others`` tells of those
         that were seen.
     V, d : float, optional
         In place of those of ``p``.
-    start : array_like of 4 numbers
-        x, y, x', y'.
+    start : array_like, optional
+        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
 
     Returns
     -------
@@ -169,12 +170,15 @@ def fate_boundary(
     >>> round(found.value, 8), found.saddle
     (0.72101173, 'equilibrium')
     """
-    if vary not in SPRAG.parameters:
-        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(SPRAG.parameters)}")
-    values = p.given(V=V, d=d).replace(**{vary: bracket[0]}).scalars(*p.ranges)
-    state = np.array([as_number("start", value, FINITE) for value in start])
-    low, high = (as_number("bracket", value, FINITE) for value in bracket)
-    return boundary_of(SPRAG, values, vary, (low, high), state, backend)
+    model = model_of(p)
+    if vary not in model.parameters:
+        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
+    ends = as_numbers("bracket", bracket)
+    if ends.shape != (2,):
+        raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
+    low, high = ends.tolist()
+    values = p.given(V=V, d=d).replace(**{vary: low}).scalars(*p.ranges)
+    return boundary_of(model.field, values, vary, (low, high), state_of(model, start), backend)
 
 
 def boundary_of(

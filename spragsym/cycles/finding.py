@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
+from ..door import model_of
 from ..dynamics import Trajectory
 from ..dynamics.bifurcation_functions import multipliers
 from ..dynamics.field import Field
@@ -15,9 +16,8 @@ from ..dynamics.regimes import Regime
 from ..dynamics.segment import Fly, Turn
 from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..parameters import FINITE, FloatArray, Parameters, as_number
+from ..parameters import FINITE, FloatArray, ParameterSet, as_number
 from .orbit import Cycle, cycle_of
-from .sprag import SPRAG
 
 #: Returns of a motion are looked at over this time, then over longer ones.
 STAGES = (400.0, 3000.0, 20000.0)
@@ -43,23 +43,23 @@ COMES_TO = {
 
 
 def cycle(
-    p: Parameters | None = None, *, V: float | None = None, d: float | None = None, near: Any = None, backend: str | None = None,
-    patient: bool = True, onset: Any = None, index: int = 0, amplitude: float | None = None,
+    p: ParameterSet | None = None, near: Any = None, *, V: float | None = None, d: float | None = None,
+    backend: str | None = None, patient: bool = True, onset: Any = None, index: int = 0, amplitude: float | None = None,
 ) -> Cycle:  # fmt: skip
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an onset of flutter.
 
-    Newton's method on the flow and its derivatives, by multiple shooting; the orbit may cross y = 0 and x' = V as often
-    as it likes, as the field is continuous there.
+    Newton's method on the flow and its derivatives, by multiple shooting; the orbit may lose contact and overtake the belt as
+    often as it likes, as the field is continuous there.
 
     Parameters
     ----------
-    p : Parameters
+    p : Parameters of any model
         Scalars.
+    near : array_like, Trajectory or Cycle, optional
+        A state near the cycle, stable or not, coordinates, then rates, of the article's model x, y, x', y'; or a motion whose end
+        approaches it; or a cycle for other values of the parameters. 0 where left out.
     V, d : float, optional
         In place of those of ``p``.
-    near : array_like of 4 numbers, Trajectory or Cycle, optional
-        A state x, y, x', y' near the cycle, stable or not; or a motion whose end approaches it; or a cycle for other values
-        of the parameters. Rest at x = y = 0 where left out.
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     patient : bool
@@ -98,26 +98,16 @@ def cycle(
     >>> str(onsets.criticality[1]), born.stable, bool(born.parameters["V"] > onsets.V[1])
     ('dangerous', False, True)
     """
-    born = at_onset(p, near, {"onset": onset, "index": index, "amplitude": amplitude, "backend": backend})
-    if born is not None:
+    if onset is not None:
+        if p is not None or near is not None:
+            raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
+        if not hasattr(onset, "cycle"):
+            raise ParameterTypeError(f"onset = {onset!r:.60} is no result of model.flutter_onsets(...)")
+        born: Cycle = onset.cycle(index, amplitude, backend)
         return born
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
-    values = p.given(V=V, d=d).scalars(*p.ranges)
-    return cycle_near(SPRAG, values, near, backend, patient=patient)
-
-
-def at_onset(p: Any, near: Any, options: Mapping[str, Any]) -> Cycle | None:
-    """The cycle that is born at ``onset`` of the options; None where there is none among them."""
-    onset = options.get("onset")
-    if onset is None:
-        return None
-    if p is not None or near is not None:
-        raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
-    if not hasattr(onset, "cycle"):
-        raise ParameterTypeError(f"onset = {onset!r:.60} is no result of model.flutter_onsets(...)")
-    born: Cycle = onset.cycle(options.get("index", 0), options.get("amplitude"), options.get("backend"))
-    return born
+    return cycle_near(model_of(p).field, p.given(V=V, d=d).scalars(*p.ranges), near, backend, patient=patient)
 
 
 def cycle_near(

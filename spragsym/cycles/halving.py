@@ -131,6 +131,12 @@ def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: flo
     return loop, float(abs(high - low) + noise / slope + 1e-15 * (1 + abs(high)))
 
 
+def twice(setting: Setting, end: Loop, along: Point) -> Point:
+    """The end of a branch of doubled cycles as one of these; it has no tangent of its own, and takes that of a point near it."""
+    guess = Guess(np.tile(end.guess.states, (2, 1)), 2 * end.guess.period, end.guess.values)
+    return Point(looped(setting.field, setting.fly, guess, setting.free), along.tangent)
+
+
 def nearer(setting: Setting, point: Point, end: Loop, share: float) -> Point | None:
     """The doubled cycle whose halves are a share as far apart as a point's, on its way to where they meet; None if not found."""
     index, guess = setting.free[0], point.loop.guess

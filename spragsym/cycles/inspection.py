@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -12,7 +13,7 @@ from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair, is_lost,
 from ..dynamics.shooting import Loop
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .arclength import Point, Setting, between, corrected, uncertainty
+from .arclength import Point, Setting, between, corrected, placed, uncertainty
 from .grazing import Touch, grazing, may_touch, paired, signature, touches
 
 #: What test functions tell, a grazing apart.
@@ -36,6 +37,9 @@ UNFOUND = "a sign changes there, and no zero was found"
 
 #: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at the ends of the step.
 JUMPS = 1e-2
+
+#: Few orbits scatter less than rounding may: their scatter counts so many times.
+SCATTER = 10.0
 
 #: A step longer than this is made shorter where an event in it is not located.
 FINEST = 1e-5
@@ -96,6 +100,16 @@ class Finding:
     border: int = -1
     crossed: FloatArray | None = None
     how: str = ""
+
+
+def differing(one: Seen, other: Seen) -> list[str]:
+    """Kinds of event that lie between two points of a branch of doubled cycles, the other one its end.
+
+    There one of its multipliers is 1, so that test functions of a fold say nothing.
+    """
+    told = [kind for kind in ("period_doubling", "torus") if kind not in one.lost | other.lost]
+    kinds = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
+    return kinds + ["grazing"] * (signature(one.point) != signature(other.point))
 
 
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
@@ -216,6 +230,20 @@ def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> fl
     own = uncertainty(one.setting, point)
     if kind == "fold":
         return own  # the parameter is extremal there
-    slope = abs(one.criteria[kind] - other.criteria[kind]) / length
-    place = LOCATED + unsure(point.loop, _of_multipliers(kind)) / slope
-    return own + abs(float(point.tangent[-1])) * place
+    change = abs(one.criteria[kind] - other.criteria[kind])
+    place = LOCATED + unsure(point.loop, _of_multipliers(kind)) * length / change
+    return own + abs(float(point.tangent[-1])) * place + SCATTER * _scatter(kind, one, other, point) / change
+
+
+def _scatter(kind: str, one: Seen, other: Seen, point: Point) -> float:
+    """By how much a test function scatters where orbits at one parameter are found from either side, times the step in that.
+
+    Near a grazing multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
+    """
+    value, width = point.loop.guess.values[one.setting.free[0]], abs(_value(other) - _value(one))
+    found = []
+    for base in (one.point, other.point):
+        with suppress(ConvergenceError, ZeroDivisionError):
+            step = (value - base.loop.guess.values[one.setting.free[0]]) / float(base.tangent[-1]) * base.tangent
+            found.append(abs(criterion(kind, placed(one.setting, base, step, value)) - criterion(kind, point)))
+    return width * max(found, default=0.0)

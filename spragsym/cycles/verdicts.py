@@ -9,16 +9,17 @@ from typing import Any
 import numpy as np
 
 from ..display import Result
+from ..door import model_of
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
 from ..dynamics.regimes import Outcome, Regime
+from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
+from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
 from .finding import cycle_near
 from .growth_rates import rates_along
 from .saddles import decay_at, equilibrium_near
-from .sprag import SPRAG
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
 SHARES = (0.2, 0.8)
@@ -68,8 +69,8 @@ class Fate(Result):
 
 
 def fate(
-    p: Parameters, *, V: float | None = None, d: float | None = None, start: Any = (0.0, 0.0, 0.0, 0.0),
-    t_end: float = 40_000.0, backend: str | None = None,
+    p: ParameterSet, *, V: float | None = None, d: float | None = None, start: Any = None, t_end: float = 40_000.0,
+    backend: str | None = None,
 ) -> Fate:  # fmt: skip
     """What a motion comes to, as far as that can be told.
 
@@ -79,12 +80,12 @@ def fate(
 
     Parameters
     ----------
-    p : Parameters
+    p : Parameters of any model
         Scalars.
     V, d : float, optional
         In place of those of ``p``.
-    start : array_like of 4 numbers
-        x, y, x', y'.
+    start : array_like, optional
+        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
     t_end : float
         How long to follow the motion. Exponents are looked at after that, for a fifth of it, and for as long as it where one may
         be positive.
@@ -114,9 +115,8 @@ def fate(
     >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale, -3)
     227000.0
     """
-    values = p.given(V=V, d=d).scalars(*p.ranges)
-    state = np.array([as_number("start", value, FINITE) for value in start])
-    return fate_of(SPRAG, values, state, as_number("t_end", t_end, POSITIVE), backend)
+    model, values = model_of(p), p.given(V=V, d=d).scalars(*p.ranges)
+    return fate_of(model.field, values, state_of(model, start), as_number("t_end", t_end, POSITIVE), backend)
 
 
 def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None = None) -> Fate:
@@ -154,10 +154,8 @@ def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: f
         f"than {lasting:.2g} on the average (95 %)"
     )
     trivial = int(np.flatnonzero(order == 0)[0]) if rates.moves else -1
-    return Fate(
-        "undecided" if why else "chaotic", told, t, verdict.outcome, rates.exponents[order], rates.error[order], trivial, scale, near,
-        end,
-    )  # fmt: skip
+    kind, exponents, error = "undecided" if why else "chaotic", rates.exponents[order], rates.error[order]
+    return Fate(kind, told, t, verdict.outcome, exponents, error, trivial, scale, near, end)
 
 
 def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> float:

@@ -23,6 +23,12 @@ Mode: TypeAlias = tuple[int, ...]
 #: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the order of its square.
 GAP = 1e-12
 
+#: How far apart an exponential of the friction law is left out and taken in again, in units of its exponent.
+WIDTH = 5.0
+
+#: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law out: far below rounding.
+REACH = 42.0
+
 
 @dataclass(frozen=True)
 class Border:

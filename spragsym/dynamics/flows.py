@@ -10,13 +10,12 @@ from typing import Any
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
-from .field import Field
+from .field import REACH, Field
 from .measures import Courses, Ends
 from .periodic_orbit import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
 from .problem import Problem
 from .segment import Fly
 from .shooting import CLOSED
-from .sprag import REACH
 
 #: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15

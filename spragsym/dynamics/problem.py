@@ -24,8 +24,8 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, Range, as_number
 from . import sprag
-from .field import GAP, Border, Field, Mode
-from .sprag import WIDTH, acceleration, jacobian
+from .field import GAP, WIDTH, Border, Field, Mode
+from .sprag import acceleration, jacobian
 
 __all__ = ["GAP", "WIDTH", "Mode", "acceleration", "jacobian"]
 

@@ -13,13 +13,7 @@ from functools import cache
 from typing import Any
 
 from ..generated import motion
-from .field import GAP, Border, Field, Mode
-
-#: How far apart the exponential of (10) is left out and taken in again, in units of its exponent.
-WIDTH = 5.0
-
-#: d |V − x'| beyond which the search for cycles leaves the exponential out: far below rounding.
-REACH = 42.0
+from .field import GAP, WIDTH, Border, Field, Mode
 
 #: Accelerations and their derivatives in one mode, continued beyond its borders: for scalars, without checks.
 acceleration: Any = inspect.unwrap(motion.regime_rhs)

@@ -15,7 +15,7 @@ from ..door import model_of
 from ..errors import ParameterError, ParameterTypeError
 from ..files import storage
 from ..names import hint
-from ..parameters import FloatArray, ParameterSet, as_number, as_numbers, degrees
+from ..parameters import FINITE, FloatArray, ParameterSet, as_number, as_numbers, degrees
 from . import forces, integrators, pictures, spectra
 from .events import Events
 from .problem import MAX_STEPS, Event, Problem
@@ -305,6 +305,11 @@ def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, Arr
             raise ParameterTypeError(f"{name} is no argument{hint(name, names) or '; the initial state is ' + ', '.join(names)}")
         values[name] = value
     return {name: as_numbers(name, value) for name, value in values.items()}
+
+
+def state_of(model: Any, start: ArrayLike | None) -> FloatArray:
+    """One initial state as an array; rest where nothing is given."""
+    return np.array([as_number("start", value, FINITE) for value in initial_state(model, start, {}).values()])
 
 
 def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:

@@ -13,7 +13,6 @@ _ROOMS = {
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
     "dynamics": ("prepare", "rest_index"),
-    "cycles": ("cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary"),
     "sweeps": ("motions",),
     "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip

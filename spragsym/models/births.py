@@ -10,12 +10,10 @@ import numpy as np
 from ..cycles.orbit import Cycle, cycle_of
 from ..dynamics.flows import carrier
 from ..dynamics.shooting import LARGEST_GROWTH, Guess, Loop, divided, growth, looped, solved
-from ..dynamics.sprag import REACH
 from ..errors import ConvergenceError
 from ..exact.interval_arrays import FloatArray
 from ..exact.polynomials import Undecided
 from ..parameters import POSITIVE, as_number
-from .field import field_of
 from .normal_forms import NormalForm, normal_form
 
 if TYPE_CHECKING:
@@ -59,7 +57,7 @@ def born(
     ConvergenceError
         Where Newton's method finds no such cycle.
     """
-    field, place = field_of(model, REACH), model.parameters.index(vary)
+    field, place = model.field, model.parameters.index(vary)
     if amplitude is not None:
         amplitude = as_number("amplitude", amplitude, POSITIVE)
     given, state, radius = _of_the_motion(model, given, state, place, form)
@@ -109,7 +107,7 @@ def _of_the_motion(
     model: Model, given: FloatArray, state: FloatArray, place: int, form: NormalForm
 ) -> tuple[FloatArray, FloatArray, float]:  # fmt: skip
     """Parameters and coordinates at the Hopf point of the motion itself, and how well they are known, by Newton's method."""
-    field, n = field_of(model, REACH), len(state)
+    field, n = model.field, len(state)
 
     def residual(unknowns: FloatArray) -> FloatArray:
         values = given.copy()
@@ -146,7 +144,7 @@ def _of_the_motion(
 
 def _default(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> float:
     """|z| of a share of the amplitude at which gap or sliding speed would come to 0, to first order."""
-    field = field_of(model, REACH)
+    field = model.field
     constants, rest, step = field.constants(given.tolist()), [*state.tolist(), *[0.0] * len(state)], 1e-6
 
     def levels(u: Any) -> FloatArray:

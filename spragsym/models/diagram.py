@@ -21,10 +21,8 @@ from ..cycles.finding import cycle_near
 from ..cycles.saddles import equilibrium_near
 from ..display import Result
 from ..dynamics.field import Field, Mode
-from ..dynamics.sprag import REACH
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..parameters import FINITE, FloatArray, ParameterSet, as_number
-from .field import field_of
 
 if TYPE_CHECKING:
     from .model import Model
@@ -170,7 +168,7 @@ def diagram_of(
     low, high = (as_number("to", value, FINITE) for value in to)
     if not low < high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range; give its lower end first")
-    motion, remarks = field_of(model, REACH), list[str]()
+    motion, remarks = model.field, list[str]()
     for bound in (low, high):
         motion.check(vary, bound)
     rests = _equilibria(model, motion, p, vary, (low, high))

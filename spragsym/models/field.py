@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..dynamics import forces
-from ..dynamics.field import GAP, Border, Field, Mode
-from ..dynamics.sprag import REACH, WIDTH
+from ..dynamics.field import GAP, WIDTH, Border, Field, Mode
 from ..errors import ParameterError
 
 if TYPE_CHECKING:
@@ -73,7 +72,7 @@ def exact_field(where: str) -> Field:
         raise ParameterError(
             "the turning of a torsion spring is an arc tangent of the place, which proofs of cycles do not take in"
         )
-    return field_of(model, REACH)
+    return model.field
 
 
 def _in_mode(model: Model, name: str) -> Callable[..., Any]:
@@ -129,13 +128,13 @@ def _borders(model: Model, row: int) -> tuple[Callable[..., Any], Callable[..., 
 def _contact(model: Model) -> Border:
     """Where the gap is zero. A law that is no polynomial may have no continuation beyond: it is left GAP before its border."""
     level, rate = _borders(model, 0)
-    shift = 0.0 if model.about["contact"]["polynomial"] else 2 * GAP
+    shift, name = 0.0 if model.about["contact"]["polynomial"] else 2 * GAP, f"{model.about['contact']['gap']} = 0"
 
     def shifted(state: Any, constants: Any, mode: Any) -> Any:
         return level(state, constants, mode) + shift
 
     return Border(
-        "gap = 0", shifted if shift else level, rate, lambda mode: 1 - 2 * mode[0], lambda mode: (1 - mode[0], *mode[1:]),
+        name, shifted if shift else level, rate, lambda mode: 1 - 2 * mode[0], lambda mode: (1 - mode[0], *mode[1:]),
         crossings=("contact_lost", "contact_regained"),
     )  # fmt: skip
 
@@ -143,8 +142,10 @@ def _contact(model: Model) -> Border:
 def _slip(model: Model) -> Border:
     """Where the sliding speed is zero."""
     level, rate = _borders(model, 1)
+    along, belt = (model.about["friction"][name] for name in ("along", "belt"))
+    name = f"{along if along.isidentifier() else f'({along})'}' = {belt}"
     return Border(
-        "slip = 0", level, rate, lambda mode: mode[1], lambda mode: (mode[0], -mode[1], *mode[2:]),
+        name, level, rate, lambda mode: mode[1], lambda mode: (mode[0], -mode[1], *mode[2:]),
         crossings=("belt_overtakes", "mass_overtakes"),
     )  # fmt: skip
 
@@ -270,6 +271,6 @@ def _check(model: Model) -> Callable[[str, float], None]:
 def _simulate(model: Model) -> Callable[..., Any]:
     def simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
         p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
-        return model.search.simulate(p, start=np.asarray(state), t_end=t_end, **options)
+        return model.simulate(p, start=np.asarray(state), t_end=t_end, **options)
 
     return simulate

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
     from ..design import Certificate, JumpGradient, JumpMargin, JumpProbability, Redesign
     from ..dynamics import Trajectory
+    from ..dynamics.field import Field
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
     from ..statics.bifurcation_sets import BifurcationSet
@@ -94,6 +95,14 @@ class Model:
     def search(self) -> Model:
         """The same model without its closed forms: every question by the general way, as with ``method="search"``."""
         return Model(self.where, self.about, self._modules, self.Parameters) if self.closed else self
+
+    @cached_property
+    def field(self) -> Field:
+        """The field of its motion, with exponentials of the friction law left out far below rounding."""
+        from ..dynamics.field import REACH
+        from .field import field_of
+
+        return field_of(self, REACH)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -315,18 +324,11 @@ class Model:
         return onset_curves(self, p, self._two(vary), n, **options)
 
     @question
-    def cycle(
-        self, p: ParameterSet | None = None, near: Any = None, *, V: float | None = None, d: float | None = None, **options: Any
-    ) -> Cycle:
+    def cycle(self, p: ParameterSet | None = None, near: Any = None, **options: Any) -> Cycle:
         """The cycle near a state, or that a motion approaches, or, with ``onset=``, that is born: see :func:`spragsym.cycle`."""
-        from ..cycles.finding import at_onset
-        from .oscillation import cycle
+        from ..cycles import cycle
 
-        born = at_onset(p, near, options)
-        if born is not None:
-            return born
-        assert p is not None
-        return cycle(self, p.given(V=V, d=d), near, **options)
+        return cycle(p, near, **options)
 
     def cycle_branch(self, cycle: Cycle, vary: str, to: tuple[float, float], **options: Any) -> CycleBranch:
         """A cycle followed as one of the model's parameters varies: see :func:`spragsym.cycle_branch`, which is the same."""
@@ -335,35 +337,32 @@ class Model:
         return cycle_branch(cycle, vary, to, **options)
 
     @question
-    def lyapunov(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> Lyapunov:
+    def lyapunov(self, p: ParameterSet, **options: Any) -> Lyapunov:
         """Lyapunov exponents of the motion from ``start``: see :func:`spragsym.lyapunov`."""
-        from .oscillation import lyapunov
+        from ..cycles import lyapunov
 
-        return lyapunov(self, p.given(V=V, d=d), **options)
+        return lyapunov(p, **options)
 
     @question
-    def fate(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> Fate:
+    def fate(self, p: ParameterSet, **options: Any) -> Fate:
         """What the motion from ``start`` comes to: see :func:`spragsym.fate`."""
-        from .oscillation import fate
+        from ..cycles import fate
 
-        return fate(self, p.given(V=V, d=d), **options)
+        return fate(p, **options)
 
     @question
-    def fate_boundary(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> FateBoundary:
+    def fate_boundary(self, p: ParameterSet, **options: Any) -> FateBoundary:
         """The value of ``vary`` in ``bracket`` at which ``start`` changes its fate: see :func:`spragsym.fate_boundary`."""
-        from .oscillation import fate_boundary
+        from ..cycles import fate_boundary
 
-        return fate_boundary(self, p.given(V=V, d=d), **options)
+        return fate_boundary(p, **options)
 
     @question
-    def basin_boundary(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> BasinBoundary:
-        """The stable manifold of a saddle in a plane of starts: see :func:`spragsym.basin_boundary`.
+    def basin_boundary(self, p: ParameterSet, **options: Any) -> BasinBoundary:
+        """The stable manifold of a saddle in a plane of starts: see :func:`spragsym.basin_boundary`."""
+        from ..cycles import basin_boundary
 
-        ``plane`` names two of the coordinates and rates; ``saddle`` is a place near the saddle, where there are several.
-        """
-        from .oscillation import basin_boundary
-
-        return basin_boundary(self, p.given(V=V, d=d), **options)
+        return basin_boundary(p, **options)
 
     @question
     def simulate(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> Trajectory:

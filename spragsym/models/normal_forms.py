@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics.sprag import REACH
 from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.complex_numbers import Complex, as_complex
 from ..exact.elimination import solved
@@ -31,7 +30,6 @@ from ..exact.intervals import Ball, Balls
 from ..exact.jets import Jet, constant
 from ..exact.polynomials import Undecided
 from .balance import Balance
-from .field import field_of
 from .forces import undecorated
 from .precise import PreciseBalance
 
@@ -172,7 +170,7 @@ class _Point:
         self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, spans).arguments
         self.parameter: Ball = self.values[self.vary]
         self.state = [*q, *(_ball(0) for _ in q)]
-        self.motion = field_of(model, REACH)
+        self.motion = model.field
         floats = [float(value) for value in state] + [0.0] * self.n
         mode = self.motion.mode_at_rest(floats, self.motion.constants(given.tolist()))
         self.mode = self.motion.exact(mode)

@@ -24,7 +24,7 @@ from spragsym.dynamics import batch_heyoka, classify, cycles, flows
 from spragsym.dynamics.motions import Motions
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.sweeps import Regime, rms_sweep
-from spragsym.sweeps.measure import Settings, motions
+from spragsym.sweeps.measure import Settings
 
 #: Motions at a time: machines slow down and speed up, so both are timed in turn.
 PART = 20_000
@@ -47,7 +47,7 @@ def motions_of(p: ss.Parameters, starts: dict[str, np.ndarray], t_end: float) ->
     """The motions of points, to be integrated alone."""
     settings = Settings(t_end, 0.75 * t_end, 1e-10, "heyoka")
     columns = [p.theta0, p.mu0, p.kappa, p.alpha, p.sigma, p.beta, *(np.full(p.shape, v) for v in (0.5, 10.0)), *starts.values()]
-    found, _ = motions(settings, list(zip(*(column.tolist() for column in columns), strict=True)))
+    found, _ = p.model.motions(settings, list(zip(*(column.tolist() for column in columns), strict=True)))
     assert found is not None
     return found
 

@@ -40,8 +40,9 @@ INTERFACE = frozenset((
     "onset_curves", "diagram",
     "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
-#: Steps on the way to answers: a motion as a problem for an integrator, many of them, and the equilibrium that one rests at.
-PARTS = frozenset(("prepare", "motions", "rest_index"))
+#: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, and whether one that is
+#: above the belt stays there.
+PARTS = frozenset(("integrate", "rest_index", "aloft"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 

@@ -568,7 +568,7 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
 def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
     """Irregular transients at the ends: by another tolerance, or begun 1e-12 beside, they come to something else."""
     p, settings = of_call(number)
-    with pytest.raises(ss.ConvergenceError, match=r"or, as rounding decides, to .*; give values at which the motion settles"):
+    with pytest.raises(ss.ConvergenceError, match=r"or, as rounding decides, to "):
         ss.fate_boundary(p, **settings)
 
 

@@ -13,7 +13,7 @@ from spragsym.dynamics import Event, batch_heyoka, flows, integrators, measures,
 from spragsym.dynamics.classify import classified, classify
 from spragsym.dynamics.field import Field
 from spragsym.dynamics.motions import Measured, Motions
-from spragsym.dynamics.problem import Problem, prepare
+from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.errors import SweepError
 from spragsym.statics.solver import equilibria
@@ -21,6 +21,7 @@ from spragsym.sweeps import Regime, rms_sweep
 
 pytest.importorskip("heyoka")
 BELT = {"V": 0.5, "d": 10.0}
+MODEL = ss.load("kang_nam")
 RNG = np.random.default_rng(15)
 
 
@@ -30,13 +31,15 @@ def problems(count: int, t_end: float = 60.0, t_record: float = 20.0, **options:
     low, high = [0.1, 0.1, *[-0.3] * 4], [3.0, 1.0, *[0.3] * 4]
     for theta0, mu0, *start in RNG.uniform(low, high, (count, 6)).tolist():
         p = ss.Parameters.article(theta0=theta0, mu0=mu0)
-        found.append(prepare(p.replace(**BELT), start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options))
+        found.append(
+            p.model.prepare(p.replace(**BELT), start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options)
+        )
     return found
 
 
 def broken(problem: Problem) -> Problem:
     """A motion whose numbers overflow."""
-    return Problem(problem.constants, (0.1, 0.1, 1e200, 0.0), problem.t_end, problem.t_record, problem.rtol, problem.max_steps)
+    return replace(problem, start=(0.1, 0.1, 1e200, 0.0))
 
 
 def assert_same(one: Measured, row: int, other: Measured, place: int) -> None:
@@ -132,7 +135,7 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
     some = problems(9, t_end=40.0, t_record=10.0)
     found = batch_heyoka.watch(Motions.of(some))
     for row, problem in enumerate(some):
-        p = ss.Parameters.article(theta0=np.arctan2(problem.constants.sin0, problem.constants.cos0), mu0=problem.constants.mu0)
+        p = ss.Parameters.article(theta0=np.arctan2(problem.constants[1], problem.constants[0]), mu0=problem.constants[2])
         x0, y0, vx0, vy0 = problem.start
         tr = simulate(p, **BELT, x0=x0, y0=y0, vx0=vx0, vy0=vy0, t_end=40.0, rtol=1e-12, backend="scipy").after(10.0)
         np.testing.assert_allclose(found.last[row], tr.state[:, -1], atol=1e-7)
@@ -183,7 +186,7 @@ def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
     """What every regime asks for first is asked of all at once: it must pass over none that the classifier would tell of."""
     rest = equilibria(ss.Parameters.article(theta0=0.6, mu0=0.5 * (1 - np.exp(-5.0))))
     start = (float(rest.x[0]), float(rest.y[0]), 0.0, 0.0)
-    still = prepare(ss.Parameters.article(theta0=0.6, **BELT), start=start, t_end=60.0, t_record=20.0, rtol=1e-10)
+    still = MODEL.prepare(ss.Parameters.article(theta0=0.6, **BELT), start=start, t_end=60.0, t_record=20.0, rtol=1e-10)
     high = replace(still, start=(0.0, 0.4, 0.0, 0.0))
     some = Motions.of([still, high, *problems(60)])
     found = batch_heyoka.watch(some)
@@ -197,7 +200,7 @@ def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
 
 
 def test_a_cycle_is_told_from_few_turns() -> None:
-    problem = prepare(
+    problem = MODEL.prepare(
         ss.Parameters.article(theta0=np.radians(42), **BELT), start=(0, 0, 0, 0), t_end=2000, t_record=1850, rtol=1e-10
     )
     found = batch_heyoka.watch(Motions.of([problem]))

@@ -104,7 +104,7 @@ def test_a_force_that_the_elimination_was_not_made_for_stops_it(tmp_path: Path) 
 def test_the_page_names_places_that_exist() -> None:
     """Every function that the page says a file has, or uses, stands in that file."""
     text = sections()["Add a viscous damper along the belt"].split("To adopt the change for good")[1]
-    for file, names in (("spragsym/dynamics/sprag.py", ("motion.regime_rhs",)),
+    for file, names in (("derive/models/damped.py", ("page.damper",)),
                         ("derive/kang_nam/mechanics.py", ("further_parameters",))):  # fmt: skip
         assert f"`{file}`" in text
         assert all(f"`{name}`" in text and name in (ROOT / file).read_text(encoding="utf-8") for name in names)

@@ -107,9 +107,8 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
         Of :func:`~spragsym.cycle`; it need not be stable.
     digits : int
         10 to 200: the box has a half width of 10^−digits, or less where that is too wide to show anything, down to 10^−25. A long
-        or unstable cycle needs more. The article's cycle, of period 34, takes half a minute to 25 digits and three times as long
-        to 60; to 200 it has not been proved, within 8 minutes of one core. That of ``stick_slip``, which attracts within one
-        round, has.
+        or unstable cycle needs more. The article's cycle, of period 34, takes half a minute to 25 digits, three times as long to
+        60, and some ten minutes to 200.
     patience : float
         Seconds after which it is given up. The proof runs in a process of its own.
 

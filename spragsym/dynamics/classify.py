@@ -1,25 +1,26 @@
 """What a motion comes to: one classifier for trajectories, sweeps and basins.
 
 A motion is judged by the limit that it approaches and by the rate at which it does, never by how alike two parts
-of a window look: lift-off for good in a well of the energy (:mod:`.lift_off`), rest at an equilibrium by its
+of a window look: lift-off for good where the model knows it, rest at an equilibrium by its
 linearization (:mod:`.rest`), and cycles by the closed orbit itself and its multipliers (:mod:`.cycles`), in this order.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
+from ..parameters import FloatArray
 from . import flows
 from .cycles import FEWEST, on_cycle
 from .flows import Onward
-from .lift_off import is_lifted, lifted_for_good, wells_of
 from .measures import Course
 from .motions import Measured, Motions
-from .problem import Problem
+from .problem import Event, Problem
 from .regimes import SETTLED, Outcome, Regime
 from .rest import at_rest, is_still
 
@@ -43,9 +44,16 @@ def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETT
     Outcome
         Without ``equilibrium``, which :func:`~spragsym.dynamics.rest.rest_index` finds for many at once.
     """
-    if lifted_for_good(course, problem):
+    if is_lifted(course.last, course.events) and problem.field.aloft(np.array([problem.constants]))[0](course.last):
         return Outcome(Regime.LIFT_OFF)
     return at_rest(course, problem, tol) or on_cycle(course, problem, onward, tol) or Outcome()
+
+
+def is_lifted(last: FloatArray, events: NDArray[np.intp]) -> Any:
+    """Whether motions end above the belt, and have not passed y = 0; states and events along the last axis."""
+    if last.shape[-1] < 4:
+        return np.zeros(last.shape[:-1], dtype=bool)
+    return (last[..., 1] > 0) & ~events[..., [Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any(axis=-1)
 
 
 def classified(
@@ -56,12 +64,13 @@ def classified(
     Most short motions are: they hardly turn. They are told by what every other regime asks for first.
     """
     extent, moved = measured.high - measured.low, measured.last[:, 0] - measured.first[:, 0]
-    lifted = is_lifted(measured.last, measured.events) if motions.starts.shape[1] > 2 else np.zeros(len(motions), dtype=bool)
-    known = wells_of(motions, np.flatnonzero(lifted).tolist())
-    lifted[:] = False
-    lifted[[row for row, found in known.items() if found]] = True
-    for row in np.flatnonzero(lifted | (measured.maxima >= FEWEST) | is_still(moved, extent, tol)).tolist():
-        problem = replace(motions.problem(row), wells=known.get(row))
+    lifted = np.flatnonzero(is_lifted(measured.last, measured.events))
+    stays = zip(lifted.tolist(), motions.field.aloft(motions.constants[lifted]) if len(lifted) else [], strict=True)
+    aloft = np.isin(np.arange(len(motions)), [row for row, held in stays if held(measured.last[row])])
+    for row in np.flatnonzero(aloft).tolist():
+        yield row, Outcome(Regime.LIFT_OFF)
+    for row in np.flatnonzero(~aloft & ((measured.maxima >= FEWEST) | is_still(moved, extent, tol))).tolist():
+        problem = motions.problem(row)
         try:
             yield row, classify(measured.course(row), problem, flows.onward(problem, backend), tol)
         except (ConvergenceError, ArithmeticError) as error:

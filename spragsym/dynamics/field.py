@@ -66,6 +66,11 @@ class Border:
     jumps: Callable[..., bool] | None = None
 
 
+def never(constants: FloatArray) -> list[Callable[[FloatArray], bool]]:
+    """That no motion is known to stay above the belt."""
+    return [lambda state: False] * len(constants)
+
+
 @dataclass(frozen=True)
 class Field:
     """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across the borders between modes
@@ -86,7 +91,7 @@ class Field:
         derivatives by the P parameters.
     borders : tuple of Border
     initial_mode : callable
-        ``initial_mode(state, constants)``; on a border either side is right.
+        ``initial_mode(state, constants)``; on a border either side is right; of columns for many states.
     modes : tuple of Mode
         All there are.
     check : callable
@@ -97,14 +102,15 @@ class Field:
         ``exact(mode)``: the mode without what is left out below rounding, for proofs.
     forces : tuple of (str, callable)
         Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
-    columns : bool
-        Whether ``initial_mode`` takes columns of many states and constants too, and gives columns.
     again : tuple of str
         Module, function and arguments that make the field once more in another process; empty where none do.
     ways : int
         How many numbers at the end of a mode go with the place alone.
     curved : bool
         Whether a level is no linear function of the state.
+    aloft : callable
+        ``aloft(constants)`` of many motions, (N, C): for each whether a state, (m,), is above the belt for good; never where
+        that is not known.
     """
 
     name: str
@@ -121,10 +127,10 @@ class Field:
     simulate: Callable[..., Any]
     exact: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
-    columns: bool = False
     again: tuple[str, ...] = ()
     ways: int = 0
     curved: bool = False
+    aloft: Callable[[FloatArray], list[Callable[[FloatArray], bool]]] = never
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""
@@ -138,10 +144,8 @@ class Field:
 
     def initial_modes(self, states: FloatArray, constants: FloatArray) -> list[Mode]:
         """Modes of many states, a row each."""
-        if self.columns:
-            columns: Any = self.initial_mode(states.T, constants.T)
-            return list(zip(*(numbers.tolist() for numbers in columns), strict=True))
-        return [self.initial_mode(state, known) for state, known in zip(states.tolist(), constants.tolist(), strict=True)]
+        columns: Any = self.initial_mode(states.T, constants.T)
+        return list(zip(*(np.broadcast_to(numbers, len(states)).tolist() for numbers in columns), strict=True))
 
     def is_inside(self, state: Any, constants: Any, mode: Any) -> bool:
         """Whether a state lies in a mode, or beyond its borders by no more than the gap."""

@@ -89,7 +89,7 @@ def flows(problem: Problem, backend: str) -> tuple[Courses, Ends]:
 
     def motions(states: FloatArray, duration: float) -> Motions:
         constants = one.constants[[0] * len(states)]
-        return Motions(constants, states, duration, 0.0, one.rtol, one.max_steps, lambda _: field, one.known)
+        return Motions(constants, states, duration, 0.0, one.rtol, one.max_steps, lambda _: field)
 
     def courses(states: FloatArray, duration: float) -> list[Course]:
         found = measure(motions(states, duration), backend)

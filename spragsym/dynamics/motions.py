@@ -6,13 +6,11 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..parameters import FloatArray
-from . import sprag
 from .field import Field
 from .measures import KEPT, Course, moments_of
 from .problem import Event, Problem, reach_of
@@ -20,7 +18,7 @@ from .problem import Event, Problem, reach_of
 
 @dataclass(frozen=True)
 class Motions:
-    """Motions that share all but their constants (N, C) and initial states (N, 2 n); ``known`` makes constants of a row."""
+    """Motions that share all but their constants (N, C) and initial states (N, 2 n)."""
 
     constants: FloatArray
     starts: FloatArray
@@ -28,8 +26,7 @@ class Motions:
     t_record: float
     rtol: float
     max_steps: int
-    field_of: Callable[[float], Field] = sprag.field
-    known: Callable[[list[float]], Any] = tuple
+    field_of: Callable[[float], Field]
 
     def __len__(self) -> int:
         return len(self.starts)
@@ -41,13 +38,13 @@ class Motions:
         return cls(
             np.array([problem.constants for problem in problems], dtype=np.float64),
             np.array([problem.start for problem in problems], dtype=np.float64),
-            one.t_end, one.t_record, one.rtol, one.max_steps, one.field_of, getattr(type(one.constants), "_make", tuple),
+            one.t_end, one.t_record, one.rtol, one.max_steps, one.field_of,
         )  # fmt: skip
 
     def problem(self, row: int) -> Problem:
         """One of them."""
         return Problem(
-            self.known(self.constants[row].tolist()), tuple(self.starts[row].tolist()), self.t_end, self.t_record, self.rtol,
+            tuple(self.constants[row].tolist()), tuple(self.starts[row].tolist()), self.t_end, self.t_record, self.rtol,
             self.max_steps, self.field_of,
         )  # fmt: skip
 

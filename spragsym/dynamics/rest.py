@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..generated import motion
-from ..parameters import FloatArray, Parameters
+from ..parameters import FloatArray
 from .measures import Course
 from .problem import Event, Problem
-from .regimes import SETTLED, Outcome, Regime
+from .regimes import Outcome, Regime
 
 #: Fewest maxima of x in a window from which a decay is read.
 FEW = 8
@@ -73,24 +72,6 @@ def _solved(matrix: list[Any], pull: Any) -> list[float] | None:
     except np.linalg.LinAlgError:
         return None
     return solved
-
-
-def rest_index(p: Parameters, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
-    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y; −1 where there is none."""
-    from ..statics.solver import equilibria
-
-    x, y = np.asarray(x), np.asarray(y)
-    index = np.full(x.shape, -1, dtype=np.int8)
-    rows = np.isfinite(x)
-    if rows.any():
-        given = {name: np.broadcast_to(getattr(p, name), x.shape)[rows] for name in p.ranges}
-        given["mu0"] = motion.friction(np.zeros_like(given["V"]), given["mu0"], given["V"], given["d"])
-        found = equilibria(Parameters(**given))
-        away = np.hypot(found.x - x[rows][:, None], found.y - y[rows][:, None])
-        away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
-        there = away.min(axis=-1) <= SETTLED * (1 + np.hypot(x[rows], y[rows]))
-        index[rows] = np.where(there, np.argmin(away, axis=-1), -1)
-    return index
 
 
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:

@@ -11,8 +11,9 @@ from ..errors import ConvergenceError
 from ..generated import SOURCE_HASH
 from ..parameters import FloatArray
 from . import with_scipy
+from .field import GAP, WIDTH
 from .lobatto import unit_points
-from .problem import GAP, WIDTH, Problem, event_at, initial_mode, out_of_range, too_many_steps
+from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.

@@ -12,8 +12,7 @@ _ROOMS = {
         "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface", "quasi_static_path",
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
-    "dynamics": ("prepare", "rest_index"),
-    "sweeps": ("motions",),
+    "kang_nam.lift_off": ("aloft",), "kang_nam.rest": ("rest_index",), "dynamics.with_compiled": ("integrate",),
     "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip
 #: What may vary, where that is not any parameter.

@@ -56,6 +56,7 @@ def field_of(model: Model, reach: float) -> Field:
         ways=torsions,
         forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),
+        aloft=model.aloft,
     )
 
 
@@ -239,13 +240,13 @@ def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
     # A law that is no polynomial begins without contact on the border itself.
     highest = 0.0 if model.about["contact"]["polynomial"] else -2 * GAP
 
-    def mode(state: Sequence[float], constants: Sequence[float]) -> Mode:
+    def mode(state: Sequence[Any], constants: Sequence[Any]) -> Any:
         gap, slip = borders(*state, *constants)
-        side = 1 if slip >= 0 else -1
-        near = (int(depth <= reach) for depth in layers(*state, *constants, side))
-        turn = [1 if state[fallen] >= 0 else -1] * turns
-        ways = (1 if sine >= 0 else -1 for sine, _ in _turned(model, state, constants))
-        return int(not lifts or gap <= highest), side, *near, *turn, *ways
+        side = 2 * (slip >= 0) - 1
+        near = (1 * (depth <= reach) for depth in layers(*state, *constants, side))
+        turn = [2 * (state[fallen] >= 0) - 1] * turns
+        ways = (2 * (sine >= 0) - 1 for sine, _ in _turned(model, state, constants))
+        return 1 * (gap <= highest) if lifts else 1, side, *near, *turn, *ways
 
     return mode
 
@@ -253,9 +254,11 @@ def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
 def _constants(model: Model) -> Callable[..., tuple[Any, ...]]:
     angles = {name: (angle, part) for angle, pair in model.about["angles"].items() for part, name in enumerate(pair)}
 
-    def constants(values: Sequence[Any], xp: Any = math) -> tuple[Any, ...]:
+    def constants(values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
+        # Of NumPy by one number at a time, so that no bit depends on where it stands in an array.
+        cos, sin = (xp.cos, xp.sin) if xp is not None else (lambda v: float(np.cos(v)), lambda v: float(np.sin(v)))
         known = dict(zip(model.parameters, values, strict=True))
-        known |= {name: (xp.cos, xp.sin)[part](known[angle]) for name, (angle, part) in angles.items()}
+        known |= {name: (cos, sin)[part](known[angle]) for name, (angle, part) in angles.items()}
         return tuple(known[name] for name in model.about["arguments"]["motion"])
 
     return constants

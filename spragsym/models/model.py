@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..door import part, question, unanswered
-from ..errors import ConvergenceError, ParameterError
+from ..errors import ConvergenceError, ModelError, ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described, explained
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ..dynamics.field import Field
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
+    from ..dynamics.solution import Solution
     from ..statics.bifurcation_sets import BifurcationSet
     from ..statics.lowest_ends import LowestEnd
     from ..statics.onsets import Onsets
@@ -144,7 +145,7 @@ class Model:
         """Integrators that take its motion: what is compiled on installation is that of a model that brings its own."""
         from ..dynamics.integrators import BACKENDS, OF_ANY_MODEL
 
-        return BACKENDS if "prepare" in self.closed else OF_ANY_MODEL
+        return BACKENDS if "integrate" in self.closed else OF_ANY_MODEL
 
     @cached_property
     def quantities(self) -> Mapping[str, tuple[str, str]]:
@@ -378,19 +379,29 @@ class Model:
 
         return run(self, p.given(V=V, d=d), **options)
 
-    @part
     def prepare(self, p: ParameterSet, **options: Any) -> Problem:
         """A motion as a problem for an integrator."""
         from .problems import prepare
 
         return prepare(self, p, **options)
 
-    @part
     def motions(self, settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
         """The motions of points of a sweep, parameters and initial state each, and why points have none."""
         from .problems import motions
 
         return motions(self, settings, points)
+
+    @part
+    def integrate(self, problem: Problem) -> Solution:
+        """A motion by code that was compiled on installation."""
+        raise ModelError(f"{self.name} has no compiled motion; give backend='heyoka' or 'scipy'")
+
+    @part
+    def aloft(self, constants: FloatArray) -> list[Callable[[FloatArray], bool]]:
+        """For each of many motions, with constants in rows, whether it stays above the belt for good from a state."""
+        from ..dynamics.field import never
+
+        return never(constants)
 
     @part
     def rest_index(self, p: ParameterSet, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ..dynamics.motions import Motions
 from ..dynamics.problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, as_steps
 from ..errors import ParameterError
 from ..parameters import POSITIVE, ParameterSet, as_number
-from ..sweeps.measure import Settings, motions_at
+from ..sweeps.measure import Settings
 from .field import field_of
 
 if TYPE_CHECKING:
@@ -22,36 +24,50 @@ def prepare(
     max_steps: int = MAX_STEPS,
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
-    p.scalars(*model.parameters)
-    constants = tuple(float(value) for value in model.arguments(p, "motion"))
+    constants = model.field.constants(p.scalars(*model.parameters))
     check_start(model, constants, start)
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
     return Problem(constants, start, t_end, t_record, rtol, as_steps(max_steps), partial(field_of, model))
 
 
-def check_start(model: Model, constants: tuple[float, ...], start: tuple[float, ...]) -> None:
-    """Raise for a start where a spring has no length, and so no direction."""
-    n = len(model.coordinates)
+def _directions(model: Model, constants: Any, start: Any) -> Any:
+    """Every inclined spring from end to end at a start, or at columns of many."""
     known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     taken = [known[name] for name in model.about["arguments"]["statics"]]
-    for row, (dx, dy, _) in enumerate(model.statics.geometry(*start[:n], *taken)):
+    return model.statics.geometry(*start[: len(model.coordinates)], *taken)
+
+
+def _meet(model: Model, constants: Any, starts: Any) -> Any:
+    """Whether both ends of a spring are at one point, for columns of many motions."""
+    found = np.zeros(np.shape(starts)[1:], dtype=bool)
+    for dx, dy, _ in _directions(model, constants, starts):
+        found |= (np.asarray(dx) == 0) & (np.asarray(dy) == 0)
+    return found
+
+
+def check_start(model: Model, constants: Sequence[float], start: Sequence[float]) -> None:
+    """Raise for a start where a spring has no length, and so no direction."""
+    n = len(model.coordinates)
+    for row, (dx, dy, _) in enumerate(_directions(model, constants, start)):
         if dx == 0 and dy == 0:
             name = model.about["springs"][row]["name"]
-            raise ParameterError(f"the start {start[:n]} puts both ends of {name} on one point, where it has no direction")
+            raise ParameterError(
+                f"the start {start[:n]} puts both ends of {name} on one point, where it has no direction; start anywhere else"
+            )
 
 
 def motions(model: Model, settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
     """The motions of points of a sweep, and why points have none."""
     count, errors = len(model.parameters), dict[int, Exception]()
-    constants, starts = [], []
-    for i, point in enumerate(points):
-        p = model.Parameters(**dict(zip(model.parameters, point[:count], strict=True)))
-        values, start = tuple(float(value) for value in model.arguments(p, "motion")), point[count:]
+    constants = np.array([model.field.constants(point[:count]) for point in points], dtype=np.float64)
+    starts = np.array([point[count:] for point in points], dtype=np.float64)
+    for i in np.flatnonzero(_meet(model, constants.T, starts.T)).tolist():
         try:
-            check_start(model, values, start)
+            check_start(model, constants[i].tolist(), points[i][count:])
         except ParameterError as error:
             errors[i] = error
-            continue
-        constants.append(values)
-        starts.append(start)
-    return motions_at(settings, constants, starts, field_of=partial(field_of, model)), errors
+    kept = [i for i in range(len(points)) if i not in errors]
+    if not kept:
+        return None, errors
+    given = settings.t_end, settings.transient, settings.rtol, settings.max_steps
+    return Motions(constants[kept], starts[kept], *given, partial(field_of, model)), errors

@@ -4,8 +4,7 @@ from ..dynamics.regimes import Regime
 from .basins import Basin, basin
 from .jumps import Sensitivity, sensitivity
 from .many import rms_sweep
-from .measure import motions
 from .result import Sweep
 from .workers import Workers
 
-__all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "Workers", "basin", "motions", "rms_sweep", "sensitivity"]
+__all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "Workers", "basin", "rms_sweep", "sensitivity"]

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
 from ..dynamics import integrators
 from ..dynamics.classify import classified
 from ..dynamics.motions import Measured, Motions
-from ..dynamics.problem import MAX_STEPS, Constants, check_start, constants_of_many, out_of_range
+from ..dynamics.problem import MAX_STEPS, out_of_range
 from ..dynamics.regimes import Regime
-from ..errors import ParameterError
 from ..files.journal import Record
 from ..parameters import FloatArray
 
@@ -62,28 +61,6 @@ def measured(motions_of: MotionsOf, settings: Settings, points: Sequence[tuple[f
 def _no_result(error: Exception) -> Record:
     error = out_of_range() if isinstance(error, ArithmeticError) else error
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
-
-
-def motions(settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
-    """Motions of the article's model."""
-    values = np.array(points, dtype=np.float64)
-    constants, starts = np.array(constants_of_many(values[:, :8].T)).T, values[:, 8:]
-    errors: dict[int, Exception] = {}
-    for i in np.flatnonzero((constants[:, :2] == starts[:, :2]).all(axis=1)).tolist():
-        try:
-            check_start(*points[i][:1], *points[i][8:10])
-        except ParameterError as error:
-            errors[i] = error
-    kept = [i for i in range(len(points)) if i not in errors]
-    return motions_at(settings, constants[kept], starts[kept], known=Constants._make), errors
-
-
-def motions_at(settings: Settings, constants: Any, starts: Any, **how: Any) -> Motions | None:
-    """The motions of a sweep with such constants and starts; None for no motions."""
-    if not len(starts):
-        return None
-    columns = np.array(constants, dtype=np.float64), np.array(starts, dtype=np.float64)
-    return Motions(*columns, settings.t_end, settings.transient, settings.rtol, settings.max_steps, **how)
 
 
 def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Exception]]:

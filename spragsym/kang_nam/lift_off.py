@@ -9,16 +9,14 @@ from __future__ import annotations
 
 import inspect
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..generated import motion
 from ..parameters import NAMES, FloatArray, Parameters
-from .measures import Course
-from .motions import Motions
-from .problem import Constants, Event, Problem, parameters_of
 
 #: A well: x and y of its bottom, and the energy of its brim.
 Well: TypeAlias = tuple[float, float, float]
@@ -56,31 +54,18 @@ def wells(p: Parameters) -> list[tuple[Well, ...]]:
     return [tuple(each) for each in told]
 
 
-def wells_of(motions: Motions, rows: list[int]) -> dict[int, tuple[Well, ...]]:
-    """The wells of some of many motions; of none where the model is not the article's."""
-    if not rows or not isinstance(motions.problem(0).constants, Constants):
-        return {}
-    return dict(zip(rows, wells(parameters_of(motions.constants[rows].T)), strict=True))
+def aloft(constants: FloatArray) -> list[Callable[[FloatArray], bool]]:
+    """For each of many motions whether a state is in a well of the energy above the belt that it can't leave."""
+    cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = constants.T
+    theta0 = np.arctan2(sin0, cos0)
+    known = wells(Parameters(theta0=theta0, mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta))
+    numbers = zip(*(each.tolist() for each in (cos0, sin0, kappa, alpha, sigma, beta)), strict=True)
+    return [partial(_held, of_one, given) for of_one, given in zip(known, numbers, strict=True)]
 
 
-def is_lifted(last: FloatArray, events: NDArray[np.intp]) -> Any:
-    """Whether motions end above the belt, and have not passed y = 0; states and events along the last axis."""
-    return (last[..., 1] > 0) & ~events[..., [Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any(axis=-1)
-
-
-def lifted_for_good(course: Course, problem: Problem) -> bool:
-    """Whether the mass is in a well of the energy above the belt that it has too little energy to leave.
-
-    All of these are known for the article's model; of others it is not told.
-    """
-    if not isinstance(problem.constants, Constants):
-        return False
-    if not is_lifted(course.last, course.events):
-        return False
-    known = wells(parameters_of(problem.constants))[0] if problem.wells is None else problem.wells
-    c = problem.constants
-    constants = (c.cos0, c.sin0, c.kappa, c.alpha, c.sigma, c.beta)
-    x, y, vx, vy = course.last.tolist()
+def _held(known: tuple[Well, ...], constants: tuple[float, ...], state: FloatArray) -> bool:
+    """Whether a state is in one of the wells, and has too little energy to leave it."""
+    x, y, vx, vy = state.tolist()
     kinetic = (vx * vx + vy * vy) / 2
     for bottom_x, bottom_y, brim in known:
         if _potential(x, y, *constants, xp=math) + kinetic < brim:

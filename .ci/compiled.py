@@ -10,11 +10,11 @@ import sys
 import sysconfig
 
 from spragsym.dynamics import with_compiled
-from spragsym.statics import compiled
+from spragsym.kang_nam.statics import compiled
 
 #: Source file, whether its module is there, and what serves without it.
 EXTENSIONS = (
-    ("spragsym/statics/_compiled.c", compiled.available, "equilibria are solved by NumPy"),
+    ("spragsym/kang_nam/statics/_compiled.c", compiled.available, "equilibria are solved by NumPy"),
     ("spragsym/dynamics/_carried.c", with_compiled.available, "motion is integrated by heyoka or SciPy"),
 )
 

@@ -16,7 +16,7 @@ import flint
 
 from spragsym.exact import intervals
 from spragsym.exact.polynomials import Undecided
-from spragsym.statics import adaptive_precision
+from spragsym.kang_nam.statics import adaptive_precision
 
 
 class Arb:

@@ -61,7 +61,12 @@ def _in_c(tree: Path, p: Any, n: int) -> dict[str, Callable[[], Any]]:
 def _shares(solve: Callable[[], Any], size: int) -> str:
     """Shares of the points that each rung settles, the ladder of intervals counted call by call."""
     ladder: Any = None
-    for name in ("statics.adaptive_precision", "statics.ladder", "ladder"):  # as it is called today, and was called before
+    for name in (
+        "kang_nam.statics.adaptive_precision",
+        "statics.adaptive_precision",
+        "statics.ladder",
+        "ladder",
+    ):  # today, and was called before
         with contextlib.suppress(ModuleNotFoundError):
             ladder = ladder or importlib.import_module(f"spragsym.{name}")
     kept, calls = ladder.equilibria, 0

@@ -17,8 +17,8 @@ import spragsym as ss
 from benchmarks import c_target, rivals
 from benchmarks.families import FAMILIES
 from benchmarks.timing import on_backend
+from spragsym.kang_nam.statics import adaptive_precision, compiled
 from spragsym.parameters import NAMES
-from spragsym.statics import adaptive_precision, compiled
 
 Array = NDArray[np.float64]
 _HARD = ("random", "near folds", "cusp wedge", "false double root", "right angle", "light preload")

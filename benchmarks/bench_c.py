@@ -22,7 +22,7 @@ import spragsym as ss
 from benchmarks import c_target, rivals
 from benchmarks.families import FAMILIES, random
 from benchmarks.timing import best_in_turn, on_backend
-from spragsym.statics import compiled
+from spragsym.kang_nam.statics import compiled
 
 _REPEATS = 7
 _EIGVALS = "numpy.linalg.eigvals, batched, L-quartic, roots only"

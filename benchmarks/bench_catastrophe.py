@@ -17,9 +17,9 @@ from scipy.optimize import fsolve
 
 import spragsym as ss
 from benchmarks.timing import best
-from spragsym.catastrophe import fold_curves
-from spragsym.catastrophe.fixed_parameters import Fixed
 from spragsym.generated.equilibrium import f, f_coefficients, f_slope
+from spragsym.kang_nam.catastrophe import fold_curves
+from spragsym.kang_nam.catastrophe.fixed_parameters import Fixed
 
 BASE = ss.Parameters.article()
 _FIXED = Fixed(0.007, 0.007, 0.1, 0.0)

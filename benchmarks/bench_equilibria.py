@@ -21,9 +21,9 @@ import spragsym as ss
 from benchmarks import c_target, rivals
 from benchmarks.families import random
 from benchmarks.timing import best_in_turn, in_process, on_backend, seconds
+from spragsym.kang_nam.statics import compiled, kernel
+from spragsym.kang_nam.statics.solver import BLOCK
 from spragsym.parameters import NAMES
-from spragsym.statics import compiled, kernel
-from spragsym.statics.solver import BLOCK
 
 _EIGVALS = "batched numpy.linalg.eigvals, L-quartic"
 _LOOP = "numpy.roots in a loop, L-quartic"
@@ -94,7 +94,7 @@ def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     count = np.empty(theta0.size, dtype=np.int8)
     roots = np.empty((4, theta0.size))
     u = np.float64(2.0**-53)
-    np.empty(1 << 21)  # see spragsym.statics.solver: glibc then keeps the memory of the blocks
+    np.empty(1 << 21)  # see spragsym.kang_nam.statics.solver: glibc then keeps the memory of the blocks
     with np.errstate(all="ignore"):
         for begin in range(0, theta0.size, BLOCK):
             rows = slice(begin, begin + BLOCK)

@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 import spragsym as ss
 from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
+from spragsym.kang_nam.statics import adaptive_precision, block, compiled
 from spragsym.parameters import NAMES
-from spragsym.statics import adaptive_precision, block, compiled, state_columns
+from spragsym.results import state_columns
 
 Values = list[NDArray[np.float64]]
 

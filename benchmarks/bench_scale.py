@@ -14,7 +14,7 @@ import numpy as np
 import spragsym as ss
 from benchmarks.families import random
 from benchmarks.timing import best, in_process, on_backend, seconds
-from spragsym.statics import compiled
+from spragsym.kang_nam.statics import compiled
 
 _POINT = "import resource, numpy as np, spragsym as ss; rng = np.random.default_rng(0); n = {n}\n"
 _MEMORY = _POINT + (

@@ -17,7 +17,7 @@ import numpy as np
 import spragsym as ss
 from benchmarks import parts
 from benchmarks.validate_folds import random_fixed
-from spragsym.catastrophe.fixed_parameters import FIXED
+from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
 
 #: Angles of the first scan, of each refinement about its least value, and how many of those there are.
 COARSE, FINE, TIMES = 160, 13, 3

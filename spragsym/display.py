@@ -24,8 +24,8 @@ _ANGLES = {"poles", "width"}
 
 #: Column of codes → module and enumeration that says what they mean.
 _CODES = {
-    "undamped": ("statics", "Stability"),
-    "stability": ("statics", "Stability"),
+    "undamped": ("results", "Stability"),
+    "stability": ("results", "Stability"),
     "regime": ("sweeps", "Regime"),
     "which": ("dynamics", "Event"),
 }

@@ -19,16 +19,16 @@ from typing import Any, ClassVar, TypeAlias
 
 import mpmath
 
-from .catastrophe import cusp_proofs
-from .catastrophe.fold_enclosures import Point
 from .errors import ParameterError, ParameterTypeError
 from .exact.adaptive_bits import with_enough_bits
 from .exact.decimals import Decimal, around, exactly
 from .exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
 from .exact.polynomials import Undecided
+from .kang_nam.catastrophe import cusp_proofs
+from .kang_nam.catastrophe.fold_enclosures import Point
+from .kang_nam.statics import adaptive_precision
 from .parameters import RANGES, Range
-from .statics import adaptive_precision
-from .statics.results import Stability
+from .results.equilibria import Stability
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf

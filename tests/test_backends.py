@@ -14,7 +14,7 @@ import pytest
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym.statics import adaptive_precision, backends, compiled, kernel, solver
+from spragsym.kang_nam.statics import adaptive_precision, backends, compiled, kernel, solver
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
 

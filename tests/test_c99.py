@@ -26,7 +26,7 @@ from benchmarks.families import EXTREMES, FAMILIES
 from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
 from spragsym.generated import equilibrium, motion, stability
-from spragsym.statics import adaptive_precision, kernel
+from spragsym.kang_nam.statics import adaptive_precision, kernel
 from tests.support import lowest_sets
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"

@@ -17,7 +17,7 @@ from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam.bounds import Counted
 from spragsym.derive.kang_nam.catalogue import modules
 from spragsym.generated import kernel as emitted
-from spragsym.statics import kernel
+from spragsym.kang_nam.statics import kernel
 
 
 class Met:

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from benchmarks.validate_flutter import random_set
-from spragsym.catastrophe import flutter_proofs
 from spragsym.exact import intervals
 from spragsym.exact.descartes import Root
 from spragsym.exact.polynomials import Undecided
 from spragsym.generated import stability
-from spragsym.statics import adaptive_precision
+from spragsym.kang_nam.catastrophe import flutter_proofs
+from spragsym.kang_nam.statics import adaptive_precision
 from tests.support import exact_onsets, middle_of
 
 

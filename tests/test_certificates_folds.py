@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.catastrophe import fold_curves, fold_events, fold_proofs
-from spragsym.catastrophe.fixed_parameters import Fixed
-from spragsym.catastrophe.fold_events import Stretch
 from spragsym.exact import intervals, polynomials
 from spragsym.exact.descartes import Root
 from spragsym.generated import catastrophe as generated
+from spragsym.kang_nam.catastrophe import fold_curves, fold_events, fold_proofs
+from spragsym.kang_nam.catastrophe.fixed_parameters import Fixed
+from spragsym.kang_nam.catastrophe.fold_events import Stretch
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
 SETS = list(map(Fixed._make, [

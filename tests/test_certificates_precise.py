@@ -12,12 +12,12 @@ import pytest
 
 import spragsym as ss
 from benchmarks import reference
-from spragsym.catastrophe import cusp_proofs
-from spragsym.catastrophe.fold_enclosures import Point
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
-from spragsym.statics import adaptive_precision
+from spragsym.kang_nam.catastrophe import cusp_proofs
+from spragsym.kang_nam.catastrophe.fold_enclosures import Point
+from spragsym.kang_nam.statics import adaptive_precision
 
 # ----------------------------------------------------------------------------------------------------- precise
 

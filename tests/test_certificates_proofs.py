@@ -13,11 +13,11 @@ import pytest
 import sympy as sp
 
 import spragsym as ss
-from spragsym.catastrophe import cusp_proofs, fold_proofs
-from spragsym.catastrophe.fold_enclosures import Angles, Point, SineRoot, in_contact
 from spragsym.exact import adaptive_bits, line_roots, polynomials
 from spragsym.exact.intervals import Arithmetic, Balls
 from spragsym.exact.polynomials import Undecided
+from spragsym.kang_nam.catastrophe import cusp_proofs, fold_proofs
+from spragsym.kang_nam.catastrophe.fold_enclosures import Angles, Point, SineRoot, in_contact
 from spragsym.parameters import NAMES
 from tests.support import as_fraction, as_mpf
 

@@ -18,9 +18,10 @@ from benchmarks import reference
 from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors
 from spragsym.generated import kernel
+from spragsym.kang_nam.statics import adaptive_precision, block, compiled, solver
+from spragsym.kang_nam.statics.double_double import DoubleDouble
 from spragsym.parameters import NAMES
-from spragsym.statics import adaptive_precision, block, compiled, solver, state_columns
-from spragsym.statics.double_double import DoubleDouble
+from spragsym.results import state_columns
 
 
 @pytest.fixture(autouse=True)

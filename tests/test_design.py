@@ -15,8 +15,6 @@ from scipy.optimize import brentq
 
 import spragsym as ss
 from benchmarks import families
-from spragsym.catastrophe import fold_arrays
-from spragsym.catastrophe.fold_digits import sharpened
 from spragsym.design import jump_values, sampling
 from spragsym.design.cells import Boxes
 from spragsym.design.claims import CLAIMS
@@ -26,6 +24,8 @@ from spragsym.exact import affine, bernstein
 from spragsym.exact.polynomials import Undecided
 from spragsym.exact.rounded import Rounded
 from spragsym.generated import catastrophe as generated
+from spragsym.kang_nam.catastrophe import fold_arrays
+from spragsym.kang_nam.catastrophe.fold_digits import sharpened
 from tests.support import few
 
 BASE = ss.Parameters.article()

@@ -18,9 +18,10 @@ from spragsym.derive.emit import language
 from spragsym.derive.emit.write import SOURCES
 from spragsym.generated import double_double as dd
 from spragsym.generated import kernel
+from spragsym.kang_nam.statics import adaptive_precision, backends, block, compiled, solver
+from spragsym.kang_nam.statics.double_double import DoubleDouble, cosine_and_sine
 from spragsym.parameters import NAMES
-from spragsym.statics import adaptive_precision, backends, block, compiled, solver, state_columns
-from spragsym.statics.double_double import DoubleDouble, cosine_and_sine
+from spragsym.results import state_columns
 
 #: The unit in which the bounds of single operations are known.
 UNIT = Fraction(1, 2**106)

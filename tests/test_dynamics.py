@@ -31,7 +31,7 @@ from spragsym.dynamics.lobatto import DEGREE, unit_points
 from spragsym.dynamics.problem import event_at
 from spragsym.files import storage
 from spragsym.generated import motion, stability
-from spragsym.statics.solver import equilibria
+from spragsym.kang_nam.statics.solver import equilibria
 from tests.support import few, needs_a_quick_integrator
 
 #: The article's model, as cycles take it.

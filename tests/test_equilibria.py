@@ -15,7 +15,7 @@ from benchmarks.families import FAMILIES, random
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.exact import intervals
 from spragsym.generated.equilibrium import f_coefficients
-from spragsym.statics import adaptive_precision, compiled, kernel, solver
+from spragsym.kang_nam.statics import adaptive_precision, compiled, kernel, solver
 from tests.support import as_fraction
 
 FOLD_DEG = 44.5593177025653  # left fold at base values, by three continuation codes (peers)

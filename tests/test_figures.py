@@ -200,7 +200,7 @@ def test_branches_end_at_the_exact_folds() -> None:
 
 
 def test_branches_change_stability_at_the_exact_onset() -> None:
-    from spragsym.catastrophe.flutter_points import flutter_onsets
+    from spragsym.kang_nam.catastrophe.flutter_points import flutter_onsets
 
     p = P.replace(alpha=0.7)
     found = [branch for branch in curves.branches(p) if branch.stability == ss.Stability.FLUTTER]

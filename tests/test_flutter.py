@@ -15,7 +15,7 @@ import spragsym as ss
 from benchmarks.validate_flutter import compare, random_set
 from spragsym.exact import intervals
 from spragsym.generated import stability
-from spragsym.statics import kernel
+from spragsym.kang_nam.statics import kernel
 from tests.support import exact_onsets, middle_of
 
 #: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.

@@ -16,7 +16,7 @@ from spragsym.dynamics.motions import Measured, Motions
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.errors import SweepError
-from spragsym.statics.solver import equilibria
+from spragsym.kang_nam.statics.solver import equilibria
 from spragsym.sweeps import Regime, rms_sweep
 
 pytest.importorskip("heyoka")

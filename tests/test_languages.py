@@ -73,7 +73,7 @@ def test_the_picture_shows_every_room_and_every_import() -> None:
     folders = {path.parent.name for path in spragsym.glob("*/__init__.py") if not path.parent.is_symlink()}
     assert folders <= set(rooms)
     for name, below in rooms.items():
-        files = sorted((spragsym / name).glob("*.py")) or [spragsym / f"{name}.py"]
+        files = sorted((spragsym / name).rglob("*.py")) or [spragsym / f"{name}.py"]
         for path in files:
             used = {parts[0] for parts in imported(path, spragsym)} - SERVANTS - {name}
             if name == "cli":

@@ -14,8 +14,8 @@ import pytest
 import spragsym as ss
 from benchmarks import validate_lowest
 from benchmarks.validate_folds import random_fixed
-from spragsym.catastrophe.fixed_parameters import FIXED
 from spragsym.derive.kang_nam import lowest_fold as derived
+from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
 
 BASE = ss.Parameters.article(theta0=None, mu0=None)
 #: Found by a scan of random sets: the cusp lies 3.7 % above the lowest fold.

@@ -72,7 +72,7 @@ def test_a_checkout_without_links_works(instead: str, tmp_path: Path) -> None:
         if instead == "text":
             (clone / "spragsym" / name).write_text(f"../{name}", encoding="utf-8")
     code = (
-        "import spragsym as ss, spragsym.derive.emit.write, numpy as np; from spragsym.statics import compiled\n"
+        "import spragsym as ss, spragsym.derive.emit.write, numpy as np; from spragsym.kang_nam.statics import compiled\n"
         "assert not compiled.available()\n"
         "from importlib.util import find_spec; assert find_spec('spragsym.spragsym') is None, 'within itself without end'\n"
         "print(ss.__file__, ss.equilibria(ss.Parameters.article(theta0=np.radians(49.0))).count)"
@@ -229,7 +229,9 @@ def test_what_was_compiled_is_not_reported(capsys: pytest.CaptureFixture[str]) -
 def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_path: Path) -> None:
     wheel = wheel_by(str(COMPILER), archives[1], tmp_path)
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    assert sorted(extensions(wheel)) == [f"spragsym/{name}{suffix}" for name in ("dynamics/_carried", "statics/_compiled")]
+    assert sorted(extensions(wheel)) == [
+        f"spragsym/{name}{suffix}" for name in ("dynamics/_carried", "kang_nam/statics/_compiled")
+    ]
     assert not wheel.name.endswith("-none-any.whl")
 
 
@@ -247,7 +249,7 @@ def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], python: Pa
     assert "BackendError" in done.stderr, done.stderr
     assert "install spragsym again, with a compiler" in done.stderr
     said = call(python, str(ROOT / ".ci/compiled.py")).stderr.splitlines()
-    assert [line.partition(":")[0] for line in said] == ["spragsym/statics/_compiled.c", "spragsym/dynamics/_carried.c"]
+    assert [line.partition(":")[0] for line in said] == ["spragsym/kang_nam/statics/_compiled.c", "spragsym/dynamics/_carried.c"]
     assert all("NumPy" in line or "SciPy" in line for line in said)
 
 
@@ -361,7 +363,7 @@ def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str
 
 
 def test_a_missing_backend_is_named(python: Path) -> None:
-    done = call(python, "-c", "import sys; sys.modules['spragsym.statics._compiled'] = None\nimport spragsym as ss\n"
+    done = call(python, "-c", "import sys; sys.modules['spragsym.kang_nam.statics._compiled'] = None\nimport spragsym as ss\n"
                 "ss.set_backend('compiled')")  # fmt: skip
     assert "BackendError" in done.stderr
     assert "install spragsym again, with a compiler" in done.stderr

@@ -20,11 +20,11 @@ import spragsym as ss
 from benchmarks.families import cusp_wedge
 from benchmarks.validate_precise import points, worst_shares
 from spragsym import precise
-from spragsym.catastrophe import cusp_proofs
 from spragsym.cli import cli as command_line
 from spragsym.exact import adaptive_bits
 from spragsym.exact.intervals import Balls
-from spragsym.statics import adaptive_precision, compiled
+from spragsym.kang_nam.catastrophe import cusp_proofs
+from spragsym.kang_nam.statics import adaptive_precision, compiled
 
 ARITH = Balls()
 
@@ -249,7 +249,9 @@ def test_one_hopeless_point_leaves_the_others(backend: str, wide: bool, monkeypa
     if backend == "compiled" and not compiled.available():
         pytest.skip("the compiled solver was not built: no C compiler")
     if not wide:
-        monkeypatch.setattr("spragsym.statics.solver._solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
+        monkeypatch.setattr(
+            "spragsym.kang_nam.statics.solver._solve_widely", lambda given, contact, out, rows: np.arange(rows.size)
+        )
     kappa = np.array([[0.1, 0.2], [0.05, 0.1]])
     ss.set_backend(backend)
     try:

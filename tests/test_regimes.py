@@ -22,7 +22,7 @@ from spragsym.dynamics.periodic_orbit import Closed
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion
-from spragsym.statics import solver
+from spragsym.kang_nam.statics import solver
 from spragsym.sweeps import basin, rms_sweep
 
 BELT = {"V": 0.5, "d": 10.0}

@@ -24,7 +24,7 @@ import spragsym as ss
 from spragsym.cli.motion import sweep as sweep_command
 from spragsym.dynamics import Event, Regime, simulate
 from spragsym.files import storage
-from spragsym.statics.solver import equilibria
+from spragsym.kang_nam.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, needs_a_quick_integrator, needs_posix

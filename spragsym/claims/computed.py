@@ -13,19 +13,20 @@ import mpmath
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from .. import catastrophe, precise
 from .. import generated as _generated
+from .. import precise
 from ..assumed import MU0_RANGE, D, V
-from ..catastrophe import flutter_points as flutter
-from ..catastrophe.paths import quasi_static_path
 from ..dynamics import simulate
 from ..dynamics.regimes import Regime
 from ..generated import equilibrium as _equilibrium
 from ..generated import motion as _motion
+from ..kang_nam import catastrophe
+from ..kang_nam.catastrophe import flutter_points as flutter
+from ..kang_nam.catastrophe.paths import quasi_static_path
+from ..kang_nam.statics.solver import equilibria
 from ..parameters import NAMES, FloatArray, Parameters
-from ..statics import Jump
-from ..statics.results import Stability
-from ..statics.solver import equilibria
+from ..results import Jump
+from ..results.equilibria import Stability
 from ..sweeps import sensitivity
 from .ledger import Found, Value
 

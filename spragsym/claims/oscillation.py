@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ..assumed import D, V
-from ..catastrophe import folds, sliding_friction
 from ..cycles import cycle, fate_boundary
+from ..kang_nam.catastrophe import folds, sliding_friction
+from ..kang_nam.statics.solver import equilibria
 from ..parameters import Parameters
-from ..statics.results import Stability
-from ..statics.solver import equilibria
+from ..results.equilibria import Stability
 from .ledger import Found
 
 #: Inclinations far below the fold, degrees.

@@ -9,16 +9,7 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import (
-    FINITE,
-    NOT_NEGATIVE,
-    POSITIVE,
-    FloatArray,
-    Range,
-    as_number,
-    as_numbers,
-    shown,
-)
+from ..parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, shown
 
 F = TypeVar("F", bound=Callable[..., Any])
 

@@ -63,7 +63,7 @@ def path(case: Case, vary: Typed | None, json_output: bool) -> None:
 
 
 def _undamped(code: Any) -> str:
-    from ..statics import Stability
+    from ..results import Stability
 
     return Stability(int(code)).name.lower()
 

@@ -17,7 +17,7 @@ def rows_of(eq: Any, units: Units) -> list[dict[str, Any]]:
     """
     import numpy as np
 
-    from ..statics import Stability
+    from ..results import Stability
 
     growth, per = units.rate("growth")
     return [

@@ -21,19 +21,7 @@ from ..dynamics.regimes import Outcome, Regime
 from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet, as_numbers
-from .attractors import (
-    JUDGED,
-    PARTED,
-    TOLERANCES,
-    Verdict,
-    attractor,
-    followed,
-    followed_cycle,
-    judged,
-    same,
-    same_cycle,
-    surely,
-)
+from .attractors import JUDGED, PARTED, TOLERANCES, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle, surely
 from .branch import MERGES, cycle_branch
 from .finding import cycle_at
 from .saddles import growth_of_cycle, saddle_near

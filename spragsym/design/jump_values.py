@@ -1,9 +1,9 @@
 """Where the state of small deformation jumps first as one parameter moves, for many points at once.
 
-All folds along the parameter are found with proof (:mod:`spragsym.catastrophe.fold_arrays`). Between two folds the equilibria
-keep their order in θ, and each fold says which two of them meet and on which side: so the state followed is a rank, and it
-jumps at the first fold at which it is one of the two that vanish. Points that float64 can't decide go the same way in exact
-arithmetic.
+All folds along the parameter are found with proof (:mod:`spragsym.kang_nam.catastrophe.fold_arrays`). Between two folds the
+equilibria keep their order in θ, and each fold says which two of them meet and on which side: so the state followed is a rank,
+and it jumps at the first fold at which it is one of the two that vanish. Points that float64 can't decide go the same way in
+exact arithmetic.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..catastrophe import fold_arrays
-from ..catastrophe.fold_digits import sharpened
-from ..catastrophe.fold_points import turns
-from ..catastrophe.paths import quasi_static_path
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..exact.polynomials import Undecided
+from ..kang_nam.catastrophe import fold_arrays
+from ..kang_nam.catastrophe.fold_digits import sharpened
+from ..kang_nam.catastrophe.fold_points import turns
+from ..kang_nam.catastrophe.paths import quasi_static_path
+from ..kang_nam.statics.solver import equilibria
 from ..parameters import NAMES, RANGES, FloatArray, Parameters
-from ..statics.results import Equilibria, Stability
-from ..statics.solver import equilibria
+from ..results.equilibria import Equilibria, Stability
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 13

@@ -14,11 +14,11 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..catastrophe.sliding import sliding_friction
 from ..display import Result, Table
 from ..errors import ParameterError, TargetError
 from ..files import storage
 from ..files.journal import Record, clear, journal
+from ..kang_nam.catastrophe.sliding import sliding_friction
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, PhysicalParameters, Range, as_number, range_of
 from ..sweeps import workers as processes
 from ..sweeps.many import advance

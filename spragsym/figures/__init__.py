@@ -21,13 +21,7 @@ from .brakes import draw_operating_point, draw_rising_friction, draw_shares
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
 from .diagrams import diagram_figure
 from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
-from .extras import (  # fmt: skip
-    bifurcation_figure,
-    figure_cusp_friction,
-    figure_false_double_root,
-    figure_rms_map,
-    figure_sensitivity,
-)
+from .extras import bifurcation_figure, figure_cusp_friction, figure_false_double_root, figure_rms_map, figure_sensitivity
 from .files import FORMATS, write
 from .models import (
     draw_bifurcation_set_of,

@@ -9,11 +9,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..assumed import MU0_RANGE
-from ..catastrophe import bifurcation_set
-from ..catastrophe.flutter_points import FlutterBoundary, flutter_boundary
+from ..kang_nam.catastrophe import bifurcation_set
+from ..kang_nam.catastrophe.flutter_points import FlutterBoundary, flutter_boundary
+from ..kang_nam.statics.solver import equilibria
 from ..parameters import FloatArray, Parameters
-from ..statics.results import Stability
-from ..statics.solver import equilibria
+from ..results.equilibria import Stability
 from . import surfaces
 from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import passages

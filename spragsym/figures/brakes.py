@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from ..catastrophe import folds, quasi_static_path
 from ..door import only_for
+from ..kang_nam.catastrophe import folds, quasi_static_path
 from ..parameters import Parameters
 from .bifurcation_sets import draw_bifurcation_set
 from .curves import branches, draw_branches, draw_path, mark_folds

@@ -11,14 +11,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..catastrophe.flutter_points import flutter_onsets
-from ..catastrophe.fold_points import folds
 from ..door import only_for
+from ..kang_nam.catastrophe.flutter_points import flutter_onsets
+from ..kang_nam.catastrophe.fold_points import folds
+from ..kang_nam.statics.solver import equilibria
 from ..parameters import RANGES, FloatArray, Parameters
-from ..statics.paths import Path
-from ..statics.points import Points
-from ..statics.results import Equilibria, Stability
-from ..statics.solver import equilibria
+from ..results.equilibria import Equilibria, Stability
+from ..results.paths import Path
+from ..results.points import Points
 from .style import BLACK, LINES, Table, own_axes, styled
 
 #: Names of axes.

@@ -8,8 +8,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..catastrophe import folds
-from ..catastrophe.flutter_points import flutter_onsets
+from ..kang_nam.catastrophe import folds
+from ..kang_nam.catastrophe.flutter_points import flutter_onsets
 from ..parameters import Parameters
 from .captions import BASE_TEXT, LETTERS, LINES_TEXT, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, joined, mark_folds, table_of

@@ -10,10 +10,10 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from ..assumed import MU0_RANGE, D, V
-from ..catastrophe import bifurcation_set, critical_friction, critical_value, cusp_friction, folds
-from ..catastrophe.companion_roots import eigenvalues
 from ..door import only_for
 from ..generated import equilibrium as _equilibrium
+from ..kang_nam.catastrophe import bifurcation_set, critical_friction, critical_value, cusp_friction, folds
+from ..kang_nam.catastrophe.companion_roots import eigenvalues
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
 from .bifurcation_sets import draw_bifurcation_set

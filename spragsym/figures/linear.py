@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..catastrophe import linear_sprag
+from ..kang_nam.catastrophe import linear_sprag
 from ..parameters import FloatArray, Parameters
 from .style import BLUE, Table
 

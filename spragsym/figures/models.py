@@ -12,9 +12,9 @@ from ..dynamics import Trajectory
 from ..models import Model
 from ..models.describe import units_of
 from ..models.hopf_curves import OnsetCurves
-from ..statics.bifurcation_sets import BifurcationSet
-from ..statics.points import Points
-from ..statics.results import Stability
+from ..results.bifurcation_sets import BifurcationSet
+from ..results.equilibria import Stability
+from ..results.points import Points
 from .labels import label
 from .motion_pictures import draw_motion
 from .style import BLACK, BLUE, DOUBLE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..assumed import D, V
-from ..catastrophe import folds
 from ..dynamics import simulate
 from ..generated import motion
+from ..kang_nam.catastrophe import folds
 from ..parameters import Parameters
 from ..sweeps import Workers, rms_sweep
 from .captions import BASE_TEXT

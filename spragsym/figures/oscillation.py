@@ -15,14 +15,14 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from ..assumed import D, V
-from ..catastrophe import bifurcation_set, folds, sliding_friction
 from ..cycles import CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..cycles.maps import Kind
 from ..errors import ConvergenceError, ParameterError
+from ..kang_nam.catastrophe import bifurcation_set, folds, sliding_friction
+from ..kang_nam.statics.solver import equilibria
 from ..parameters import FloatArray, Parameters
-from ..statics.bifurcation_sets import BifurcationSet
-from ..statics.results import Stability
-from ..statics.solver import equilibria
+from ..results.bifurcation_sets import BifurcationSet
+from ..results.equilibria import Stability
 from .captions import BASE_TEXT
 from .labels import label
 from .style import (

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from ..assumed import MU0_RANGE
-from ..catastrophe import bifurcation_set
+from ..kang_nam.catastrophe import bifurcation_set
 from ..parameters import FloatArray, Parameters
-from ..statics.results import Stability
+from ..results.equilibria import Stability
 from . import surfaces
 from .curves import LABELS
 from .hidden import Cover, cover_of, parts

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import MissingExtraError
-from ..statics.results import Stability
+from ..results.equilibria import Stability
 
 try:
     import matplotlib

@@ -10,11 +10,11 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
-from ..catastrophe.equilibrium_surface import surface
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
+from ..kang_nam.catastrophe.equilibrium_surface import surface
 from ..parameters import FloatArray, Parameters
-from ..statics.results import Stability
+from ..results.equilibria import Stability
 
 #: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant
 #: of (27) (flutter where negative).

@@ -6,11 +6,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..assumed import MU0_RANGE
-from ..catastrophe import folds
-from ..catastrophe.paths import quasi_static_path
+from ..kang_nam.catastrophe import folds
+from ..kang_nam.catastrophe.paths import quasi_static_path
+from ..kang_nam.statics.solver import equilibria
 from ..parameters import FloatArray, Parameters
-from ..statics import Path
-from ..statics.solver import equilibria
+from ..results import Path
 from .captions import BASE_TEXT, LINES_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of
 from .linear import draw_linear, linear_curves

@@ -7,8 +7,8 @@ from ..parameters import NAMES, Parameters
 __all__ = ["CLOSED", "Parameters"]
 
 _ROOMS = {
-    "statics": ("equilibria", "count"),
-    "catastrophe": (
+    "kang_nam.statics": ("equilibria", "count"),
+    "kang_nam.catastrophe": (
         "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface", "quasi_static_path",
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),

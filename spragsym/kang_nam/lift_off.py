@@ -30,8 +30,8 @@ POINTS = 200
 
 def wells(p: Parameters) -> list[tuple[Well, ...]]:
     """The wells above the belt of every point, in order."""
-    from ..statics.results import Stability
-    from ..statics.solver import equilibria
+    from ..results.equilibria import Stability
+    from .statics.solver import equilibria
 
     given = {name: np.ravel(values) for name, values in zip(NAMES, p.broadcast(*NAMES), strict=True)}
     found = equilibria(Parameters(**given), contact=False)

@@ -12,7 +12,7 @@ from ..parameters import FloatArray, Parameters
 
 def rest_index(p: Parameters, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
     """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y; −1 where there is none."""
-    from ..statics.solver import equilibria
+    from .statics.solver import equilibria
 
     x, y = np.asarray(x), np.asarray(y)
     index = np.full(x.shape, -1, dtype=np.int8)

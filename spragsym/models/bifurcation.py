@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
-from ..statics.bifurcation_sets import BifurcationSet, Curve
-from ..statics.points import Points
+from ..results.bifurcation_sets import BifurcationSet, Curve
+from ..results.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Fold
 from .cusps import cusps

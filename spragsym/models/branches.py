@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..exact.interval_arrays import FloatArray
-from ..statics.results import Equilibria
+from ..results.equilibria import Equilibria
 from .balance import Balance
 from .equilibria import columns, equilibria
 from .points import given_column

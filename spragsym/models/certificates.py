@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..design.certificates import Certificate
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
-from ..statics.results import Stability
+from ..results.equilibria import Stability
 from .equilibria import equilibria
 from .state_certificates import STATES, certify_states, corner_values
 from .tube_regions import ByColumn, Flags, Parts, Place

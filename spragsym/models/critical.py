@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..statics.critical_values import value_at
-from ..statics.lowest_ends import LowestEnd
-from ..statics.points import Points
-from ..statics.results import Stability
+from ..results.critical_values import value_at
+from ..results.equilibria import Stability
+from ..results.lowest_ends import LowestEnd
+from ..results.points import Points
 from .balance import Balance
 from .bifurcation_conditions import FoldOnBorder, Touch, TouchTurn, Turn
 from .cusps import cusps

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..errors import ParameterError
 from ..exact.interval_arrays import Intervals
 from ..exact.jets import variables
-from ..statics.points import Points
+from ..results.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Cusp, change, cofactor
 from .defining_systems import Augmented

@@ -15,7 +15,7 @@ from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
-from ..statics.results import Equilibria, Held, Undecided
+from ..results.equilibria import Equilibria, Held, Undecided
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
 from .balance import Balance

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
-from ..statics.onsets import Onsets, onsets_of
-from ..statics.points import Points
+from ..results.onsets import Onsets, onsets_of
+from ..results.points import Points
 from . import stability
 from .balance import NOTHING, Balance, matrix
 from .bifurcation_conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope

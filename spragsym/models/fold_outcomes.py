@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..statics.points import Ended, Points, nothing_ends
-from ..statics.results import Equilibria, Stability
+from ..results.equilibria import Equilibria, Stability
+from ..results.points import Ended, Points, nothing_ends
 from .balance import Balance
 from .branches import Along, links
 from .equilibria import equilibria

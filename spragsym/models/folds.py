@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..exact.interval_arrays import FloatArray
-from ..statics.points import Points
+from ..results.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Fold
 from .defining_systems import Augmented

@@ -16,9 +16,9 @@ from ..exact import contractors
 from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.polynomials import Undecided
-from ..statics.named_columns import Columns
-from ..statics.onsets import criticality
-from ..statics.points import Points
+from ..results.named_columns import Columns
+from ..results.onsets import criticality
+from ..results.points import Points
 from . import stability
 from .balance import Balance
 from .bifurcation import on_lines, require_lines, rows_of

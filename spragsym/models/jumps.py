@@ -13,7 +13,7 @@ from ..design.jump_values import FROM_LOWER_END, told
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_number, as_numbers
-from ..statics.results import Stability
+from ..results.equilibria import Stability
 from .balance import Balance
 from .equilibria import equilibria
 from .paths import first_end

@@ -24,12 +24,12 @@ if TYPE_CHECKING:
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
     from ..dynamics.solution import Solution
-    from ..statics.bifurcation_sets import BifurcationSet
-    from ..statics.lowest_ends import LowestEnd
-    from ..statics.onsets import Onsets
-    from ..statics.paths import Path
-    from ..statics.points import Ended, Points
-    from ..statics.results import Equilibria
+    from ..results.bifurcation_sets import BifurcationSet
+    from ..results.equilibria import Equilibria
+    from ..results.lowest_ends import LowestEnd
+    from ..results.onsets import Onsets
+    from ..results.paths import Path
+    from ..results.points import Ended, Points
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
     from .diagram import Diagram

@@ -17,9 +17,9 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
-from ..statics.paths import Jump, Path, followed
-from ..statics.points import Points
-from ..statics.results import Equilibria, Stability, one_each
+from ..results.equilibria import Equilibria, Stability, one_each
+from ..results.paths import Jump, Path, followed
+from ..results.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Touch
 from .branches import Along, links

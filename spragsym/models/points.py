@@ -15,7 +15,7 @@ from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..parameters import ParameterSet, as_numbers
-from ..statics.points import Points
+from ..results.points import Points
 from . import near_zero
 from .balance import Balance
 from .border import BITS, on_its_side

@@ -18,7 +18,7 @@ from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.intervals import Balls
 from ..exact.krawczyk import as_balls, narrowed
 from ..exact.polynomials import Undecided
-from ..statics.results import Stability
+from ..results.equilibria import Stability
 from .balance import NOTHING, Balance, matrix
 from .bifurcation_conditions import Polynomial, determinant, hurwitz, of_pencil
 from .precise import PreciseBalance

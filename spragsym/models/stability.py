@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray
-from ..statics.results import Equilibria, Stability, columns_of
+from ..results.equilibria import Equilibria, Stability, columns_of
 from . import spectrum
 from .balance import Balance
 from .forces import undecorated

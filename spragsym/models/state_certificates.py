@@ -20,7 +20,7 @@ from ..errors import ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals, raised
-from ..statics.results import Equilibria, Stability
+from ..results.equilibria import Equilibria, Stability
 from . import spectrum
 from .balance import Balance
 from .border import on_side

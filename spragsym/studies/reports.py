@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 from ..display import Result
 from ..errors import ParameterError, SpragsymError
-from ..statics.points import Points
+from ..results.points import Points
 from .cautions import cautions
 from .facts import Facts, facts
 from .friction import of_statics, speed_for

@@ -15,7 +15,7 @@ from ..models.balance import Balance
 from ..models.stability import linearization, roots
 from ..names import hint
 from ..parameters import FloatArray
-from ..statics.results import Equilibria, Stability, columns_of
+from ..results.equilibria import Equilibria, Stability, columns_of
 from . import friction
 from .study import Study
 

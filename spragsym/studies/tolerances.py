@@ -10,12 +10,12 @@ import numpy as np
 from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
-from ..catastrophe.sliding import sliding_friction
 from ..design import JumpProbability, certify, jump_probability
 from ..design.design_space import PHYSICAL, dimensionless
 from ..design.events import have_jumped
 from ..design.probability import BELT, probability_table
 from ..display import Result, Table
+from ..kang_nam.catastrophe.sliding import sliding_friction
 from ..parameters import NAMES, FloatArray, Parameters
 from .study import Study
 from .units import WITHIN, Measured

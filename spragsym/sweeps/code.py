@@ -10,7 +10,8 @@ from importlib.resources.abc import Traversable
 
 #: What a motion's record is made by: rooms, and single modules. ``tests/test_sweeps.py`` compares them with what is imported.
 DECIDING = (
-    "dynamics", "exact", "generated", "statics", "parameters", "sweeps/measure.py", "sweeps/result.py", "sweeps/code.py",
+    "dynamics", "exact", "generated", "kang_nam", "parameters", "results", "models/field.py", "models/problems.py",
+    "sweeps/measure.py", "sweeps/result.py", "sweeps/code.py",
 )  # fmt: skip
 
 

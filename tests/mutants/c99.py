@@ -25,7 +25,7 @@ import numpy as np
 
 from benchmarks import c_target
 from benchmarks.families import EXTREMES, FAMILIES
-from spragsym.statics import adaptive_precision
+from spragsym.kang_nam.statics import adaptive_precision
 
 from .verdicts import Definitions, Journal, report, stamp
 

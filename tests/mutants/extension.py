@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from spragsym import statics
-from spragsym.statics import compiled
-from spragsym.statics.state_columns import COLUMNS, Slots
+from spragsym.kang_nam.statics import compiled
+from spragsym.results.state_columns import COLUMNS, Slots
 
 from .c99 import FLAGS, LARGE, SOURCE, Judge, at_the_end
 
@@ -31,7 +31,7 @@ class Extension(Judge):
         """Answers that a build gives; an error where one is wrong."""
         with tempfile.TemporaryDirectory() as name:
             module = _built(text, Path(name))
-        sys.modules["spragsym.statics._compiled"] = statics._compiled = module  # type: ignore[attr-defined]
+        sys.modules["spragsym.kang_nam.statics._compiled"] = statics._compiled = module  # type: ignore[attr-defined]
         columns = [np.ascontiguousarray(column) for column in self.rows.T]
         answered = sum(self._solved(columns, contact, range(len(self.rows))) for contact in (False, True))
         counts = compiled.count(columns, len(self.rows))

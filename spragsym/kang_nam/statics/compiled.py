@@ -1,0 +1,78 @@
+"""The generated C solver on columns of points, where it was compiled on installation."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...generated import SOURCE_HASH
+from ...results.state_columns import COLUMNS, Slots
+
+_ROOM = threading.local()
+
+
+@cache
+def available() -> bool:
+    """Whether the extension module was built, and from the same derivation as the rest of this package."""
+    try:
+        from . import _compiled
+    except ImportError:
+        return False
+    return SOURCE_HASH.startswith(_compiled.SOURCE)
+
+
+def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    """As :func:`.block.solve` in float64: write settled points to ``out`` and return which are not settled.
+
+    ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
+    """
+    from . import _compiled
+
+    return _solve(_compiled.solve, values, contact, out, begin, size)
+
+
+def solve_widely(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    """The same in double-double arithmetic, as :func:`.block.solve_widely`."""
+    from . import _compiled
+
+    return _solve(_compiled.solve_widely, values, contact, out, begin, size)
+
+
+def _solve(
+    method: Callable[..., int], values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int
+) -> NDArray[np.int64]:
+    rows, further = _room(out.slots - 1, size)
+    settled = np.empty(size, dtype=np.bool_)
+    here = slice(begin, begin + size)
+    first = tuple(out.first[name][here] for name in COLUMNS)
+    some = tuple(column[:size] for column in further)
+    theta0, mu0, kappa, alpha, sigma, beta = values
+    results = settled, out.count[here], first, (rows[:size], *some)
+    used = method(theta0, mu0, kappa, alpha, sigma, beta, int(contact), *results)
+    if used:
+        out.further.append((begin + rows[:used], {name: some[i][:used].T.copy() for i, name in enumerate(COLUMNS)}))
+    return np.flatnonzero(~settled)
+
+
+def count(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
+    """The number of equilibria in contact, 0 where that is open; ``values`` as for :func:`solve`."""
+    from . import _compiled
+
+    counts = np.empty(size, dtype=np.int8)
+    theta0, mu0, kappa, alpha, sigma, beta = values
+    _compiled.count(theta0, mu0, kappa, alpha, sigma, beta, counts)
+    return counts
+
+
+def _room(slots: int, size: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:
+    """Work arrays of one thread, used again for every block, for points with more than one equilibrium."""
+    kept = _ROOM.__dict__.setdefault("by_slots", {})
+    if slots not in kept or kept[slots][0].size < size:
+        kinds = [np.int8 if name == "stability" else np.float64 for name in COLUMNS]
+        kept[slots] = np.empty(size, dtype=np.int64), tuple(np.empty((size, slots), dtype=kind) for kind in kinds)
+    room: tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]] = kept[slots]
+    return room

@@ -1,0 +1,84 @@
+"""A state followed as one parameter moves, with its jumps: one class for every model, however it was followed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..parameters import FloatArray
+from .equilibria import Equilibria, Stability, one_each
+from .named_columns import Columns
+
+
+@dataclass(frozen=True)
+class Jump(Result):
+    """A state that vanishes at a fold or leaves the contact, and the one that takes its place.
+
+    ``before`` and ``after`` say where they are, by the names of ``Path.columns``: numbers, angles in radians.
+    """
+
+    value: float  #: of the parameter, at the fold or on the border
+    kind: str  #: ``"fold"``, or ``"border"`` where the state leaves the contact
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+    stability_after: Stability
+    error: float  #: bound on the error of ``value``
+
+
+@dataclass(frozen=True, eq=False)
+class Path(Columns, held_in="places"):
+    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
+
+    Each coordinate is an attribute under its own name, of the shape of ``values``; so are the direction and the length of each
+    inclined spring, as of :class:`spragsym.Equilibria`. Angles are radians. ``stability`` has the codes of (27); ``growth``,
+    ``stable`` and ``kind`` are those of the full linearization, made when they are asked for; on a fold ``kind`` is
+    ``"marginal"`` unless something else grows there.
+    """
+
+    parameters: Any
+    vary: str
+    values: FloatArray
+    stability: NDArray[np.int8]
+    jumps: tuple[Jump, ...]
+    places: Mapping[str, FloatArray] = field(repr=False)
+    _along: Equilibria = field(repr=False)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns that say where a state is."""
+        return tuple(self.places)
+
+    @property
+    def coordinates(self) -> dict[str, FloatArray]:
+        """The model's coordinates by their names."""
+        return {name: self.places[name] for name in self.parameters.model.coordinates}
+
+    @property
+    def growth(self) -> FloatArray:
+        """Largest real part of all λ of the full linearization, as of :class:`spragsym.Equilibria`."""
+        return self._along.growth[:, 0]
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where it is proved that nothing grows."""
+        return self._along.stable[:, 0]
+
+    @property
+    def kind(self) -> NDArray[np.str_]:
+        """What grows, in a word."""
+        return self._along.kind[:, 0]
+
+
+def followed(
+    p: Any, vary: str, values: FloatArray, known: Mapping[str, FloatArray], stability: NDArray[np.int8],
+    error: FloatArray | float, jumps: tuple[Jump, ...],
+) -> Path:  # fmt: skip
+    """The path of which coordinates, at least, are known at each value."""
+    along = one_each(p.replace(**{vary: values}), known, stability, error)
+    places = {name: getattr(along, name)[:, 0] for name in along.columns}
+    return Path(p, vary, values, stability, jumps, places, along)

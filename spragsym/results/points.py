@@ -1,0 +1,173 @@
+"""Points at which equilibria change: folds, cusps and onsets of flutter, one class for every model, however they were found."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..parameters import FloatArray
+from .equilibria import Equilibria, columns_of, one_each
+
+
+@dataclass(frozen=True)
+class Ended(Result):
+    """What happens at folds: columns of :class:`Points` under these names."""
+
+    ends: NDArray[np.str_]
+    when: NDArray[np.str_]
+    after: Mapping[str, FloatArray]
+
+
+@dataclass(frozen=True, eq=False)
+class Points(Result):
+    """Points at which equilibria change, sorted by the first parameter that varies.
+
+    Every parameter and coordinate is an attribute under its own name, one number a point; so are the direction and the length of
+    each inclined spring, as of :class:`spragsym.Equilibria`. Columns are made when they are first asked for. Angles are radians.
+
+    Attributes
+    ----------
+    parameters : Parameters
+        What was asked for; those that vary are not used.
+    vary : tuple of str
+        The parameters that were unknowns.
+    kind : ndarray of str
+        What happens as the parameter passes. ``"fold"``: two equilibria appear or vanish together. ``"pitchfork"``: one becomes
+        three, or three become one, all of them in one point, in a system that is its own mirror image. ``"cusp"``: two folds
+        meet; along one parameter three equilibria meet, and one is left on both sides. ``"touch"``: two meet, and there are as
+        many on both sides. ``"hopf"``, ``"flutter"`` and ``"seen"`` are onsets, see :class:`spragsym.Onsets`.
+    error : ndarray
+        Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary, in closed forms of theta and L too.
+    ends : ndarray of str
+        At a fold a stable state by (27) and another one meet, as a rule: whether the stable one is the ``"lower"`` or the
+        ``"upper"`` of the two in the first coordinate, in closed forms in theta; ``"undecided"``; empty where none of them is
+        stable, and for other kinds.
+    when : ndarray of str
+        The two vanish as the parameter goes ``"up"`` or ``"down"``; ``"undecided"``; empty for other kinds.
+    after : mapping of str to ndarray
+        Where the state that ends jumps to, by the names of ``columns``: the nearest equilibrium that is stable there by (27), of
+        closed forms the only one that is left. NaN where there is none, and for other kinds.
+    region : ndarray
+        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters. A parameter that is
+        larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of what is below. Closed forms need no box: ends are infinite.
+    whole : bool
+        Whether that box is proved to hold all equilibria for all parameters in it.
+    endless : tuple of str
+        Parameters whose range has no end, and no ``between``: they were searched to the end that ``region`` says, no farther.
+    undecided : ndarray
+        Lower and upper ends of the boxes that are not decided, shape (boxes, unknowns, 2); many of them as the boxes around those
+        whose ranges of the parameter touch.
+    remarks : tuple of str
+        What is known of these boxes, and what was not searched: why the result is not complete.
+    """
+
+    parameters: Any
+    vary: tuple[str, ...]
+    kind: NDArray[np.str_]
+    error: FloatArray
+    region: FloatArray
+    whole: bool
+    endless: tuple[str, ...]
+    undecided: FloatArray
+    remarks: tuple[str, ...]
+    _values: Mapping[str, NDArray[Any]] = field(repr=False)
+    _ended: Ended | None = field(default=None, repr=False)
+
+    def __len__(self) -> int:
+        return int(self.error.size)
+
+    @property
+    def decided(self) -> bool:
+        """Whether every box of the region is decided."""
+        return not len(self.undecided)
+
+    @property
+    def complete(self) -> bool:
+        """Whether these are all: everywhere, for all values of the parameters, or for those of ``between``."""
+        return self.decided and self.whole and not self.endless
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns that say where a state is, as of :class:`spragsym.Equilibria`."""
+        return columns_of(self.parameters.model)
+
+    @property
+    def coordinates(self) -> dict[str, FloatArray]:
+        """The model's coordinates by their names."""
+        return {name: getattr(self, name) for name in self.parameters.model.coordinates}
+
+    @property
+    def ends(self) -> NDArray[np.str_]:
+        """Which state ends at a fold."""
+        return self._what_ends.ends
+
+    @property
+    def when(self) -> NDArray[np.str_]:
+        """Which way the parameter goes then."""
+        return self._what_ends.when
+
+    @property
+    def after(self) -> Mapping[str, FloatArray]:
+        """Where it jumps to."""
+        return self._what_ends.after
+
+    def select(self, which: NDArray[np.bool_]) -> Self:
+        """The points that ``which`` marks."""
+        values = {name: column[which] for name, column in self._values.items()}
+        ended = self._ended and Ended(
+            self.ends[which], self.when[which], {name: column[which] for name, column in self.after.items()}
+        )
+        return replace(self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended)
+
+    @cached_property
+    def _what_ends(self) -> Ended:
+        found: Ended = self._ended or self.parameters.model.ended(self)
+        return found
+
+    @cached_property
+    def _states(self) -> Equilibria:
+        """The states as equilibria of their points, without what is known of their stability."""
+        p = self.parameters.replace(**{name: getattr(self, name) for name in self.vary})
+        places = {name: getattr(self, name) for name in p.model.coordinates}
+        return one_each(p, places, np.zeros(len(self), dtype=np.int8), self.error)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or "_values" not in self.__dict__:
+            raise AttributeError(name)
+        column = self._values.get(name)
+        if column is None and name in self.parameters.ranges:
+            given = getattr(self.parameters, name)
+            column = np.full(len(self), np.nan if given is None or given.ndim else float(given))
+        if column is None and name in self.columns:
+            column = getattr(self._states, name)[:, 0]
+        if column is None:
+            known = ", ".join(dict.fromkeys([*self.columns, *self.vary, *self._values]))
+            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {known}")
+        self.__dict__[name] = column
+        return column
+
+
+def in_closed_form(
+    p: Any, vary: tuple[str, ...], kind: NDArray[np.str_], error: FloatArray, values: Mapping[str, NDArray[Any]],
+    ended: Ended | None = None, spans: Mapping[str, tuple[float, float]] | None = None,
+) -> dict[str, Any]:  # fmt: skip
+    """The fields of :class:`Points` that closed forms give: all there are, in the whole range of what varies, or in ``spans``."""
+    allowed = [(spans or {}).get(name, (p.ranges[name].low, p.ranges[name].high)) for name in vary]
+    region = np.array([(-np.inf, np.inf)] * len(p.model.coordinates) + allowed)
+    none = np.empty((0, len(region), 2))
+    return {
+        "parameters": p, "vary": vary, "kind": kind, "error": error, "region": region, "whole": True, "endless": (),
+        "undecided": none, "remarks": (), "_values": values, "_ended": ended,
+    }  # fmt: skip
+
+
+def nothing_ends(number: int, columns: tuple[str, ...]) -> Ended:
+    """No point is a fold."""
+    ends, when = np.full((2, number), "", dtype="<U9")
+    return Ended(ends, when, {name: np.full(number, np.nan) for name in columns})

@@ -25,12 +25,6 @@ from .design import JumpGradient as JumpGradient
 from .design import JumpMargin as JumpMargin
 from .design import JumpProbability as JumpProbability
 from .design import Redesign as Redesign
-from .design import certify as certify
-from .design import jump_gradient as jump_gradient
-from .design import jump_margin as jump_margin
-from .design import jump_probability as jump_probability
-from .design import jump_value as jump_value
-from .design import redesign as redesign
 from .dynamics import Event as Event
 from .dynamics import Events as Events
 from .dynamics import Outcome as Outcome
@@ -60,6 +54,12 @@ from .kang_nam.catastrophe import linear_sprag as linear_sprag
 from .kang_nam.catastrophe import quasi_static_path as quasi_static_path
 from .kang_nam.catastrophe import sliding_friction as sliding_friction
 from .kang_nam.catastrophe import surface as surface
+from .kang_nam.design import certify as certify
+from .kang_nam.design import jump_gradient as jump_gradient
+from .kang_nam.design import jump_margin as jump_margin
+from .kang_nam.design import jump_probability as jump_probability
+from .kang_nam.design import jump_value as jump_value
+from .kang_nam.design import redesign as redesign
 from .kang_nam.statics import count as count
 from .kang_nam.statics import equilibria as equilibria
 from .kang_nam.statics import get_backend as get_backend

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.design import cells, certificates
-from spragsym.design.cells import Boxes, Ground, Line, Verdict
-from spragsym.design.claims import Claim
+from spragsym.kang_nam.design import cells, certificates
+from spragsym.kang_nam.design.cells import Boxes, Ground, Line, Verdict
+from spragsym.kang_nam.design.claims import Claim
 from spragsym.parameters import NAMES
 from tests.support import as_fraction
 

@@ -15,10 +15,7 @@ from scipy.optimize import brentq
 
 import spragsym as ss
 from benchmarks import families
-from spragsym.design import jump_values, sampling
-from spragsym.design.cells import Boxes
-from spragsym.design.claims import CLAIMS
-from spragsym.design.events import have_jumped
+from spragsym.design import sampling
 from spragsym.errors import SweepError
 from spragsym.exact import affine, bernstein
 from spragsym.exact.polynomials import Undecided
@@ -26,6 +23,10 @@ from spragsym.exact.rounded import Rounded
 from spragsym.generated import catastrophe as generated
 from spragsym.kang_nam.catastrophe import fold_arrays
 from spragsym.kang_nam.catastrophe.fold_digits import sharpened
+from spragsym.kang_nam.design import jump_values
+from spragsym.kang_nam.design.cells import Boxes
+from spragsym.kang_nam.design.claims import CLAIMS
+from spragsym.kang_nam.design.events import have_jumped
 from tests.support import few
 
 BASE = ss.Parameters.article()

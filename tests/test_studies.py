@@ -14,7 +14,7 @@ import spragsym as ss
 from benchmarks import validate_reports
 from spragsym.cli import main
 from spragsym.design.design_space import dimensionless
-from spragsym.design.events import have_jumped
+from spragsym.kang_nam.design.events import have_jumped
 from spragsym.models.varying_units import BalanceInUnits
 from spragsym.studies import brake_quantities, friction, tolerances, tube_tolerances
 from spragsym.studies.tube_tolerances import certificate

@@ -1,22 +1,9 @@
-"""From a brake to a verdict: where it jumps, how far that is, how sure, and what to change."""
+"""From a brake to a verdict: how sure a jump is, how far it is, and what to change, for every model."""
 
-from .certificates import Certificate, certify
-from .gradients import JumpGradient, jump_gradient
-from .jump_values import jump_value
-from .margins import JumpMargin, jump_margin
-from .probability import JumpProbability, jump_probability
-from .redesigns import Redesign, redesign
+from .certificates import Certificate
+from .gradients import JumpGradient
+from .margins import JumpMargin
+from .probability import JumpProbability
+from .redesigns import Redesign
 
-__all__ = [
-    "Certificate",
-    "JumpGradient",
-    "JumpMargin",
-    "JumpProbability",
-    "Redesign",
-    "certify",
-    "jump_gradient",
-    "jump_margin",
-    "jump_probability",
-    "jump_value",
-    "redesign",
-]
+__all__ = ["Certificate", "JumpGradient", "JumpMargin", "JumpProbability", "Redesign"]

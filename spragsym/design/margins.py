@@ -4,25 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..display import Result
-from ..errors import ParameterError
-from ..parameters import NAMES, FloatArray, Parameters, ParameterSet, PhysicalParameters
-from .cells import Boxes
-from .certificates import halved
-from .claims import CLAIMS
-from .design_space import Space, space
-from .events import have_jumped
+from ..parameters import FloatArray, ParameterSet, PhysicalParameters
+from .design_space import Space
 from .jump_boundary import on_border
 from .nearest import RAYS, Member, nearest, shortened
 
-#: Shares of the distance within which a proof that nothing jumps is tried, and the boxes that each may take.
-_SHARES, _BOXES = (0.95, 0.8, 0.5, 0.2), 3_000
+#: Shares of the distance within which a proof that nothing jumps is tried.
+_SHARES = (0.95, 0.8, 0.5, 0.2)
 
 
 @dataclass(frozen=True)
@@ -47,46 +40,6 @@ class JumpMargin(Result):
     parameters: ParameterSet | PhysicalParameters | None
 
 
-def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], *, prove: bool = False) -> JumpMargin:
-    """The nearest parameters at which the state of small deformation jumps, in the metric of the tolerances.
-
-    Parameters
-    ----------
-    p : Parameters or PhysicalParameters
-        One design, with its friction.
-    scale : mapping of str to float
-        A tolerance for each quantity that may be off; the others stay.
-    prove : bool
-        Also prove that nothing jumps within a part of the distance, as large as can be shown in some seconds.
-
-    Returns
-    -------
-    JumpMargin
-
-    Raises
-    ------
-    ParameterError
-        For quantities that ``p`` does not have, tolerances that are not positive, and a proof with physical quantities.
-
-    Notes
-    -----
-    Source: f = f′ = 0 at the least change. That the point found is on a fold at which that state jumps is certain; that there is
-    no nearer one is known within ``proved`` only: the search follows rays, up to 256 tolerances away, and then the fold.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> p = Parameters.article(theta0=np.radians(40.0))
-    >>> margin = jump_margin(p, {"theta0": np.radians(1.0), "mu0": 0.05})
-    >>> round(margin.distance, 4), {name: round(value, 4) for name, value in margin.change.items()}
-    (1.6845, {'theta0': 0.0114, 'mu0': 0.0776})
-    """
-    designs = space(p, scale, None)
-    if prove and not isinstance(p, Parameters):
-        raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
-    return margin(designs, partial(jumping, designs), partial(_nothing_jumps_within, designs) if prove else None)
-
-
 def margin(
     designs: Space, member: Member, safe: Callable[[float], bool] | None, vary: str = "mu0", rays: int = RAYS, **options: Any
 ) -> JumpMargin:
@@ -103,13 +56,6 @@ def margin(
         return JumpMargin(distance, proved, {}, None)
     change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
     return JumpMargin(distance, proved, change, designs.made(best))
-
-
-def jumping(designs: Space, z: FloatArray) -> NDArray[np.bool_]:
-    """Which designs jump at their own friction or below it."""
-    p = designs.sets(z)
-    assert isinstance(p, Parameters)
-    return have_jumped(p).jumped
 
 
 def polished(designs: Space, z: FloatArray, member: Member, vary: str = "mu0", **options: Any) -> FloatArray:
@@ -129,35 +75,3 @@ def _proved(safe: Callable[[float], bool], distance: float) -> float:
     """The largest share of the distance within which nothing jumps, proved; 0 if none of those tried can be."""
     radii = (share * distance for share in _SHARES if distance)
     return next((radius for radius in radii if safe(radius)), 0.0)
-
-
-def _nothing_jumps_within(designs: Space, radius: float) -> bool:
-    """Boxes around the design are halved until each lies outside of the ball or is proved.
-
-    Of the friction only the largest value matters that the ball has over a box of the others.
-    """
-    low, high = designs.limits()
-    if (low > -radius).any() or (high < radius).any():
-        return False
-    values = designs.parameters(np.zeros(len(designs.names)))
-    others = [j for j, name in enumerate(designs.names) if name != "mu0"]
-    place = [NAMES.index(designs.names[j]) for j in others]
-    origin, scale = designs.origin[others, None], designs.scale[others, None]
-    ends = np.array([[float(values[name])] for name in NAMES])
-    begin, end = ends.copy(), ends.copy()
-    begin[place], end[place] = origin - radius * scale, origin + radius * scale
-    pending, seen = Boxes(begin, end, np.ones(1)), 0
-    while pending.share.size:
-        seen += pending.share.size
-        if seen > _BOXES:
-            return False
-        off = (np.clip(origin, pending.low[place], pending.high[place]) - origin) / scale
-        rest = (radius * (1 + 1e-9)) ** 2 - (off**2).sum(axis=0)
-        pending, rest = pending.rows(np.flatnonzero(rest >= 0)), rest[rest >= 0]
-        if "mu0" in designs.names:
-            j, k = NAMES.index("mu0"), designs.names.index("mu0")
-            pending.low[j] = pending.high[j] = designs.origin[k] + designs.scale[k] * np.sqrt(rest)
-        proved, weight = CLAIMS["no jump"].prove(pending)
-        left = np.flatnonzero(~proved)
-        pending = halved(pending.rows(left), weight[:, left])
-    return True

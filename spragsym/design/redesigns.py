@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..parameters import RANGES, FloatArray, Parameters, ParameterSet, PhysicalParameters, as_number
-from .design_space import Space, space
+from ..parameters import FloatArray, ParameterSet, PhysicalParameters
+from .design_space import Space
 from .jump_boundary import on_border
-from .jump_values import FROM_LOWER_END, FirstJumps, Values, exactly, first_jumps
 from .nearest import RAYS, Member, nearest, shortened
+from .values import Values
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
 _OUTWARD = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
@@ -45,61 +45,6 @@ class Redesign(Result):
     change: Mapping[str, float]
     parameters: ParameterSet | PhysicalParameters | None
     jump: Mapping[str, float]
-
-
-def redesign(
-    p: Parameters | PhysicalParameters,
-    change: str | Iterable[str],
-    target: Mapping[str, float],
-    scale: Mapping[str, float] | None = None,
-) -> Redesign:
-    """The least change of some quantities that keeps the jump of the state of small deformation beyond a target.
-
-    Parameters
-    ----------
-    p : Parameters or PhysicalParameters
-        One design.
-    change : str or sequence of str
-        What may change: dimensionless parameters, or physical quantities of :class:`PhysicalParameters`.
-    target : mapping of str to float
-        Below what friction ``mu0``, or what angle ``theta0`` in radians, nothing may jump; one of the two or both.
-    scale : mapping of str to float, optional
-        A tolerance for each quantity that may change, in which changes are measured; by default its own value.
-
-    Returns
-    -------
-    Redesign
-
-    Raises
-    ------
-    ParameterError
-        For quantities that ``p`` does not have, a target other than ``mu0`` and ``theta0``, or one that is to change itself.
-
-    Notes
-    -----
-    Source: f = f′ = 0 at the target. That the new design keeps it is verified; that there is no smaller change is not proved: the
-    search follows rays, up to 256 scales away, and then the fold.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> p = Parameters.article(theta0=np.radians(40.0))
-    >>> better = redesign(p, ("sigma", "theta0"), {"mu0": 0.7})
-    >>> round(better.distance, 4), {name: round(value, 4) for name, value in better.change.items()}
-    (0.115, {'sigma': 0.0016, 'theta0': -0.0795})
-    >>> round(better.jump["mu0"], 9)
-    0.7
-    """
-    wanted = {
-        name: as_number(f"target[{name!r}]", value, RANGES[name]) for name, value in target.items() if name in FROM_LOWER_END
-    }
-    if len(wanted) != len(target) or not wanted:
-        raise ParameterError(f"target = {dict(target)!r}; give mu0, theta0 or both, with the value below which nothing may jump")
-
-    def jumps(p: Any, name: str, limit: float) -> FirstJumps:
-        return first_jumps(p, name, apart_from=np.full(p.shape, limit))
-
-    return redesigned(space(p, scale, change, "change"), wanted, jumps, lambda p, name: exactly(p, name)[0])
 
 
 def redesigned(

@@ -13,7 +13,7 @@ _ROOMS = {
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
     "kang_nam.lift_off": ("aloft",), "kang_nam.rest": ("rest_index",), "dynamics.with_compiled": ("integrate",),
-    "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
+    "kang_nam.design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip
 #: What may vary, where that is not any parameter.
 _ALONG = {

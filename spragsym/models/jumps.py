@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..design.gradients import JumpGradient
-from ..design.jump_values import FROM_LOWER_END, told
+from ..design.values import FROM_LOWER_END, told
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_number, as_numbers

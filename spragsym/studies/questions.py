@@ -10,11 +10,11 @@ from functools import partial
 
 import numpy as np
 
-from ..design import jump_margin, redesign
 from ..design.design_space import PHYSICAL, Design, dimensionless, space
-from ..design.events import have_jumped
-from ..design.jump_values import first_jumps
 from ..errors import ParameterError
+from ..kang_nam.design import jump_margin, redesign
+from ..kang_nam.design.events import have_jumped
+from ..kang_nam.design.jump_values import first_jumps
 from ..models.balance import Balance
 from ..models.load import load
 from ..models.points import ranges

@@ -10,12 +10,14 @@ import numpy as np
 from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
-from ..design import JumpProbability, certify, jump_probability
+from ..design import JumpProbability
 from ..design.design_space import PHYSICAL, dimensionless
-from ..design.events import have_jumped
-from ..design.probability import BELT, probability_table
+from ..design.probability import probability_table
 from ..display import Result, Table
 from ..kang_nam.catastrophe.sliding import sliding_friction
+from ..kang_nam.design import certify, jump_probability
+from ..kang_nam.design.events import have_jumped
+from ..kang_nam.design.probability import BELT
 from ..parameters import NAMES, FloatArray, Parameters
 from .study import Study
 from .units import WITHIN, Measured

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from spragsym import statics
+from spragsym.kang_nam import statics
 from spragsym.kang_nam.statics import compiled
 from spragsym.results.state_columns import COLUMNS, Slots
 

@@ -9,32 +9,27 @@ exact arithmetic.
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ConvergenceError, ParameterError, UndecidedWarning
-from ..exact.polynomials import Undecided
-from ..kang_nam.catastrophe import fold_arrays
-from ..kang_nam.catastrophe.fold_digits import sharpened
-from ..kang_nam.catastrophe.fold_points import turns
-from ..kang_nam.catastrophe.paths import quasi_static_path
-from ..kang_nam.statics.solver import equilibria
-from ..parameters import NAMES, RANGES, FloatArray, Parameters
-from ..results.equilibria import Equilibria, Stability
+from ...design.values import FIRST_ANGLE, FROM_LOWER_END, told
+from ...errors import ConvergenceError, ParameterError
+from ...exact.polynomials import Undecided
+from ...parameters import NAMES, RANGES, FloatArray, Parameters
+from ...results.equilibria import Equilibria, Stability
+from ..catastrophe import fold_arrays
+from ..catastrophe.fold_digits import sharpened
+from ..catastrophe.fold_points import turns
+from ..catastrophe.paths import quasi_static_path
+from ..statics.solver import equilibria
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 13
 #: Largest error of a value over max(1, |value|), proved.
 _LARGEST_ERROR = 1e-12
-#: Where θ₀ begins to rise; folds below it are looked for exactly.
-_FIRST_ANGLE = 2.0**-40
-#: Parameters that rise from their lower end; the others move from the value that they have.
-FROM_LOWER_END = {"theta0": _FIRST_ANGLE, "mu0": 0.0}
 
 
 @dataclass(frozen=True)
@@ -92,30 +87,6 @@ def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> fl
     """
     found = told(first_jumps(p, vary, direction))
     return found.value if found.value.ndim else float(found.value)
-
-
-class Values(Protocol):
-    """Values of many points, NaN where there is none, and of which points nothing is known, and why."""
-
-    @property
-    def value(self) -> FloatArray: ...
-
-    @property
-    def reasons(self) -> Mapping[int, str]: ...
-
-
-Known = TypeVar("Known", bound=Values)
-
-
-def told(found: Known) -> Known:
-    """The values themselves; an error if nothing is known of a single point, a warning if nothing is known of some of many."""
-    for reason in found.reasons.values():
-        if not found.value.shape:
-            raise ConvergenceError(reason)
-        what = f"{len(found.reasons)} points have no answer and are NaN; the first: {reason}"
-        warnings.warn(what, UndecidedWarning, stacklevel=3)
-        break
-    return found
 
 
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> FirstJumps:
@@ -245,7 +216,7 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
     found = [turn.values[NAMES.index(vary)] for turn in turns(p, vary)]
     if vary == "theta0":
-        start = min([_FIRST_ANGLE, *(value / 2 for value in found)])
+        start = min([FIRST_ANGLE, *(value / 2 for value in found)])
     else:
         start = FROM_LOWER_END[vary] if vary in FROM_LOWER_END else float(getattr(p, vary))
     ahead = [value for value in found if forward * (value - start) >= 0]

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact.affine import Affine
-from ..generated import catastrophe as _catastrophe
-from ..kang_nam.catastrophe.paths import quasi_static_path
-from ..kang_nam.statics import kernel
-from ..kang_nam.statics.solver import count, equilibria
-from ..parameters import NAMES, FloatArray, Parameters
-from ..results.equilibria import Stability
+from ...exact.affine import Affine
+from ...generated import catastrophe as _catastrophe
+from ...parameters import NAMES, FloatArray, Parameters
+from ...results.equilibria import Stability
+from ..catastrophe.paths import quasi_static_path
+from ..statics import kernel
+from ..statics.solver import count, equilibria
 from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
 from .gradients import by_parameter
 from .jump_values import first_jumps, small

@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import bernstein
-from ..exact.rounded import UNIT
-from ..kang_nam.catastrophe.fold_arrays import friction_sextic
-from ..kang_nam.statics.solver import equilibria
-from ..parameters import NAMES, FloatArray, Parameters
-from ..results.equilibria import Stability
+from ...exact import bernstein
+from ...exact.rounded import UNIT
+from ...parameters import NAMES, FloatArray, Parameters
+from ...results.equilibria import Stability
+from ..catastrophe.fold_arrays import friction_sextic
+from ..statics.solver import equilibria
 from .jump_values import BLOCK, first_jumps, small
 
 #: Radians between an equilibrium and the state without friction below which float64 does not say which comes first.

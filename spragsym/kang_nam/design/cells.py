@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact.affine import Affine, cosine_and_sine, sides
-from ..parameters import NAMES, FloatArray
+from ...exact.affine import Affine, cosine_and_sine, sides
+from ...parameters import NAMES, FloatArray
 
 #: Cells of a box to begin with, how often one is halved in any case, and at most.
 _CELLS, _ALWAYS, _HALVINGS = 4, 4, 40

@@ -1,0 +1,110 @@
+"""A claim about every point of a box of parameters: proved, refuted by a point, or left open in a share of the volume."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...design.certificates import Certificate
+from ...errors import ParameterError
+from ...parameters import NAMES, FloatArray, Parameters
+from .cells import Boxes
+from .claims import CLAIMS, Claim
+
+#: Boxes at a time.
+_BATCH = 2048
+
+
+def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 20_000, refute: bool = True) -> Certificate:
+    """Prove a claim for every point of a box of parameters, or find a point where it is false.
+
+    Parameters
+    ----------
+    low, high : Parameters
+        Two corners, scalars; a parameter may have the same value in both.
+    claim : {"no jump", "one equilibrium", "no flutter"}
+        ``"no jump"``: the state of small deformation does not jump as the friction rises from 0 to any μ₀ of the box.
+        ``"one equilibrium"``: there is one in contact, not three. ``"no flutter"``: no equilibrium in contact flutters.
+    max_boxes : int
+        Boxes to look at before what is left is given back as undecided.
+    refute : bool
+        Also look for a point where the claim is false, which takes as long as the proof.
+
+    Returns
+    -------
+    Certificate
+
+    Raises
+    ------
+    ParameterError
+        For corners that are not scalars or in the wrong order, or another claim.
+
+    Notes
+    -----
+    Source: f, f′ and the eigenvalues of K over boxes, in affine arithmetic with every rounding bounded; boxes are halved until
+    they are decided. A box that touches the border of the claim, a fold or an onset of flutter, can't be decided there: it ends
+    after ``max_boxes``.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> base = Parameters.article(theta0=np.radians(30.0), mu0=0.6)
+    >>> certify(base, base.replace(theta0=np.radians(32.0), mu0=0.7), "no jump").outcome
+    'proved'
+    >>> certify(base, base.replace(mu0=0.9), "no jump").outcome
+    'refuted'
+    """
+    if claim not in CLAIMS:
+        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, CLAIMS))}")
+    if isinstance(max_boxes, bool) or not isinstance(max_boxes, int | np.integer) or max_boxes < 1:
+        raise ParameterError(f"max_boxes = {max_boxes!r} is not a number of boxes; give an integer of 1 or more")
+    chosen = CLAIMS[claim]
+    pending = Boxes(*_corners(low, high, chosen), np.ones(1))
+    seen, open_share = 0, 0.0
+    while pending.share.size:
+        batch, rest = (
+            pending.rows(np.arange(min(_BATCH, pending.share.size))),
+            pending.rows(np.arange(_BATCH, pending.share.size)),
+        )
+        seen += batch.share.size
+        point = chosen.refute(batch) if refute else None
+        if point is not None:
+            return Certificate(claim, "refuted", point, float(batch.share.sum() + rest.share.sum()), seen)
+        proved, weight = chosen.prove(batch)
+        open_ones = np.flatnonzero(~proved)
+        if seen + rest.share.size >= max_boxes:
+            open_share = float(batch.share[open_ones].sum() + rest.share.sum())
+            break
+        halves = halved(batch.rows(open_ones), weight[:, open_ones])
+        pending = Boxes(*(np.concatenate([one, other], axis=-1) for one, other in zip(rest, halves, strict=True)))
+    return Certificate(claim, "undecided" if open_share else "proved", None, open_share, seen)
+
+
+def _corners(low: Parameters, high: Parameters, chosen: Claim) -> tuple[FloatArray, FloatArray]:
+    ends = []
+    for what, corner in (("low", low), ("high", high)):
+        if corner.shape:
+            raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
+        ends.append(np.array(corner.scalars(*NAMES))[:, None])
+    for name, one, other in zip(NAMES, ends[0][:, 0], ends[1][:, 0], strict=True):
+        if one > other:
+            raise ParameterError(f"low.{name} = {one:g} is above high.{name} = {other:g}; exchange the two")
+    for name in chosen.from_above:
+        ends[0][NAMES.index(name)] = ends[1][NAMES.index(name)]
+    return ends[0], ends[1]
+
+
+def halved(boxes: Boxes, weight: FloatArray) -> Boxes:
+    """Each box cut across the side that matters most; one without width is not cut, and where none is known the widest is."""
+    width = boxes.high - boxes.low
+    relative = width / np.maximum(boxes.high, 1e-300)
+    useful = np.where(width > 0, weight, -1.0)
+    known = (useful > 0).any(axis=0)
+    side = np.where(known, np.argmax(useful, axis=0), np.argmax(relative, axis=0))
+    column = np.arange(side.size)
+    middle = 0.5 * (boxes.low[side, column] + boxes.high[side, column])
+    high, low = boxes.high.copy(), boxes.low.copy()
+    high[side, column], low[side, column] = middle, middle
+    # A box that is a point, or as thin as floats are, has no halves: both are the same, and it stays open.
+    return Boxes(
+        np.concatenate([boxes.low, low], axis=1), np.concatenate([high, boxes.high], axis=1), np.tile(boxes.share / 2, 2)
+    )

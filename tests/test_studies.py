@@ -37,7 +37,7 @@ model = "kang_nam"
 KEYS = [
     "mu_jump", "theta0_jump_deg", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective", "margin_percent",
     "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation", "certificate",
-    "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump",
+    "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump", "verdict", "folds",
 ]  # fmt: skip
 
 
@@ -91,6 +91,10 @@ def test_json_has_the_keys_of_the_contract(tolerances: bool, tmp_path: Path, cap
     assert stop.value.code == 0
     found = json.loads(capsys.readouterr().out)
     assert list(found) == KEYS
+    assert found["folds"][0]["friction"] == pytest.approx(found["mu_jump"], rel=1e-12)
+    state = next(one for one in found["states"] if one["current"])
+    way = found["folds"][0]
+    assert way["before"]["x_mm"] < way["after"]["x_mm"] < state["x_mm"]  # it has jumped, and friction has grown since
 
 
 def brake(**changes: float | None) -> ss.PhysicalParameters:

@@ -84,7 +84,7 @@ def probability_table(name: str, found: Any, header: tuple[str, ...], rows: tupl
     ends = f"{found.low:.4g} to {found.high:.4g} with confidence {found.confidence:.4g}"
     low, high = math.floor(1e4 * found.proved[0]) / 1e4, math.ceil(1e4 * found.proved[1]) / 1e4
     proved = f", proved {low:g} to {high:g}" if found.proved != (0.0, 1.0) else ""
-    return Table(f"{name} {found.probability:.4g}, {ends}, n = {found.n}{proved}", header, rows or (("",) * len(header),))
+    return Table(f"{name} {found.probability:.4g}, {ends}, n = {found.n}{proved}", header if rows else (), rows)
 
 
 def estimated(

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from .fold_rows import FoldRow, fold_rows
 from .jumps import JumpPeak
 from .redesigns import Change
 from .states import State
@@ -50,6 +52,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "warnings": list(report.warnings),
         "reach": report.facts.reach or None, "speed_jump": _speed_json(report),
         "jump": None if report.peak is None else _peak_json(report.peak),
+        "verdict": report.verdict, "folds": [_fold_json(row) for row in fold_rows(report)],
     }  # fmt: skip
 
 
@@ -84,6 +87,10 @@ def _peak_json(peak: JumpPeak) -> dict[str, Any]:
         "spring_force_N": peak.spring_force_N, "contact_force_N": peak.contact_force_N, "lifts_off": peak.lifts_off,
         "settles": peak.settles, "seconds": peak.seconds,
     }  # fmt: skip
+
+
+def _fold_json(row: FoldRow) -> dict[str, Any]:
+    return {**asdict(row), "ends": row.ends or None, "when": row.when or None}
 
 
 def _in_file(study: Study, values: Mapping[str, float]) -> dict[str, Any]:

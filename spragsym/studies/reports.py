@@ -202,7 +202,7 @@ class _Asked:
             if points is not None:
                 found[vary] = points
         if "mu0" in found and not found["mu0"].complete:
-            self.remarks.append(f"that these are all folds along mu0 is not proved: {'; '.join(found['mu0'].remarks)}")
+            self.remarks.append(f"that the folds below are all along mu0 is not proved: {'; '.join(found['mu0'].remarks)}")
         return found
 
 

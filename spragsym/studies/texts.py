@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from ..models.load import USUAL
 from .facts import Facts
-from .friction import of_statics
-from .states import State, place_in_units
+from .fold_rows import fold_rows
+from .states import State
 from .study import Study
 from .tolerances import Chance
 from .units import ENDS
@@ -166,7 +166,8 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
         if report.kind_lowest:
             lowest += f", a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg; below it it jumps at no angle"
         yield ("lowest fold of all angles", lowest)
-        yield ("friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}", "there is none"))
+        if report.kind_lowest != "cusp":  # it would be said twice
+            yield ("friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}", "there is none"))
     if not math.isnan(report.distance):
         where = "0, it has jumped already" if report.distance == 0 else "none found" if math.isinf(report.distance) else (
             f"{report.distance:.3g}, as the root of the sum of squares"
@@ -265,31 +266,16 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _folds(report: Report) -> Iterator[tuple[str, str]]:
-    study = report.study
-    for vary, found in report.folds.items():
-        value = getattr(found, vary)
-        for i in range(value.size):
-            name = (
-                f"friction {of_statics(study, float(value[i])):.5g}"
-                if vary == "mu0"
-                else f"inclination {math.degrees(value[i]):.5g} deg"
-            )
-            if found.kind[i] != "fold":
-                yield (name, f"a {found.kind[i]}")
-                continue
-            before, after = (
-                place_in_units(study, {key: float(column[i]) for key, column in columns.items()})
-                for columns in (
-                    {key: getattr(found, key) for key in study.coordinates},
-                    {key: found.after[key] for key in study.coordinates},
-                )
-            )
-            way = "rises" if found.when[i] == "up" else "falls"
-            key = next(iter(before))
-            coordinate, _, unit = key.rpartition("_")
-            goes = f"{coordinate} goes from {before[key]:.4g} {unit} to {after[key]:.4g} {unit}"
-            left = "nothing is left in contact" if math.isnan(after[key]) else goes
-            yield (name, f"the {found.ends[i]} state ends as it {way}; {left}")
+    for row in fold_rows(report):
+        name = f"inclination {row.inclination_deg:.5g} deg" if row.friction is None else f"friction {row.friction:.5g}"
+        if row.kind != "fold":
+            yield (name, f"a {row.kind}")
+            continue
+        key = next(iter(row.before))
+        coordinate, _, unit = key.rpartition("_")
+        goes = f"{coordinate} goes from {row.before[key]:.4g} {unit} to {row.after[key]:.4g} {unit}"
+        left = "nothing is left in contact" if math.isnan(row.after[key]) else goes
+        yield (name, f"the {row.ends} state ends as it {'rises' if row.when == 'up' else 'falls'}; {left}")
 
 
 def _tolerances(report: Report) -> Iterator[tuple[str, str]]:

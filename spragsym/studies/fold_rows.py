@@ -1,0 +1,44 @@
+"""The folds of a report in the units of the file: where a state ends, and where it goes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from .friction import of_statics
+from .states import place_in_units
+
+if TYPE_CHECKING:
+    from .reports import Report
+
+
+@dataclass(frozen=True)
+class FoldRow:
+    """One fold, or another point at which states meet.
+
+    ``friction`` or ``inclination_deg`` is where, the other None; ``ends`` and ``when`` are as of :class:`~spragsym.Points`.
+    ``before`` and ``after`` are the coordinates in the units of the file, of which those after are NaN where nothing is left.
+    """
+
+    kind: str
+    friction: float | None
+    inclination_deg: float | None
+    ends: str
+    when: str
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+
+
+def fold_rows(report: Report) -> Iterator[FoldRow]:
+    """All that the report found."""
+    study = report.study
+    for vary, found in report.folds.items():
+        for i, value in enumerate(getattr(found, vary).tolist()):
+            before, after = (
+                place_in_units(study, {key: float(columns[key][i]) for key in study.coordinates})
+                for columns in ({key: getattr(found, key) for key in study.coordinates}, found.after)
+            )
+            friction, inclination = (of_statics(study, value), None) if vary == "mu0" else (None, math.degrees(value))
+            yield FoldRow(str(found.kind[i]), friction, inclination, str(found.ends[i]), str(found.when[i]), before, after)

@@ -475,6 +475,7 @@ def test_an_error_is_one_line_that_says_what_to_do(
         (["equilibria", "--kapa", "1"], "--kappa"),
         (["simulate", "--t_end", "1"], "--t-end"),
         (["sweep", "--worker", "1"], "--workers"),
+        (["fates", "--V", "0.3"], "-V"),
         (["bifurcation", "--jsn"], "--json"),
     ],
 )

@@ -649,12 +649,12 @@ def test_what_has_not_settled_is_no_fate() -> None:
 
 @pytest.mark.thorough
 def test_chaos_is_proved_by_exponents() -> None:
-    found = ss.fate(ss.Parameters.article(theta0=0.7237), V=0.25, d=20.0)
+    found = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0)
     assert found.kind == "chaotic", found.why
     across = np.abs(found.exponents) > 2 * found.error
     assert across.sum() == 3  # all but that of the flow
     assert found.exponents[0] > 0
-    short = ss.fate(ss.Parameters.article(theta0=0.7237), V=0.25, d=20.0, t_end=4000.0)
+    short = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0, t_end=4000.0)
     assert short.kind == "undecided"
     assert "not told from 0" in short.why
 
@@ -693,7 +693,7 @@ def test_the_map_is_drawn_by_one_command(tmp_path: Any) -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("number", [0, 1, 3])
+@pytest.mark.parametrize("number", [1, 2, 3])
 def test_random_verdicts_are_confirmed_by_another_driver(number: int) -> None:
     line = validate_verdicts.examined(number)
     assert line["confirmed"], line

@@ -170,7 +170,9 @@ def _message(error: click.ClickException, arguments: list[str]) -> str:
     typed = next((word for word in arguments if len(typed) == 2 and word.startswith(typed) and word[1:2] != "-"), typed)
     typed = typed.partition("=")[0]
     options = [flag for option in error.ctx.command.params for flag in (*option.opts, *option.secondary_opts)]
-    meant = closest(typed, [flag for flag in options if flag.startswith("--")] + ["--help", "--debug"])
+    short = f"-{typed.lstrip('-')}"  # of --V it is -V
+    long = [flag for flag in options if flag.startswith("--")] + ["--help", "--debug"]
+    meant = short if short in options else closest(typed, long)
     return f"no option {typed}" + (f"; did you mean {meant}?" if meant else "")
 
 

@@ -1,29 +1,25 @@
 """Proofs of cycles at 10, 25, 60 and 200 digits, and claims of cycles that are none.
 
 ``python -m benchmarks.validate_proofs STORE [PATIENCE]``. Each proof prints whether it came, its time, and whether its decimals, as
-rational intervals, hold the ball that was proved and meet those of all other numbers of digits. Of proofs to 60 digits the orbit is
-followed once around by another code, the Taylor series of mpmath's ``odefun``, and stays open by what is printed. A claim of no cycle is
-refused, and the reason and the time are printed. PATIENCE is that of a proof, in seconds; finished ones stand in STORE, and the same
-command goes on from there.
+rational intervals, hold the ball that was proved and meet those of all other numbers of digits. A claim of no cycle is refused, and
+the reason and the time are printed. PATIENCE is that of a proof, in seconds; finished ones stand in STORE, and the same command goes on
+from there.
 """
 
 from __future__ import annotations
 
-import inspect
 import sys
 import time
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-import mpmath
 import numpy as np
 
 import spragsym as ss
 from benchmarks.parts import run
 from spragsym.cycles import proofs
-from spragsym.exact.decimals import Decimal
-from spragsym.generated import motion
+from spragsym.exact.decimals import Decimal, exactly
 
 #: Digits of the proofs.
 DIGITS = (10, 25, 60, 200)
@@ -34,9 +30,6 @@ PROVED = {
     "doubled": (49.0, (2.52576715, 3.53980918, 0.0, -0.33132352)),
     "short": (90.0, (2.32939917, 1.34003954, 0.0, 0.25152749)),
 }
-
-#: Digits to which an orbit is followed by the other code, and the proof that it is compared with.
-WITNESS, COMPARED = 80, 60
 
 Claim = dict[str, Any]
 
@@ -78,7 +71,6 @@ def proof(name: str, digits: int, patience: float) -> dict[str, Any]:
     held = all(_holds(decimal, ball) for decimal, ball in _balls(found)) if found.proved else None
     return {
         "proved": found.proved, "reason": found.reason, "seconds": time.perf_counter() - begun, "decimals": told, "held": held,
-        "values": [float(value).hex() for value in cycle.values],
     }  # fmt: skip
 
 
@@ -87,14 +79,8 @@ def _balls(found: Any) -> list[tuple[Decimal, tuple[Fraction, Fraction]]]:
     told = found.decimals()
     numbers = {**{f"state_{i + 1}": value for i, value in enumerate(found.state)}, "period": found.period}
     radius = Fraction(found.error)
-    exact = {name: Fraction(*map(int, _ratio(value))) for name, value in numbers.items() if value}
+    exact = {name: exactly(value) for name, value in numbers.items() if value}
     return [(told[name], (value - radius, value + radius)) for name, value in exact.items()]
-
-
-def _ratio(value: mpmath.mpf) -> tuple[int, int]:
-    sign, mantissa, exponent, _ = value._mpf_
-    mantissa = int(mantissa) * (-1) ** sign
-    return (mantissa << exponent, 1) if exponent >= 0 else (mantissa, 1 << -exponent)
 
 
 def _holds(decimal: Any, ball: tuple[Fraction, Fraction]) -> bool:
@@ -106,45 +92,6 @@ def interval(decimal: Any) -> tuple[Fraction, Fraction]:
     """What a decimal with its bound says, in rational arithmetic."""
     value, error = map(Fraction, decimal)
     return value - error, value + error
-
-
-def open_by(decimals: dict[str, Any], values: list[float]) -> float:
-    """By how much the orbit of a proof is open after one period, of mpmath's Taylor series between crossings of its own."""
-    rhs = inspect.unwrap(motion.regime_rhs)
-    with mpmath.workdps(WITNESS):
-        state = [mpmath.mpf(decimals[f"state_{i}"][0]) for i in (1, 2, 3, 4)]
-        period, begin = mpmath.mpf(decimals["period"][0]), list(state)
-        theta0, *rest = map(mpmath.mpf, values)
-        constants = (mpmath.cos(theta0), mpmath.sin(theta0), *rest)
-        V, clock = constants[-2], mpmath.mpf(0)
-        contact, side = int(state[1] <= 0), 1
-        while clock < period:
-            mode = (contact, side)
-            follow = mpmath.odefun(lambda _, z, mode=mode: [*z[2:], *rhs(*z, *constants, *mode, xp=mpmath)], clock, state)
-            levels = (lambda z, c=contact: (1 - 2 * c) * z[1], lambda z, s=side: s * (V - z[2]))
-            step, now = mpmath.mpf("0.05"), clock
-            crossed = None
-            while crossed is None and now < period:
-                ahead = min(now + step, period)
-                there = follow(ahead)
-                past = [i for i in (0, 1) if levels[i](there) < 0]
-                if past:
-                    times = {i: _crossing(levels[i], follow, now, ahead) for i in past}
-                    crossed = min(times, key=times.__getitem__)
-                    ahead = times[crossed]
-                    there = follow(ahead)
-                now, state = ahead, list(there)
-            clock = now
-            if crossed == 0:
-                contact, state[1] = 1 - contact, mpmath.mpf(0)
-            elif crossed == 1:
-                side, state[2] = -side, V
-        return float(max(abs(a - b) for a, b in zip(state, begin, strict=True)))
-
-
-def _crossing(level: Any, follow: Any, begin: Any, end: Any) -> Any:
-    """When a level is 0 between two times."""
-    return mpmath.findroot(lambda t: level(follow(t)), (begin, end), solver="anderson", verify=False)
 
 
 def refusal(name: str, patience: float) -> dict[str, Any]:
@@ -177,17 +124,6 @@ def main() -> None:
             for key in set.intersection(*map(set, told))
         )
         print(f"{name}: {len(told)} proofs, all intervals meet: {meet}")
-    names = [f"{name}: {COMPARED}" for name in PROVED if done[f"{name}: {COMPARED}"]["proved"]]
-    followed = run(
-        [f"witness of {name}" for name in names],
-        lambda part: open_by(
-            done[part.removeprefix("witness of ")]["decimals"],
-            [float.fromhex(v) for v in done[part.removeprefix("witness of ")]["values"]],
-        ),
-        f"{store}.witness",
-    )
-    for part, missed in followed.items():
-        print(f"{part}: open by {missed:.1e} after one period")
 
 
 if __name__ == "__main__":

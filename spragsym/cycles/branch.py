@@ -292,14 +292,19 @@ class _Trace:
     def _last_ones(self, point: Point, end: Loop) -> list[Point]:
         """The points on the last part of a branch of doubled cycles, a bit short of its end, as far as they are found."""
         found: list[Point] = []
-        there = Seen(self.setting, twice(self.setting, end, point))
         for count in range(LAST + MORE):
+            if count >= LAST and not self._left_out(Seen(self.setting, point), end):
+                break
             near = nearer(self.setting, point, end, 0.5)
-            if near is None or (count >= LAST and not differing(Seen(self.setting, point), there)):
+            if near is None:
                 break
             found.append(near)
             point = near
         return found
+
+    def _left_out(self, last: Seen, end: Loop) -> list[str]:
+        """What happens between a point of a branch of doubled cycles and its end."""
+        return differing(last, Seen(self.setting, twice(self.setting, end, last.point)))
 
     def _merging(
         self, seen: Seen, before: Seen | None, points: list[Point], loop: Loop, error: float
@@ -315,7 +320,7 @@ class _Trace:
                 yield from unlocated(str(unfound), near.loop, width)
             yield near
             before, seen = None, last
-        for kind in differing(seen, Seen(self.setting, twice(self.setting, loop, seen.point))):
+        for kind in self._left_out(seen, loop):
             last_one = seen.point.loop
             yield from unlocated(kind, last_one, abs(self.value(loop) - self.value(last_one)))
         yield End("end", loop, error, how=MERGES)

@@ -31,7 +31,7 @@ class Extension(Judge):
         """Answers that a build gives; an error where one is wrong."""
         with tempfile.TemporaryDirectory() as name:
             module = _built(text, Path(name))
-        sys.modules["spragsym.kang_nam.statics._compiled"] = statics._compiled = module  # type: ignore[attr-defined]
+        sys.modules["spragsym.kang_nam.statics._compiled"] = statics._compiled = module  # type: ignore[attr-defined]  # it may not have been built
         columns = [np.ascontiguousarray(column) for column in self.rows.T]
         answered = sum(self._solved(columns, contact, range(len(self.rows))) for contact in (False, True))
         counts = compiled.count(columns, len(self.rows))

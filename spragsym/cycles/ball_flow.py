@@ -174,6 +174,8 @@ class Balls:
             if all(sign * level > 0 for level in ends):
                 return
         if depth >= DEEPEST:
+            if rate > 0 or rate < 0:
+                raise NotProved(f"the orbit meets {border.name} at a place where the cycle is said not to cross it")
             raise NotProved(
                 f"whether the orbit meets {border.name} could not be decided near one place: it touches it there, or all "
                 "but; at a grazing no number of digits tells: move a parameter"

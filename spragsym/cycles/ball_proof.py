@@ -183,17 +183,26 @@ def _traced(
                 there = [polynomial(jet, order, left).mid() for jet in jets]
                 accelerations = field.acceleration(there, constants, mode, XP)
                 change = that.rate(there, accelerations, constants, mode)
+                level = that.level(there, constants, mode)
                 if not abs(change) > SLOWEST:
-                    raise NotProved(touched(that))
-                left = (left - that.level(there, constants, mode) / change).mid()
+                    raise NotProved(touched(that) if abs(level) < SLOWEST else uncrossed(that, float(about)))
+                left = (left - level / change).mid()
                 if not abs(left - begun) < 0.1:
-                    raise NotProved(touched(that))
+                    raise NotProved(uncrossed(that, float(about)))
         now = [polynomial(jet, order, left).mid() for jet in jets]
         clock = (clock + left).mid()
         if about is not None:
             times.append((border, clock))
             mode = field.borders[border].beyond(mode)
     return now, times
+
+
+def uncrossed(border: Any, about: float) -> str:
+    """Why there is no proof where the orbit goes another way."""
+    return (
+        f"in many digits the orbit does not cross {border.name} near t = {about:.6g}, where the cycle is said to: none like it was "
+        "found at these parameters"
+    )
 
 
 def touched(border: Any) -> str:

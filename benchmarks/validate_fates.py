@@ -197,6 +197,16 @@ def returned(values: dict[str, float], start: Any) -> float:
     return float(closest.fun) / extent
 
 
+def lingering(given: dict[str, Any], place: float, until: float) -> tuple[bool, str]:
+    """Whether of motions that begin within rounding of one another one has not come to its end at that time."""
+    rng, values = np.random.default_rng(1), given["values"] | {given["vary"]: place}
+    for count in range(1, LOOKED_AT // 2 + 1):
+        found, _ = averages(values, np.add(given["start"], ROUNDING * rng.uniform(-1, 1, 4)), until)
+        if (change := float(np.ptp(found, axis=0).max())) > STEADY:
+            return True, f"averages of neighbour {count} change by {change:.1g} at t = {until:g}"
+    return False, f"all of {LOOKED_AT // 2} neighbours have settled by t = {until:g}"
+
+
 def alternating(given: dict[str, Any], place: float, width: float) -> tuple[bool, str]:
     """Whether motions from starts within rounding of one another have different ends, at values near one."""
     rng = np.random.default_rng(0)
@@ -214,8 +224,9 @@ def part(given: dict[str, Any], said: str) -> tuple[str, bool, str]:
     named = [float(text) for text in re.findall(rf" at {vary} = ([-+.\de]+)", said)]
     by_rounding = [float(text) for text in re.findall(rf"as rounding decides, to .*? at {vary} = ([-+.\de]+)", said)]
     if by_rounding:
+        lasts = re.findall(r"or, as rounding decides, to nothing that is decided by t = ([-+.\de]+)", said)
         found = [
-            open_ if "or, as rounding decides, to nothing" in said and (open_ := undecided(given, place))[0]
+            open_ if lasts and ((open_ := undecided(given, place))[0] or (open_ := lingering(given, place, float(lasts[0])))[0])
             else alternating(given, place, 0.0) for place in by_rounding
         ]  # fmt: skip
         if "undecided" in said:

@@ -750,6 +750,10 @@ def test_a_motion_falls_only_where_steady_sliding_holds_it(tmp_path: Path) -> No
     assert not found.current.stable
     assert found.oscillation is not None
     assert found.oscillation.kind == "motion"
+    assert "From rest it goes on swinging" in found.verdict
+    rows = {"mu0": None, "mu_s": "0.6", "mu_k": "0.3", "v_s": "0.5 m/s", "V": "1 m/s", "d": "20 s/m"}
+    found = told(tmp_path, "stribeck", rows, probability=False)  # the damping ratio of every state is negative
+    assert found.verdict.endswith("Steady sliding is unstable: small disturbances grow.")
 
 
 @pytest.mark.thorough

@@ -200,8 +200,8 @@ def _traced(
 def uncrossed(border: Any, about: float) -> str:
     """Why there is no proof where the orbit goes another way."""
     return (
-        f"in many digits the orbit does not cross {border.name} near t = {about:.6g}, where the cycle is said to: none like it was "
-        "found at these parameters"
+        f"in many digits the orbit does not cross {border.name} near t = {about:.6g}, where the cycle is said to: none like it "
+        "was found at these parameters"
     )
 
 

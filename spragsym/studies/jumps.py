@@ -21,7 +21,7 @@ from .states import of_springs, place_in_units
 from .study import Study
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
-_AWAY = 1e-2
+AWAY = 1e-2
 #: Times, in the model's unit, over which it is followed until it is half way, and instants at which forces are looked at.
 _T_END, _INSTANTS = (1500.0, 24_000.0), 60_000
 #: Steps of Newton's method to balance the other coordinates.
@@ -39,7 +39,8 @@ class JumpPeak(Result):
     ``before`` and ``after`` are the coordinates on the fold and of the state that is left there, by name and unit, and ``ranges``
     how far each goes, attributes too. ``spring_force_N`` is that of the inclined spring, of several by their names;
     ``contact_force_N`` is None without a contact. ``settles`` says what the motion comes to: ``"rest"``, ``"cycle"``,
-    ``"lift-off"``, or ``"unsettled"`` after ``seconds``; ``lifts_off`` whether the contact opens.
+    ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over which it was looked at; ``lifts_off`` whether the
+    contact opens.
     """
 
     friction: float
@@ -50,7 +51,7 @@ class JumpPeak(Result):
     contact_force_N: tuple[float, float] | None
     lifts_off: bool
     settles: str
-    seconds: float
+    followed_s: float
 
     def __getattr__(self, name: str) -> tuple[float, float]:
         ranges = self.__dict__.get("ranges", {})
@@ -86,7 +87,7 @@ def jump_peak(study: Study, mu0: float, jump: float, speed: float) -> JumpPeak |
         at = at.replace(V=speed * scales.time / scales.length)
     at = at.replace(mu0=jump / brake_quantities.friction(model, at, "friction_at_speed"))  # to which the law is proportional
     held = int(np.abs(end - begin).argmax())
-    start = _balanced(model, p.replace(mu0=mu0), begin + _AWAY * (end - begin), held)
+    start = _balanced(model, p.replace(mu0=mu0), begin + AWAY * (end - begin), held)
     for t_end in _T_END:
         try:
             motion = model.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)

@@ -45,7 +45,6 @@ class Oscillation(Result):
     contact_force_N: Any
     coexists: bool | None
     start: str
-    remark: str
     motion: Any = field(repr=False)
 
     @property
@@ -72,16 +71,14 @@ def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillati
     """
     p = study.dimensionless
     size = len(p.model.coordinates)
-    remark = ""
     for word, place in (("rest", ()), ("far out", _FAR[:size])):
         try:
             found = p.model.cycle(p, near=(*place, *[0.0] * (2 * size - len(place))), patient=False)
-        except ConvergenceError as error:
-            remark = remark or str(error)
+        except ConvergenceError:
             continue
         if found.stable:  # no motion comes to one that is not
             return _of_cycle(study, found, settles, word)
-    return _of_motion(study, settles, holds, remark)
+    return _of_motion(study, settles, holds)
 
 
 def first_unit(study: Study) -> tuple[str, float]:
@@ -99,10 +96,10 @@ def _of_cycle(study: Study, found: Cycle, settles: bool | None, start: str) -> O
     unit, size = first_unit(study)
     spring, contact = _forces(study, found.forces)
     frequency = 1 / (found.period * study.scales.time)
-    return Oscillation("cycle", frequency, found.amplitude * size, unit, spring, contact, settles, start, "", found)
+    return Oscillation("cycle", frequency, found.amplitude * size, unit, spring, contact, settles, start, found)
 
 
-def _of_motion(study: Study, settles: bool | None, holds: bool, remark: str) -> Oscillation:
+def _of_motion(study: Study, settles: bool | None, holds: bool) -> Oscillation:
     p = study.dimensionless
     motion = p.model.simulate(p, t_end=T_END)
     late = motion.after(0.75 * T_END)
@@ -123,7 +120,7 @@ def _of_motion(study: Study, settles: bool | None, holds: bool, remark: str) -> 
     }
     unit, size = first_unit(study)
     amplitude = math.nan if nowhere else 0.5 * now * size
-    return Oscillation(kind, math.nan, amplitude, unit, *_forces(study, ends), None if nowhere else settles, "rest", remark, late)
+    return Oscillation(kind, math.nan, amplitude, unit, *_forces(study, ends), None if nowhere else settles, "rest", late)
 
 
 def _range(values: Any) -> tuple[float, float]:

@@ -44,7 +44,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "oscillation": None if lives is None else {
             "kind": lives.kind, "stable": lives.kind == "cycle", "frequency_hz": lives.frequency_hz,
             f"amplitude_{lives.unit}": lives.amplitude, "start": lives.start, "lifts_off": lives.lifts_off,
-            "coexists_with_stable_sliding": lives.coexists, "remark": lives.remark,
+            "coexists_with_stable_sliding": lives.coexists,
         },
         "certificate": _certificate_json(report),
         **_chance_json(odds),
@@ -85,7 +85,7 @@ def _peak_json(peak: JumpPeak) -> dict[str, Any]:
     return {
         "friction": peak.friction, f"from_{unit}": peak.before[first], f"to_{unit}": peak.after[first], **peak.ranges,
         "spring_force_N": peak.spring_force_N, "contact_force_N": peak.contact_force_N, "lifts_off": peak.lifts_off,
-        "settles": peak.settles, "seconds": peak.seconds,
+        "settles": peak.settles, "followed_s": peak.followed_s,
     }  # fmt: skip
 
 

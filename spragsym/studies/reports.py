@@ -68,7 +68,7 @@ class Report(Result):
         What is so: the sentences say this.
     warnings : tuple of str
     verdict : str
-        One sentence.
+        A sentence on the jump, and one on the motion where steady sliding is not all.
     """
 
     mu_jump: float | None

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 from ..models.load import USUAL
 from .facts import Facts
 from .fold_rows import fold_rows
+from .jumps import AWAY
+from .oscillations import Oscillation
 from .states import State
 from .study import Study
 from .tolerances import Chance
@@ -24,7 +26,29 @@ if TYPE_CHECKING:
 
 
 def verdict(study: Study, parts: Mapping[str, Any]) -> str:
-    """One sentence: whether it sprags, at what friction, and how far that is."""
+    """Whether it sprags, at what friction, and how far that is; then, where it swings or grows, a sentence on that."""
+    return f"{_on_the_jump(study, parts)}{_on_the_motion(parts)}"
+
+
+def _on_the_motion(parts: Mapping[str, Any]) -> str:
+    """What steady sliding does not say of the brake as drawn; nothing, where it comes to rest or is not known to move."""
+    found: Oscillation | None = parts["oscillation"]
+    here = [state for state in parts["states"] if state.current] or parts["states"]
+    unstable = bool(here) and all(state.settles is False for state in here)
+    if found is None or not (found.alive or found.kind == "lift-off"):
+        return " Steady sliding is unstable: small disturbances grow." if unstable else ""
+    beside = {True: ", beside stable sliding", False: "", None: ""}[found.coexists]
+    if found.kind == "lift-off":
+        return " From rest it lifts off the belt for good."
+    if found.kind == "motion":
+        return f" From rest it goes on swinging, and had not repeated itself when it was left{beside}."
+    at = f"{found.frequency_hz:.4g} Hz"
+    if found.start == "rest":
+        return f" From rest it comes to an oscillation of {at}{beside}."
+    return f" If it is disturbed far enough it oscillates at {at}{beside}."
+
+
+def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
     so: Facts = parts["facts"]
     (low, _, high), full, jump = so.working, so.full[2], so.jump
     model = "" if study.model == USUAL else f" with the model {study.model}"
@@ -165,7 +189,7 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}", "there is none")
         if report.kind_lowest:
             lowest += f", a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg; below it it jumps at no angle"
-        yield ("lowest fold of all angles", lowest)
+        yield ("its lowest fold at any angle", lowest)
         if report.kind_lowest != "cusp":  # it would be said twice
             yield ("friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}", "there is none"))
     if not math.isnan(report.distance):
@@ -251,6 +275,7 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {unit}"
     faster = f" and V = {report.study.shown('V', report.facts.speed, 3)}" if report.facts.reach == "faster" else ""
     yield ("the states before and after", f"at friction {found.friction:.4g}{faster}, {places}")
+    yield ("let go at rest", f"{AWAY:.0%} of the way beyond the fold".replace("%", " %"))
     for key, (least, most) in found.ranges.items():
         name, _, unit = key.rpartition("_")
         yield (f"range of {name}", f"{least:.4g} {unit} to {most:.4g} {unit}")
@@ -260,7 +285,7 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
         yield ("force of the contact", _ends(found.contact_force_N))
     ends_in = {
         "rest": "it settles at rest", "cycle": "it goes over into an oscillation", "lift-off": "it lifts off for good",
-        "unsettled": f"it still swings after {found.seconds:.3g} s",
+        "unsettled": f"it still swings after {found.followed_s:.3g} s",
     }  # fmt: skip
     yield ("then", ends_in[found.settles])
 

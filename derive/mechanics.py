@@ -291,11 +291,14 @@ def number(datum: Datum) -> sp.Symbol:
     return sp.Symbol(datum.becomes, **known)
 
 
-def of(page: Page) -> Mechanics:
-    """The mechanics of a page; a :class:`~derive.model.PageError` where the page can't be carried through."""
+def of(page: Page, units: bool = False) -> Mechanics:
+    """The mechanics of a page; a :class:`~derive.model.PageError` where the page can't be carried through.
+
+    With ``units`` its quantities stay what they are, and nothing becomes 1.
+    """
     if page.inertia is None:
         raise PageError(0, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
-    scaled = _Scaled(page)
+    scaled = _Scaled(page, units)
     coordinates = tuple(entry.symbol for entry in page.coordinates)
     rates = tuple(entry.rate for entry in page.coordinates)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
@@ -326,12 +329,16 @@ def of(page: Page) -> Mechanics:
 
 
 class _Scaled:
-    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles cosines and sines."""
+    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles cosines and sines.
 
-    def __init__(self, page: Page) -> None:
-        self.numbers: Mapping[sp.Expr, sp.Expr] = {datum.symbol: sp.S.One for datum in page.units} | {
-            datum.symbol: number(datum) for datum in page.parameters
-        }
+    With ``units`` only angles change.
+    """
+
+    def __init__(self, page: Page, units: bool) -> None:
+        numbers = {datum.symbol: number(datum) for datum in page.parameters} | dict.fromkeys(
+            (u.symbol for u in page.units), sp.S.One
+        )
+        self.numbers: Mapping[sp.Expr, sp.Expr] = {} if units else numbers
         self.turned: dict[sp.Expr, sp.Expr] = {}
         self.angles = {number(datum) for datum in page.parameters if datum.unit == "rad"}
         #: Angles that were found by themselves.

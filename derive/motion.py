@@ -45,6 +45,17 @@ class Motion:
         rows = zip(it.residuals, it.resistance, self.centrifugal, strict=True)
         return tuple(-static - damped - turned for static, damped, turned in rows)
 
+    def balance(self, contact: sp.Expr) -> Row:
+        """M q″ less all forces, of which the contact's is ``contact``, in MU and the symbols of the accelerations."""
+        it = self.model
+        rows = []
+        for symbol, inertia, pull in zip(it.coordinates, it.mass * sp.Matrix(self.named), self.pull, strict=True):
+            share = sp.S.Zero if it.gap is None else sp.diff(it.gap, symbol)
+            if it.slide is not None:
+                share += MU * sp.diff(it.slide, symbol)
+            rows.append(sp.expand(inertia - pull + (it.normal - contact) * share))
+        return tuple(rows)
+
     @cached_property
     def accelerations(self) -> Row:
         """q″ in MU, and in the entries of the inverse of M where these are no quotients of parameters."""

@@ -168,8 +168,8 @@ def derived_forms() -> dict[str, Derived]:
 
 
 def _motion_forms() -> dict[str, Derived]:
-    with_units, scaled = mechanics.dimensional_motion(), mechanics.motion()
-    length = mechanics.spring_length(nm.x, nm.y, nm.L_0)
+    with_units, scaled = mechanics.measured_motion(), mechanics.motion()
+    length = mechanics.measured_length()
     # (3)–(5) turn Δ, cos θ and sin θ into x and y; L is the spring's length.
     geometry = (
         (article.Delta, nm.L_0 - nm.L),
@@ -180,14 +180,14 @@ def _motion_forms() -> dict[str, Derived]:
     polar = ((nm.x, nm.L_0 * nm.c0 - nm.L * nm.c), (nm.y, nm.L_0 * nm.s0 - nm.L * nm.s))
     u = sp.Symbol("u", positive=True)
     below_on_above = (((nm.y, -u),), ((nm.y, sp.S.Zero),), ((nm.y, u),))
-    (pushing, _), (apart, _) = mechanics.contact_force(nm.y, nm.k_c).args
+    (pushing, _), (apart, _) = mechanics.contact_force().args
     return {
-        "eq-1": Derived((with_units.x,), mechanics.dimensional_motion, terms=(geometry,)),
-        "eq-2": Derived((with_units.y,), mechanics.dimensional_motion, terms=(geometry,)),
-        "eq-3": Derived((nm.L_0 - nm.L,), mechanics.potential_energy),
+        "eq-1": Derived((with_units.x,), mechanics.measured_motion, terms=(geometry,)),
+        "eq-2": Derived((with_units.y,), mechanics.measured_motion, terms=(geometry,)),
+        "eq-3": Derived((mechanics.compression(),), mechanics.compression),
         "eq-4": Derived((sp.S.Zero,), equilibrium.displacement, terms=(polar,)),
         "eq-5": Derived((sp.S.Zero,), equilibrium.displacement, terms=(polar,)),
-        "eq-6": Derived((length,), mechanics.spring_length),
+        "eq-6": Derived((length,), mechanics.measured_length),
         "eq-7": Derived((pushing, apart), mechanics.contact_force),
         "eq-8": Derived((scaled.x,), mechanics.motion),
         "eq-9": Derived((scaled.y,), mechanics.motion),

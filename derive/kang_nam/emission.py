@@ -48,7 +48,7 @@ def material(digest: str) -> targets.Material:
         modules=parts,
         kernel=solver,
         counts=bounds.counts(solver, functions),
-        quantities=nm.quantities(),
+        quantities=mechanics.quantities(),
         parameters=tuple(map(str, (nm.theta0, *nm.PARAMETERS))),
         base_values={str(symbol): float(value) for symbol, value in article.BASE.items()},
         public=PUBLIC,

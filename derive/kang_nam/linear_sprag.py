@@ -15,13 +15,11 @@ from . import nomenclature as nm
 
 @cache
 def balance() -> sp.Matrix:
-    """Forces at steady sliding in contact, from the energy of springs of constant direction; dimensionless."""
+    """Forces at steady sliding in contact, with the inclined spring's energy at a constant direction; dimensionless."""
     stretch = nm.x * nm.c0 + nm.y * nm.s0
-    energy = (nm.alpha * nm.x**2 + nm.beta * nm.y**2 + nm.sigma * stretch**2) / 2
-    contact = mechanics.contact_family().subs(nm.nbar, 1)
-    pushed, lifted = mechanics.applied_force(nm.mu0, contact, sp.S.Zero, sp.S.Zero)
-    lifted = lifted.subs(nm.F_L, nm.kappa)
-    return sp.Matrix([sp.diff(energy, nm.x) - pushed, sp.diff(energy, nm.y) - lifted])
+    energy = nm.sigma * stretch**2 / 2
+    along, across = mechanics.without_spring()
+    return sp.Matrix([along + sp.diff(energy, nm.x), across + sp.diff(energy, nm.y)])
 
 
 @cache

@@ -1,11 +1,10 @@
-"""From energies and forces to the dimensionless equations of motion, (1)–(11).
+"""The equations of motion of the article, (1)–(11), from its page.
 
-One mass slides on a moving belt. Springs k_x and k_y tie it to the ground, a spring k of undeformed length L_0 leans on
-it under the angle θ₀, and the belt carries it through the contact stiffness k_c. The assumptions stand in
-:func:`potential_energy`, :func:`applied_force`, :func:`contact_force` and :func:`friction_law`, and nowhere else. Change one of
-them, and ``python -m derive --variant --out DIR`` derives the equations of motion anew, says which printed rows no longer hold, and
-writes the new model. The elimination, the closed forms and the theorem are made for the forces of the article: where a change
-takes away what they rest on, the derivation stops, says what does not hold, and writes nothing.
+The assumptions stand in ``derive/models/kang_nam.py``: where the springs are held, the preload, the contact law, the friction law. The
+general way derives from them, as from any page; here stands what it gives in the article's symbols. Change the page, and
+``python -m derive --variant --out DIR`` derives the equations of motion anew, says which printed rows no longer hold, and writes the
+new model. The elimination, the closed forms and the theorem are made for the forces of the article: where a change takes away what
+they rest on, the derivation stops, says what does not hold, and writes nothing.
 """
 
 from __future__ import annotations
@@ -14,40 +13,129 @@ from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
-from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
+from .. import laws, mechanics, pages, physical_checks, units
+from ..emit.quantities import Quantity
+from ..mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number
+from ..model import Datum, Page, expression_of
+from ..motion import Motion as General
 from . import nomenclature as nm
 
-# ---------------------------------------------------------------------------------------------- assumptions
+#: Accelerations, with dimensions and without.
+AX, AY = sp.symbols("x_tt y_tt", real=True)
+
+#: Where a quantity with a unit has the letter of the number that it becomes.
+_WITH_UNITS = {nm.V: nm.V_dim, nm.creep: nm.d_dim}
+
+#: What the general way calls what the article has another letter for.
+_SPECIAL = {MU: nm.mu, PUSHING: nm.nbar}
 
 
-def spring_length(x: sp.Expr, y: sp.Expr, L_0: sp.Expr) -> sp.Expr:
+# ------------------------------------------------------------------------------------------------ the page
+
+
+def page() -> Page:
+    """The article's page, which states the assumptions."""
+    return _model().page
+
+
+@cache
+def _model() -> Mechanics:
+    return pages.read(pages.SHIPPED / "kang_nam.py").mechanics
+
+
+@cache
+def _with_units() -> Mechanics:
+    return mechanics.of(page(), units=True)
+
+
+def symbol_of(datum: Datum) -> sp.Symbol:
+    """The number that a quantity of the page becomes, in the nomenclature where it is there."""
+    entry = nm.quantities().get(datum.becomes)
+    return number(datum) if entry is None else entry.symbol
+
+
+def _measured(datum: Datum) -> sp.Symbol:
+    """The quantity with its unit."""
+    if datum.unit in ("1", "rad"):
+        return symbol_of(datum)
+    entry = nm.quantities().get(str(datum.symbol))
+    return datum.symbol if entry is None else _WITH_UNITS.get(entry.symbol, entry.symbol)
+
+
+def further_parameters() -> tuple[sp.Symbol, ...]:
+    """Numbers of the page that the published model does not have."""
+    published = {nm.theta0, *nm.PARAMETERS, nm.V, nm.creep}
+    return tuple(symbol for symbol in map(symbol_of, page().parameters) if symbol not in published)
+
+
+def quantities() -> dict[str, Quantity]:
+    """The nomenclature, with what a changed page has besides."""
+    further = {
+        str(symbol): Quantity(symbol, datum.latex, f"{datum.meaning}, over its scale", domain=datum.domain)
+        for datum in page().parameters
+        if (symbol := symbol_of(datum)) in further_parameters()
+    }
+    measured = {
+        str(_measured(datum)): Quantity(_measured(datum), datum.latex, datum.meaning, datum.unit, datum.domain)
+        for datum in page().parameters
+        if str(_measured(datum)) not in {**nm.quantities(), **further}
+    }
+    return {**nm.quantities(), **measured, **further}
+
+
+def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
+    """An expression of the general way in the article's symbols: in x, y, and L for the length of the inclined spring."""
+    names: dict[sp.Basic, sp.Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
+    scaled = {number(datum): symbol_of(datum) for datum in page().parameters}
+    names |= scaled if model is _model() else {datum.symbol: _measured(datum) for datum in page().parameters}
+    known = {
+        *(unit.symbol for unit in page().units), *model.coordinates, *model.rates,
+        *(part for angle in model.angles for part in (angle.c, angle.s)),
+    }  # fmt: skip
+    names |= {symbol: nm.quantities()[str(symbol)].symbol for symbol in known}
+    directions: dict[sp.Basic, sp.Expr] = {}
+    for line in model.lines:
+        directions |= {line.c: line.dx / nm.L, line.s: line.dy / nm.L, line.l: nm.L}
+    return sp.sympify(expression).subs(directions, simultaneous=True).subs(names, simultaneous=True)
+
+
+# ------------------------------------------------------------------------------------------------ the inclined spring
+
+
+def _length(model: Mechanics) -> sp.Expr:
+    (line,) = model.lines
+    return in_article(model, sp.sqrt(line.dx**2 + line.dy**2))
+
+
+def measured_length() -> sp.Expr:
     """Distance from the spring's anchor, at L_0 (cos θ₀, sin θ₀), to the mass at (x, y): (4)–(6)."""
-    return sp.sqrt((L_0 * nm.c0 - x) ** 2 + (L_0 * nm.s0 - y) ** 2)
+    return _length(_with_units())
 
 
-def potential_energy(x: sp.Expr, y: sp.Expr) -> sp.Expr:
-    """Energy stored in the springs to ground and in the inclined spring, compressed by Δ of (3), whose angle follows the mass."""
-    stretch = spring_length(x, y, nm.L_0) - nm.L_0
-    return (nm.k_x * x**2 + nm.k_y * y**2 + nm.k * stretch**2) / 2
+def compression() -> sp.Expr:
+    """Δ of (3), by which the inclined spring is shorter than undeformed."""
+    (line,) = _with_units().lines
+    return in_article(_with_units(), line.rest - line.l)
 
 
-def applied_force(mu: sp.Expr, N: sp.Expr, vx: sp.Expr, vy: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Forces with no potential: the belt pushes with N, drags with μ N, and F_L presses down."""
-    return mu * N, N - nm.F_L
+@cache
+def spring_length() -> sp.Expr:
+    """The same distance over L_0."""
+    return _length(_model())
 
 
-def contact_force(y: sp.Expr, stiffness: sp.Expr) -> sp.Expr:
-    """Unilateral contact, (7): the belt pushes when the mass dips below it and never pulls."""
-    return sp.Piecewise((-stiffness * y, y < 0), (0, True))
+def replace_length(expression: sp.Expr) -> sp.Expr:
+    """Write the symbol L for the square root of (6) wherever it stands."""
+    square = sp.expand(spring_length() ** 2)
+
+    def is_length(node: sp.Basic) -> bool:
+        return isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q == 2 and sp.expand(node.base - square) == 0
+
+    return expression.replace(is_length, lambda node: nm.L ** (2 * node.exp))
 
 
-def friction_law(slip: sp.Expr, mu0: sp.Expr, creep: sp.Expr) -> sp.Expr:
-    """Regularized Coulomb friction, (10), at the sliding speed ``slip`` = V − x'."""
-    return mu0 * (1 - sp.exp(-creep * sp.Abs(slip))) * sp.sign(slip)
-
-
-# ------------------------------------------------------------------------------------- equations of motion
+# ------------------------------------------------------------------------------------------------ equations of motion
 
 
 @dataclass(frozen=True)
@@ -60,109 +148,62 @@ class Motion:
     ay: sp.Symbol
 
 
-#: Accelerations, with dimensions and without.
-AX, AY = sp.symbols("x_tt y_tt", real=True)
+def _motion(model: Mechanics, contact: sp.Symbol) -> Motion:
+    general = General(model)
+    accelerations = dict(zip(general.named, (AX, AY), strict=True))
+    along, across = (sp.expand(in_article(model, row.subs(accelerations))) for row in general.balance(contact))
+    return Motion(along, across, AX, AY)
 
 
 @cache
-def dimensional_motion() -> Motion:
-    """Lagrange's equations, (1) and (2), for a contact force N and a friction coefficient μ yet to be given."""
-    qx, qy = dynamicsymbols("qx qy")
-    ux, uy = dynamicsymbols("qx qy", 1)
-    frame, origin = ReferenceFrame("belt"), Point("O")
-    origin.set_vel(frame, 0)
-    mass = origin.locatenew("mass", qx * frame.x + qy * frame.y)
-    mass.set_vel(frame, ux * frame.x + uy * frame.y)
-
-    kinetic = nm.m_mass * mass.vel(frame).magnitude() ** 2 / 2
-    force_x, force_y = applied_force(nm.mu, nm.N, ux, uy)
-    method = LagrangesMethod(
-        kinetic - potential_energy(qx, qy),
-        [qx, qy],
-        forcelist=[(mass, force_x * frame.x + force_y * frame.y)],
-        frame=frame,
-    )
-    time = dynamicsymbols._t
-    plain = [
-        (qx.diff(time, 2), AX), (qy.diff(time, 2), AY), (ux, nm.vx), (uy, nm.vy), (qx, nm.x), (qy, nm.y),
-    ]  # fmt: skip
-    residual_x, residual_y = (row.doit().subs(plain) for row in method.form_lagranges_equations())
-    return Motion(residual_x, residual_y, AX, AY)
-
-
-@cache
-def scales() -> dict[str, sp.Expr]:
-    """Scales of length, time and force of the text after (9), found by asking that L_0, the inertia and the contact become 1."""
-    length, time, force = sp.symbols("length time_scale force", positive=True)
-    (solution,) = sp.solve(
-        [
-            nm.L_0 / length - 1,
-            nm.m_mass * length / (time**2 * force) - 1,
-            nm.k_c * length / force - 1,
-        ],
-        [length, time, force],
-        dict=True,
-    )
-    return {"length": solution[length], "time": solution[time], "force": solution[force]}
-
-
-@cache
-def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
-    """Each dimensionless quantity of the text after (9) with the dimensional one behind it and the scale between the two."""
-    length, time, force = (scales()[name] for name in ("length", "time", "force"))
-    stiffness, speed = force / length, length / time
-    return {
-        nm.sigma: (nm.k, stiffness),
-        nm.alpha: (nm.k_x, stiffness),
-        nm.beta: (nm.k_y, stiffness),
-        nm.kappa: (nm.F_L, force),
-        nm.n: (nm.N, force),
-        nm.V: (nm.V_dim, speed),
-        nm.creep: (nm.d_dim, 1 / speed),
-    }
-
-
-def further_parameters() -> tuple[sp.Symbol, ...]:
-    """Dimensionless parameters that the published model does not have, in the order of :func:`groups`."""
-    published = {*nm.PARAMETERS, nm.n, nm.V, nm.creep}
-    return tuple(symbol for symbol in groups() if symbol not in published)
+def measured_motion() -> Motion:
+    """(1) and (2), for a contact force N and a friction coefficient μ yet to be given."""
+    return _motion(_with_units(), nm.N)
 
 
 @cache
 def motion() -> Motion:
     """The dimensionless equations of motion, (8) and (9), at rest (12) and (13), in x, y and the spring length L."""
-    with_units = dimensional_motion()
-    length, time, force = (scales()[name] for name in ("length", "time", "force"))
-    scaled = {
-        nm.x: length * nm.x, nm.y: length * nm.y,
-        nm.vx: length / time * nm.vx, nm.vy: length / time * nm.vy,
-        AX: length / time**2 * AX, AY: length / time**2 * AY,
-    }  # fmt: skip
-    ratios = {dimensional: symbol * scale for symbol, (dimensional, scale) in groups().items()}
-
-    def nondimensional(residual: sp.Expr) -> sp.Expr:
-        value = residual.subs(scaled, simultaneous=True).subs(ratios, simultaneous=True) / force
-        return replace_length(sp.expand(sp.simplify(value)))
-
-    return Motion(nondimensional(with_units.x), nondimensional(with_units.y), AX, AY)
+    return _motion(_model(), nm.n)
 
 
-def replace_length(expression: sp.Expr) -> sp.Expr:
-    """Write the symbol L for the square root of (6) wherever it stands."""
-    square = sp.expand(spring_length(nm.x, nm.y, sp.S.One) ** 2)
+@cache
+def scales() -> dict[str, sp.Expr]:
+    """Scales of length, time and force of the text after (9): the products of the units of measure with these dimensions."""
+    named = {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}
+    return {name: in_article(_with_units(), physical_checks.scale(page(), dimension)) for name, dimension in named.items()}
 
-    def is_length(node: sp.Basic) -> bool:
-        return isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q == 2 and sp.expand(node.base - square) == 0
 
-    return expression.replace(is_length, lambda node: nm.L ** (2 * node.exp))
+@cache
+def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
+    """Each dimensionless quantity of the text after (9) with the dimensional one behind it and the scale between the two."""
+    found = {nm.n: (nm.N, scales()["force"])}
+    for datum in page().parameters:
+        ratio = in_article(_with_units(), physical_checks.groups(page())[datum.becomes])
+        found[symbol_of(datum)] = _measured(datum), _measured(datum) / ratio
+    return found
+
+
+# ------------------------------------------------------------------------------------------------ contact and friction
+
+
+def _contact(model: Mechanics) -> sp.Expr:
+    """The contact's force below the gap, and above it."""
+    assert model.gap is not None
+    pushing, gap = (in_article(model, part) for part in (model.law.subs(DEPTH, -model.gap), model.gap))
+    return sp.Piecewise((pushing, gap < 0), (sp.S.Zero if model.unilateral else pushing, True))
+
+
+@cache
+def contact_force() -> sp.Expr:
+    """N(y), (7): the belt pushes when the mass dips below it and never pulls."""
+    return _contact(_with_units())
 
 
 @cache
 def contact_law() -> sp.Expr:
-    """n(y), (11): the contact law over the force scale; less its slope is n̄, (29)."""
-    force, length = scales()["force"], scales()["length"]
-    (pushing, _), (apart, _) = contact_force(nm.y * length, nm.k_c).args
-    return sp.Piecewise((sp.simplify(pushing / force), nm.y < 0), (sp.simplify(apart / force), True))
+    """n(y), (11): the contact force over its scale; less its slope is n̄, (29)."""
+    return _contact(_model())
 
 
 @cache
@@ -175,13 +216,15 @@ def contact_family() -> sp.Expr:
 @cache
 def friction() -> sp.Expr:
     """μ at the dimensionless sliding speed V − x', (10)."""
-    return friction_law(nm.V - nm.vx, nm.mu0, nm.creep)
+    sliding = page().sliding
+    assert sliding is not None
+    law = expression_of(sliding.law(sliding.belt - page().rate(sliding.along)))
+    return in_article(_model(), _model().scaled(law))
 
 
 def smooth_friction(side: sp.Expr) -> sp.Expr:
     """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V = x'."""
-    slip = sp.Symbol("slip", positive=True)
-    return side * friction_law(slip, nm.mu0, nm.creep).subs(slip, side * (nm.V - nm.vx))
+    return in_article(_model(), laws.smooth_friction(_model(), felt=True)).subs(nm.side, side)
 
 
 @cache
@@ -195,15 +238,17 @@ def sliding_forces() -> tuple[sp.Expr, sp.Expr]:
 @cache
 def steady_friction() -> sp.Expr:
     """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12) takes."""
-    return smooth_friction(sp.S.One).subs(nm.vx, 0)
+    return in_article(_model(), laws.friction_at_speed(_model()))
 
 
 @cache
 def energy() -> sp.Expr:
     """Kinetic and potential energy over k_c L_0², with the preload and, for n̄ = 1, the contact spring."""
-    length, force = scales()["length"], scales()["force"]
-    ratios = {dimensional: symbol * scale for symbol, (dimensional, scale) in groups().items()}
-    scaled = {nm.x: length * nm.x, nm.y: length * nm.y}
-    stored = potential_energy(nm.x, nm.y).subs(scaled, simultaneous=True).subs(ratios, simultaneous=True) / (force * length)
-    preload_and_contact = sp.integrate(nm.kappa - contact_family(), nm.y)
-    return replace_length(sp.simplify(stored)) + preload_and_contact + (nm.vx**2 + nm.vy**2) / 2
+    return in_article(_model(), General(_model()).stored)
+
+
+@cache
+def without_spring() -> tuple[sp.Expr, sp.Expr]:
+    """Minus the forces at rest in contact, but for the inclined spring's."""
+    along, across = (in_article(_model(), row).subs({nm.mu: nm.mu0, nm.nbar: 1}) for row in _model().residuals_apart)
+    return along, across

@@ -14,7 +14,7 @@ lam = sp.Symbol("lambda")
 
 def _gradient(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """∂/∂x and ∂/∂y of an expression in x, y and L(x, y), at the state (c, s, L)."""
-    length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
+    length = mechanics.spring_length()
     polar = dict(zip((nm.x, nm.y), equilibrium.displacement(), strict=True))
     slopes = [mechanics.replace_length(sp.diff(length, coordinate)).subs(polar) for coordinate in (nm.x, nm.y)]
     return tuple(

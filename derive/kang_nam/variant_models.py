@@ -280,11 +280,8 @@ class _Compared:
 
 def _separated(model: Mechanics, row: int) -> sp.Expr:
     """An acceleration with the article's n for the contact force, along the gap and, times μ, along the belt."""
-    symbol, n = model.coordinates[row], sp.Symbol("n", real=True)
-    share = sp.S.Zero if model.gap is None else sp.diff(model.gap, symbol)
-    if model.slide is not None:
-        share += MU * sp.diff(model.slide, symbol)
-    return sp.expand(Motion(model).accelerations[row] + (n - model.normal) * share / model.mass[row, row])
+    general = Motion(model)
+    return sp.expand(general.named[row] - general.balance(nm.n)[row] / model.mass[row, row])
 
 
 _Aspect = Callable[[_Compared], dict[str, sp.Expr]]

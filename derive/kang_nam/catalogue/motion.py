@@ -13,9 +13,10 @@ from .arrangement import ANGLE0, STIFFNESS, added, further
 def module() -> Module:
     side = nm.side
     state = (nm.x, nm.y, nm.vx, nm.vy)
-    length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
+    length = mechanics.spring_length()
     equations = mechanics.motion()
     lengths = {nm.L: length}
+    directions = {**lengths, nm.c: (nm.c0 - nm.x) / nm.L, nm.s: (nm.s0 - nm.y) / nm.L}
     regime = {
         nm.mu: mechanics.smooth_friction(side),
         nm.n: mechanics.contact_family(),
@@ -32,7 +33,7 @@ def module() -> Module:
     slopes = _by_parameters(in_regime, length)
     parameters = (*ANGLE0, *nm.PARAMETERS, nm.V, nm.creep)
     moving = (*state, *parameters, nm.nbar, side)
-    energy = mechanics.energy()
+    energy = _energy()
     power = regime[nm.mu] * regime[nm.n] * nm.vx
     return Module(
         "motion",
@@ -56,7 +57,7 @@ def module() -> Module:
                      moving, slopes, "((∂x″/∂θ₀, …), (∂y″/∂θ₀, …))", lengths, transcendental=True,
                      further=further(state, slopes, lengths)),
             Function("energy", "Kinetic and stored energy, the preload's included, over k_c L_0².", "(1), (2)",
-                     (*state, *ANGLE0, nm.kappa, *STIFFNESS, nm.nbar), energy, "energy", lengths, transcendental=True),
+                     (*state, *ANGLE0, nm.kappa, *STIFFNESS, nm.nbar), energy, "energy", directions, transcendental=True),
             Function("friction_power", "Rate at which friction changes that energy.", "(8)",
                      (nm.y, nm.vx, nm.mu0, nm.V, nm.creep, nm.nbar, side),
                      power, "power", transcendental=True, further=further(state, power)),
@@ -70,7 +71,7 @@ def _regime_jacobian(
     """Derivatives of the accelerations in terms of −K, the friction and its slope; compared with direct differentiation."""
     state = (nm.x, nm.y, nm.vx, nm.vy)
     mu, slope, pull = sp.Symbol("mu", real=True), sp.Symbol("slope"), sp.Symbol("pull")
-    length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
+    length = mechanics.spring_length()
     friction = mechanics.smooth_friction(side)
     force = mechanics.contact_family()
     names = {
@@ -128,6 +129,15 @@ def _contact_force() -> sp.Expr:
         if arranged.subs(nm.y, place) != mechanics.contact_law().subs(nm.y, place):
             raise ArithmeticError("n(y) is not (11): the emitted right-hand side needs another form of the contact law")
     return arranged
+
+
+def _energy() -> sp.Expr:
+    """The energy with the spring's as k (L − 1)²/2, which loses no digits where the spring is hardly compressed."""
+    ground = nm.alpha * nm.x**2 / 2 + nm.beta * nm.y**2 / 2 + nm.nbar * nm.y**2 / 2 + nm.kappa * nm.y
+    arranged = ground + nm.sigma * (1 - nm.L) ** 2 / 2 + nm.vx**2 / 2 + nm.vy**2 / 2
+    polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
+    (surplus,) = added((arranged.subs(polar),), (mechanics.energy().subs(polar),))
+    return arranged + surplus
 
 
 def _accelerations() -> tuple[sp.Expr, sp.Expr]:

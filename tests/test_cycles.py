@@ -23,6 +23,7 @@ from benchmarks import bench_auto, validate_basins, validate_branches, validate_
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
+from spragsym.cycles import branch as branches
 from spragsym.cycles.jets import Jet
 from spragsym.dynamics import bifurcation_functions, multipliers, shooting
 from spragsym.dynamics.field import Border, Field
@@ -496,7 +497,77 @@ def test_as_many_points_are_followed_as_is_said(next_to_a_grazing: ss.CycleBranc
     assert all(followed[side] == 16 for side in ends)
 
 
+def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
+    """The turn that touches it is none of the first point's, and below the border again at the second one."""
+    begun, _ = validate_branches.begun(1109)
+    assert begun is not None
+    branch = ss.cycle_branch(begun, "V", (0.2646977605651634, 0.4347930962813028), points=120)
+    doubled = branch.switch(branch.of("period_doubling")[0])
+    long, short = (ss.cycle_branch(doubled, "V", (0.2747, 0.2879), points=120, longest=step) for step in (0.08, 0.02))
+    for each in (long, short):
+        assert sorted(event.value for event in each.of("grazing")) == pytest.approx([0.2758161630417, 0.2759937273693], abs=1e-11)
+
+
+@pytest.mark.thorough
+def test_each_half_of_a_doubled_cycle_touches_where_it_does() -> None:
+    """Both turns, half a period apart, are nearly one: Newton's method went from the one to where the other touches."""
+    begun, _ = validate_branches.begun(1460)
+    assert begun is not None
+    for step in (0.08, 0.05):
+        branch = ss.cycle_branch(begun, "mu0", (0.30788222934008197, 0.45727350567221176), points=120, longest=step)
+        last = sorted(event.value for event in branch.of("grazing") if event.cycle.period > 129)
+        assert last == pytest.approx([0.3890081170342, 0.3896431483109], abs=1e-10)
+
+
+def test_a_family_of_cycles_at_one_value_has_no_events() -> None:
+    """x stays 0 and y swings by itself, as far as one likes: two multipliers are 1, and what is told from them is rounding."""
+    model = ss.load("mode_coupling")
+    onsets = model.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 3.0)})
+    branch = model.cycle_branch(model.cycle(onset=onsets, index=0), "mu0", (0.2, 0.3), points=30)
+    assert branch.values == pytest.approx(0.25 / -math.expm1(-5.0), abs=1e-12)
+    assert {(event.kind, event.how) for event in branch.events} == {("end", branches.VERTICAL)}
+
+
+def test_a_cycle_of_another_model_is_refused(slow: ss.Cycle, branch: ss.CycleBranch) -> None:
+    damped, other = ss.load("damped"), ss.load("stick_slip")
+    own, (doubling,) = damped.Parameters(theta0=0.73), branch.of("period_doubling")
+    for asked in (
+        lambda: damped.cycle_branch(slow, "theta0", (0.7, 0.75)), lambda: damped.cycle(own, near=slow),
+        lambda: ss.cycle(other.Parameters(V=0.2), near=slow), lambda: ss.diagram(own, "theta0", (0.7, 0.75), starts=[slow]),
+    ):  # fmt: skip
+        with pytest.raises(ss.ParameterTypeError, match=r"a cycle of kang_nam, not of (damped|stick_slip)"):
+            asked()
+    with pytest.raises(ss.ParameterError, match=r"starts: a cycle at mu0 = 0\.5, the diagram at 0\.3"):
+        ss.diagram(at(42.0).replace(mu0=0.3, **BELT), "theta0", (0.7, 0.75), starts=[slow])
+    short = ss.cycle_branch(slow, "theta0", (0.732, 0.734), points=2)
+    with pytest.raises(ss.ParameterError, match="none of this branch's"):
+        short.switch(doubling)
+
+
+@pytest.mark.parametrize(
+    "options", [{"longest": math.nan}, {"longest": -0.1}, {"longest": 0.0}, {"points": -1}, {"points": 0}, {"points": 2.5}]
+)
+def test_steps_and_counts_that_make_no_sense_are_refused(slow: ss.Cycle, options: dict[str, Any]) -> None:
+    with pytest.raises(ss.ParameterError, match=next(iter(options))):
+        ss.cycle_branch(slow, "theta0", (0.7, 0.75), **options)
+
+
 # --------------------------------------------------------------------------------------------- fates and exponents
+
+
+def test_a_motion_that_cannot_be_followed_is_undecided() -> None:
+    found = ss.fate(at(42.0), V=0.5, d=1e6, t_end=1000.0)
+    assert found.kind == "undecided"
+    assert found.why.startswith("the motion can't be followed: ")
+
+
+def test_the_time_scale_is_that_of_a_state_that_is_named() -> None:
+    """It begins at an equilibrium that repels; deviations die out at another one."""
+    p = at(42.0)
+    near = saddles.equilibrium_near(SPRAG, p.given(**BELT).scalars(*p.ranges), np.array([1.3, -0.1, 0.0, 0.0]))
+    why = ss.fate(p, **BELT, start=near, t_end=2000.0).why
+    assert "comes to rest" not in why
+    assert "at steady sliding, x = 0.135231, y = -0.0134205, deviations die out" in why
 
 
 def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:

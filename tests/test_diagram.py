@@ -50,6 +50,21 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
     assert (cycles.highest >= height - 1e-6).all()
 
 
+def test_a_branch_of_equilibria_is_there_once() -> None:
+    """On one branch a torsion spring is counted on either of its ways."""
+    found = ss.diagram(ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", (0.0, 2.0))
+    assert of(found, "LP") == pytest.approx([0.5986956385], abs=1e-9)
+    assert len(found.equilibria) == 2
+
+
+def test_a_hopf_point_from_which_no_cycles_are_followed_is_said() -> None:
+    """Statics takes mu0 for the friction; the motion has the law at the belt's speed, and a Hopf point along that."""
+    found = ss.diagram(ss.load("mode_coupling").Parameters(), "V", (0.05, 1.0), points=5)
+    (value,) = of(found, "H")
+    assert not found.cycles
+    assert any(f"no cycles were followed from the Hopf point V = {value:.10g}" in remark for remark in found.remarks)
+
+
 def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(article: ss.Diagram) -> None:
     friction = ss.sliding_friction(0.5, 0.5, 10.0)
     folds = ss.folds(ss.Parameters.article(mu0=friction), "theta0").theta0

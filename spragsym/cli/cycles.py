@@ -70,7 +70,7 @@ def cycles(
         from ..cycles import cycle_branch
 
         title = along.title
-        branch = cycle_branch(found, along.name, along.ends, points=points)  # type: ignore[arg-type]  # they are given
+        branch = cycle_branch(found, along.name, _held(along, found), points=points)
         summary |= _branch(case, branch, along)
         if plot is not None:
             _draw(branch, plot)
@@ -92,7 +92,7 @@ def _tell_diagram(
     from ..models.diagram import diagram
 
     unit, title = along.unit, along.title
-    found = diagram(p, along.name, along.ends, starts=starts, points=points)  # type: ignore[arg-type]  # they are given
+    found = diagram(p, along.name, along.between[along.name], starts=starts, points=points)
     if plot is not None:
         from ..figures import diagram_figure
 
@@ -118,6 +118,18 @@ def _tell_diagram(
     print_table("Labels", tuple(labels[0]) if labels else (), [list(row.values()) for row in labels])
     for remark in found.remarks:
         click.echo(remark)
+
+
+def _held(along: Span, found: Cycle) -> tuple[float, float]:
+    """The range of a branch, which must hold the cycle that it begins with; in the units that were typed if it does not."""
+    low, high = along.between[along.name]
+    if not low <= (value := found.parameters[along.name]) <= high:
+        low, high, value = (along.unit * number for number in (low, high, value))
+        raise ParameterError(
+            f"--vary {along.title}: the range from {low:.10g} to {high:.10g} does not hold the cycle's own {value:.10g}; give "
+            "one that does"
+        )
+    return low, high
 
 
 def _proof(found: Cycle) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from ..dynamics.flows import carrier, flow
 from ..dynamics.segment import Fly
 from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FloatArray, ParameterSet, as_numbers
+from ..parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from .attractors import Verdict, attractor, judged, same, surely
 from .saddles import Saddle, equilibrium_near, saddle_near, side
 
@@ -149,6 +149,7 @@ def basin_boundary(
     widths = [3.0 if axis < len(field.coordinates) else 1.0 for axis in axes]
     ranges = to or tuple((known.state[a] - w, known.state[a] + w) for a, w in zip(axes, widths, strict=True))
     plain = flow(field, name, derivatives=False).fly
+    step, points = as_number("step", step, POSITIVE), as_count("points", points)
     walk = _Walk(field, fly, plain, values, known, axes, ranges, step, points)
     first, error, span = walk.begun(state_of(model, start))
     ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]

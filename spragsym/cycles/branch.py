@@ -12,10 +12,10 @@ from ..display import Result
 from ..dynamics.flows import carrier, flow
 from ..dynamics.shooting import Loop, extent, rate
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, FloatArray, as_number
+from ..parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
-from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated
+from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
@@ -45,6 +45,7 @@ LAST, MORE = 3, 12
 ALIKE = 1e-7
 
 CROSSES = "another branch of cycles crosses this one"
+VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
 MERGES = "it meets the cycle of half its period, which doubles there"
 
 
@@ -149,7 +150,8 @@ def cycle_branch(
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, or a range without the cycle's own value, or beyond what it may be.
+        For a parameter that the model does not have, a range without the cycle's own value, or beyond what it may be, no points,
+        or a step that is not positive.
 
     Examples
     --------
@@ -167,6 +169,7 @@ def cycle_branch(
     low, high = (as_number("to", value, FINITE) for value in to)
     for bound in (low, high):
         model.check(vary, bound)
+    points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
     value = cycle.values[index]
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
@@ -272,6 +275,9 @@ class _Trace:
                 yield found
             yield ahead
             count += 1
+            if vertical(seen, after, arc):
+                yield End("end", ahead.loop, abs(self.value(ahead.loop) - self.value(point.loop)), how=VERTICAL)
+                return
             if stop is not None:
                 yield End("end", ahead.loop, 0.0, how="the range ends")
                 return

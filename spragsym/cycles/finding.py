@@ -118,6 +118,7 @@ def cycle_near(
     values = tuple(float(value) for value in values)
     rough = scout(field, name)
     if isinstance(near, Cycle):
+        near.require(field, "near")
         known = near.loop.guess if rough is None else _towards(field, rough, near.loop.guess, values, NEAR).guess
         return _checked(_towards(field, fly, known, values), fly, name)
     settled = isinstance(near, Trajectory)

@@ -87,6 +87,14 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
     return lowest < margin and lowest < 0.5 * min(abs(one.level), abs(other.level))
 
 
+def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Touch, Touch]], length: float) -> bool:
+    """Whether a turn that one of two points has alone may have been at the border between: by its level and slope there."""
+    kept = {id(touch) for pair in pairs for touch in pair}
+    alone = [(touch, length) for touch in one if id(touch) not in kept]
+    alone += [(touch, -length) for touch in other if id(touch) not in kept]
+    return any(np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level) for touch, away in alone)
+
+
 def grazing(setting: Setting, near: Point, touch: Touch) -> Loop:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
     field, period = setting.field, near.loop.guess.period

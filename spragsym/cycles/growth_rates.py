@@ -103,7 +103,7 @@ class Rates:
         """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it was followed before."""
         across, error = self.exponents[1:], self.error[1:]
         if not self.moves:
-            return "the motion comes to rest"
+            return "the motion is at rest, or all but"
         open_ = np.flatnonzero(np.abs(across) <= PROVED * error)
         if len(open_):
             worst = open_[int(np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300)))]

@@ -14,7 +14,7 @@ from ..dynamics.shooting import Loop
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .arclength import Point, Setting, between, corrected, placed, uncertainty
-from .grazing import Touch, grazing, may_touch, paired, signature, touches
+from .grazing import Touch, grazing, may_have_touched, may_touch, paired, signature, touches
 
 #: What test functions tell, a grazing apart.
 KINDS = (*CRITERIA, "crossing")
@@ -28,6 +28,9 @@ FLAT = 1e-6
 #: An event is located to this, in units of the arc.
 LOCATED = 1e-11
 
+
+#: Slope of a branch, in shares of the range over the arc, below which it is upright; what is then not told.
+UPRIGHT, OF_ONES = 1e-8, frozenset(("fold", "crossing"))
 
 #: Said of an event that is none of a multiplier that is continuous.
 JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
@@ -115,7 +118,8 @@ def differing(one: Seen, other: Seen) -> list[str]:
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
     """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
     setting = one.setting
-    told = [kind for kind in KINDS if kind not in one.lost | other.lost]
+    lost = one.lost | other.lost | (OF_ONES if vertical(one, other, length) else frozenset())
+    told = [kind for kind in KINDS if kind not in lost]
     changed = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
     quiet = set(told) - set(changed)
     pairs = list(paired(one.touches, other.touches)) if len(one.touches) == len(other.touches) else []
@@ -125,6 +129,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     hidden = (
         kinks != len(through)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
+        or may_have_touched(one.touches, other.touches, pairs, length)
         or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in quiet))
         or len(changed) + len(through) > 1
     )
@@ -142,6 +147,15 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
         yield from _grazing(one, other, touch, after, length)
     for kind in changed:
         yield from _located(kind, one, other, length)
+
+
+def vertical(one: Seen, other: Seen, length: float) -> bool:
+    """Whether the parameter stays what it is from one point to another, far apart: a whole family of cycles at one value.
+
+    There two multipliers are 1 all along, and what a sign of the tangent says is rounding.
+    """
+    still = max(abs(float(seen.point.tangent[-1])) / one.setting.spans[0] for seen in (one, other)) < UPRIGHT
+    return length > FINEST and still and abs(_value(one) - _value(other)) < UPRIGHT * length * one.setting.spans[0]
 
 
 def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:
@@ -163,11 +177,9 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) 
             loop = grazing(one.setting, point.point, begun)
         except ConvergenceError:
             continue
-        index = one.setting.free[0]
-        ends = sorted(each.point.loop.guess.values[index] for each in (one, other))
-        width = ends[1] - ends[0]
-        if ends[0] - width - 1e-12 <= loop.guess.values[index] <= ends[1] + width + 1e-12:
-            yield Finding("grazing", loop, 10 * loop.missed + 1e-12, touch.turn.border)
+        off = 10 * loop.missed + 1e-12
+        if _lies_between(one, other, loop.guess.values[one.setting.free[0]], length, off):
+            yield Finding("grazing", loop, off, touch.turn.border)
             return
     if length > FINEST:
         raise NotLocated("grazing")
@@ -176,6 +188,17 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) 
     yield Finding(
         "grazing", near.point.loop, abs(other.point.loop.guess.values[one.setting.free[0]] - _value(one)), touch.turn.border
     )
+
+
+def _lies_between(one: Seen, other: Seen, value: float, length: float, off: float) -> bool:
+    """Whether the parameter passes a value between two points: a turn of a doubled cycle has another one half a period away.
+
+    Where the branch turns back between them it passes more than what lies between their own.
+    """
+    low, high = sorted((_value(one), _value(other)))
+    ends = [float(each.point.tangent[-1]) for each in (one, other)]
+    beyond = length * max(map(abs, ends)) if (ends[0] < 0) != (ends[1] < 0) else 0.0
+    return low - beyond - off <= value <= high + beyond + off
 
 
 def _value(seen: Seen) -> float:

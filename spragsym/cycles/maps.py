@@ -18,7 +18,7 @@ from ..display import Result
 from ..door import model_of
 from ..dynamics import integrators
 from ..dynamics.trajectory import initial_state
-from ..errors import ConvergenceError, ParameterError, TargetError
+from ..errors import ParameterError, TargetError
 from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
@@ -26,6 +26,7 @@ from ..sweeps import code
 from ..sweeps import workers as processes
 from ..sweeps.many import advance
 from ..sweeps.workers import Workers
+from .verdicts import UNFOLLOWED
 
 #: Numbers of a record, in this order.
 MEASURED = ("kind", "period", "exponent", "exponent_error", "time_scale", "t")
@@ -191,8 +192,8 @@ def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, va
     try:
         p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
         found = model.fate(p, start=start, t_end=t_end, backend=backend)
-    except (ConvergenceError, ParameterError, ArithmeticError) as error:
-        return [float(Kind.UNDECIDED), *[float("nan")] * 5], f"the motion can't be followed: {error}"
+    except (ParameterError, ArithmeticError) as error:
+        return [float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}"
     kind = Kind[found.kind.upper().replace("-", "_")]
     across = [i for i in range(len(found.exponents)) if i != found.trivial]
     largest, width = float(found.exponents[across[0]]), float(found.error[across[0]])

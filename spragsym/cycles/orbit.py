@@ -34,7 +34,7 @@ from ..dynamics.shooting import (
     solved,
 )
 from ..dynamics.trajectory import Events
-from ..errors import ConvergenceError, ParameterError
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
 from ..parameters import FloatArray
 
@@ -98,6 +98,13 @@ class Cycle(Result):
     def field(self) -> Field:
         """The model."""
         return self.loop.field
+
+    def require(self, field: Field, name: str) -> None:
+        """Raise unless this is a cycle of that field: another's would be taken for what it is not."""
+        own = self.field
+        if own is not field and not (own.again and own.again == field.again):
+            one, other = (each.name.partition(":")[0] for each in (own, field))
+            raise ParameterTypeError(f"{name} is a cycle of {one}, not of {other}; give one of the same model")
 
     @property
     def values(self) -> tuple[float, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 from ..dynamics.flows import carrier
 from ..dynamics.shooting import Guess, Loop, divided, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FloatArray
+from ..parameters import POSITIVE, FloatArray, as_number
 from .arclength import Setting, corrected, phase_row, point_of
 from .orbit import Cycle, cycle_of
 
@@ -28,6 +28,9 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     from .branch import MERGES
 
     cycle = event.cycle
+    if not any(event is each for each in branch.events):
+        raise ParameterError(f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events")
+    step = as_number("step", step, POSITIVE)
     if event.loop is None or not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
         raise ParameterError(
             f"no other branch of cycles begins at a {event.kind}{f' where {event.how}' if event.how else ''}; give a period "

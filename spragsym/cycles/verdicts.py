@@ -28,6 +28,10 @@ SHARES = (0.2, 0.8)
 BESIDE, OFF = 4, 1e-6
 
 
+#: Said of a motion that no integrator carries on, as where steps have become too short.
+UNFOLLOWED = "the motion can't be followed"
+
+
 @dataclass(frozen=True, eq=False)
 class Fate(Result):
     r"""What a motion comes to.
@@ -120,11 +124,19 @@ def fate(
 
 
 def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None = None) -> Fate:
-    """As :func:`fate`, of any field."""
+    """As :func:`fate`, of any field; a motion that can't be followed is undecided, with the reason."""
+    try:
+        return _followed(field, values, start, t_end, backend)
+    except ConvergenceError as failed:
+        none = np.full(field.size, np.nan)
+        return Fate("undecided", f"{UNFOLLOWED}: {failed}", 0.0, Outcome(), none, none, -1, float("inf"), "", start)
+
+
+def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None) -> Fate:
     fly, name = carrier(field, backend)
     times = (*(t for t in JUDGED if t < t_end / 2), t_end)
     verdict = judged(field, values, start, name, times=times)
-    scale = _time_scale(field, values, verdict)
+    scale, place = _time_scale(field, values, verdict)
     none = np.full(field.size, np.nan)
     if verdict.decided:
         why = f"it comes to {verdict.told()}"
@@ -147,7 +159,8 @@ def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: f
     order = np.argsort(-rates.exponents)
     near = _near(field, values, end, name) if why else ""
     if why and scale < np.inf:
-        why += f"; deviations die out as exp(−τ / {scale:.3g}) at steady sliding"
+        where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(field.coordinates, place, strict=False))
+        why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
     lasting = (BESIDE + 1) * t_end / 3  # none of so many has settled: with 95 %, the mean life is above a third of their time
     told = why or (
         "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "
@@ -158,15 +171,18 @@ def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: f
     return Fate(kind, told, t, verdict.outcome, exponents, error, trivial, scale, near, end)
 
 
-def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> float:
-    """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end; infinite where none attracts."""
+def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> tuple[float, FloatArray]:
+    """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end; infinite where none attracts.
+
+    And that equilibrium.
+    """
     places = [np.zeros(field.size), verdict.end]
     for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
-            slowest = decay_at(field, values, equilibrium_near(field, values, near))
-            if slowest > 0:
-                return 1 / slowest
-    return float("inf")
+            place = equilibrium_near(field, values, near)
+            if (slowest := decay_at(field, values, place)) > 0:
+                return 1 / slowest, place
+    return float("inf"), verdict.end
 
 
 def _transient(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str) -> str:

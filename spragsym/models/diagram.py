@@ -22,7 +22,7 @@ from ..cycles.saddles import equilibrium_near
 from ..display import Result
 from ..dynamics.field import Field, Mode
 from ..errors import ConvergenceError, ParameterError, SpragsymError
-from ..parameters import FINITE, FloatArray, ParameterSet, as_number
+from ..parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
 
 if TYPE_CHECKING:
     from .model import Model
@@ -35,6 +35,9 @@ LONGEST, SHORTEST, STEPS = 0.02, 1e-7, 2000
 
 #: Equilibria closer than this are one.
 ONE = 1e-7
+
+#: A Hopf point is located to this, relatively.
+LOCATED = 1e-6
 
 #: Real parts below this are not growth.
 NEUTRAL = 1e-10
@@ -121,7 +124,8 @@ def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any)
     to : tuple of float
         Its range.
     starts : sequence
-        States near cycles at ``p``, or cycles; with ``None`` among them, what the motion from rest winds onto.
+        States near cycles at ``p``, or cycles of the model at ``p`` but for the parameter that varies; with ``None`` among them,
+        what the motion from rest winds onto.
     doublings : int
         How many doublings deep doubled cycles are followed.
     points : int
@@ -134,7 +138,7 @@ def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any)
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, or a range that is none.
+        For a parameter that the model does not have, a range that is none, or a cycle at other parameters.
 
     Notes
     -----
@@ -165,20 +169,53 @@ def diagram_of(
     if vary not in model.parameters:
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
     p.scalars(*(name for name in model.parameters if name != vary))
+    points, doublings = as_count("points", points), as_count("doublings", doublings, 0)
     low, high = (as_number("to", value, FINITE) for value in to)
     if not low < high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range; give its lower end first")
     motion, remarks = model.field, list[str]()
+    for start in starts:
+        if isinstance(start, Cycle):
+            _require(start, motion, p, vary)
     for bound in (low, high):
         motion.check(vary, bound)
     rests = _equilibria(model, motion, p, vary, (low, high))
     branches: list[CycleBranch] = []
-    for born in _cycles(model, motion, p, vary, (low, high), starts, remarks):
+    onsets = _onsets(model, p, vary, (low, high), remarks)
+    for born in _cycles(model, motion, p, vary, onsets, starts, remarks):
         if not _known(branches, born):
             branches.append(cycle_branch(born, vary, (low, high), points=points))
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*_of_equilibria(motion, p, vary, rests), *_of_cycles(branches)]
+    remarks += _left_alone(vary, labels, onsets)
     return Diagram(vary, (low, high), tuple(rests), tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0])
+
+
+def _require(cycle: Cycle, motion: Field, p: ParameterSet, vary: str) -> None:
+    """Raise unless a cycle is one of the model at the parameters of the diagram, but for the one that varies."""
+    cycle.require(motion, "starts")
+    for name, value in cycle.parameters.items():
+        if name != vary and value != float(getattr(p, name)):
+            raise ParameterError(
+                f"starts: a cycle at {name} = {value:.10g}, the diagram at {float(getattr(p, name)):.10g}; give cycles at p"
+            )
+
+
+def _onsets(model: Model, p: ParameterSet, vary: str, to: tuple[float, float], remarks: list[str]) -> Any:
+    """The Hopf points from which cycles are followed; None where they can't be looked for."""
+    try:
+        return model.flutter_onsets(p, vary, between={vary: to})
+    except SpragsymError as error:
+        remarks.append(f"Hopf points were not looked for: {error}")
+        return None
+
+
+def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str]:
+    """Hopf points of the motion that are none of the statics', whose friction may be another: none is followed from there."""
+    known = np.empty(0) if onsets is None else np.asarray(getattr(onsets, vary))
+    for value in (label.value for label in labels if label.label == "H"):
+        if not (np.abs(known - value) < LOCATED * (1 + abs(value))).any():
+            yield f"no cycles were followed from the Hopf point {vary} = {value:.10g}: it is the motion's, not the statics'"
 
 
 # -------------------------------------------------------------------------------------------------------------- equilibria
@@ -301,7 +338,7 @@ def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tup
             mode = motion.initial_mode(state, motion.constants(values))
             rest = _Rest(motion, values, index, mode, to, contact)
             point = np.append(state[: len(model.coordinates)], grid[i] / half)
-            if not any(other.mode == mode and _passes(other, line, point) for other, line in found):
+            if not any(other.contact == contact and _passes(other, line, point) for other, line in found):
                 back, forth = (list(rest.follow(point, sign)) for sign in (-1.0, 1.0))
                 found.append((rest, np.array([*reversed(back), point, *forth])))
     return [
@@ -391,18 +428,14 @@ def _located(rest: _Rest, one: FloatArray, other: FloatArray, chord: FloatArray,
 
 
 def _cycles(
-    model: Model, motion: Field, p: ParameterSet, vary: str, to: tuple[float, float], starts: Sequence[Any], remarks: list[str]
+    model: Model, motion: Field, p: ParameterSet, vary: str, onsets: Any, starts: Sequence[Any], remarks: list[str]
 ) -> Iterator[Cycle]:  # fmt: skip
     """A cycle of each family that is known of: born at a Hopf point, or near a start."""
-    try:
-        onsets = model.flutter_onsets(p, vary, between={vary: to})
-        for i, value in enumerate(np.asarray(getattr(onsets, vary)).tolist()):
-            try:
-                yield model.cycle(onset=onsets, index=i)
-            except SpragsymError as error:
-                remarks.append(f"no cycle was found at the Hopf point {vary} = {value:.10g}: {error}")
-    except SpragsymError as error:
-        remarks.append(f"Hopf points were not looked for: {error}")
+    for i, value in enumerate([] if onsets is None else np.asarray(getattr(onsets, vary)).tolist()):
+        try:
+            yield model.cycle(onset=onsets, index=i)
+        except SpragsymError as error:
+            remarks.append(f"no cycle was found at the Hopf point {vary} = {value:.10g}: {error}")
     for start in starts:
         try:
             yield start if isinstance(start, Cycle) else cycle_near(motion, p.scalars(*model.parameters), start)

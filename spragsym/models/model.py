@@ -335,6 +335,7 @@ class Model:
         """A cycle followed as one of the model's parameters varies: see :func:`spragsym.cycle_branch`, which is the same."""
         from ..cycles import cycle_branch
 
+        cycle.require(self.field, "cycle")
         return cycle_branch(cycle, vary, to, **options)
 
     @question

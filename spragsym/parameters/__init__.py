@@ -2,7 +2,7 @@
 
 from .dimensionless import ARTICLE, BELT_SPEED, CREEP, NAMES, RANGES, Parameters
 from .physical import PhysicalParameters, Scales, physical_ranges
-from .ranges import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, degrees, range_of, shown
+from .ranges import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_count, as_number, as_numbers, degrees, range_of, shown
 from .sets import ParameterSet, common_shape, named
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "PhysicalParameters",
     "Range",
     "Scales",
+    "as_count",
     "as_number",
     "as_numbers",
     "common_shape",

@@ -133,6 +133,13 @@ def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
     return float(array)
 
 
+def as_count(name: str, value: object, least: int = 1) -> int:
+    """``value`` as an integer of at least so much."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+        raise ParameterError(f"{name} = {value!r} is not an integer of {least} or more")
+    return int(value)
+
+
 def _short(value: object) -> str:
     text = repr(value)
     return text if len(text) <= 40 else text[:37] + "..."

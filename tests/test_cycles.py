@@ -501,9 +501,10 @@ def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
     """The turn that touches it is none of the first point's, and below the border again at the second one."""
     begun, _ = validate_branches.begun(1109)
     assert begun is not None
-    branch = ss.cycle_branch(begun, "V", (0.2646977605651634, 0.4347930962813028), points=120)
+    wide = (0.2646977605651634, 0.4347930962813028)
+    branch = ss.cycle_branch(begun, "V", wide, points=120)
     doubled = branch.switch(branch.of("period_doubling")[0])
-    long, short = (ss.cycle_branch(doubled, "V", (0.2747, 0.2879), points=120, longest=step) for step in (0.08, 0.02))
+    long, short = (ss.cycle_branch(doubled, "V", wide, points=120, longest=step) for step in (0.08, 0.02))
     for each in (long, short):
         assert sorted(event.value for event in each.of("grazing")) == pytest.approx([0.2758161630417, 0.2759937273693], abs=1e-11)
 

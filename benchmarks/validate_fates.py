@@ -62,8 +62,8 @@ CLOSELY = 1e-13
 #: How much nearer to an answer motions are tried where those farther off come to one end, as on islands of the other fate.
 NEARER = (1, 30, 1000)
 
-#: Changes of the start, and motions that are looked at, where rounding is said to decide.
-ROUNDING, LOOKED_AT = 1e-12, 200
+#: Changes of the start, as far as the package moves it, and motions that are looked at, where rounding is said to decide.
+ROUNDING, LOOKED_AT = 4e-12, 400
 
 #: For how long a motion is asked to come back to itself, how finely, and what is no return, as a share of its extent.
 PASSES, FINELY, AGAIN = 1000.0, 0.02, 1e-5
@@ -212,7 +212,7 @@ def alternating(given: dict[str, Any], place: float, width: float) -> tuple[bool
     rng = np.random.default_rng(0)
     for _ in range(LOOKED_AT // 2):
         values = given["values"] | {given["vary"]: place + width * rng.uniform(-1, 1)}
-        pair = [averages(values, np.add(given["start"], ROUNDING * rng.uniform(-1, 1, 4)))[0] for _ in range(2)]
+        pair = [settled(values, np.add(given["start"], ROUNDING * rng.uniform(-1, 1, 4)))[0] for _ in range(2)]
         if differ(*pair):
             return True, f"averages of neighbours differ by {apart(*pair)[0]:.1g}, change by {apart(*pair)[1]:.1g}"
     return False, f"of {LOOKED_AT} motions no neighbours come to different ends"

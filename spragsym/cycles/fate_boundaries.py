@@ -240,7 +240,7 @@ class _Asked:
         if fate.label >= 0:
             verdict = surely(
                 self.field, self.at(fate.value), self.start, fate.verdict, self.backend,
-                lambda beside: self._label(fate.value, beside) == fate.label,
+                lambda beside: _is_one(fate.verdict, beside) or self._label(fate.value, beside) == fate.label,
             )  # fmt: skip
             if not verdict.decided:
                 self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
@@ -358,6 +358,11 @@ def _seems(one: Outcome, other: Outcome) -> bool:
         return same_orbit(one, other)
     apart = [abs(a - b) for a, b in ((one.rest_x, other.rest_x), (one.rest_y, other.rest_y)) if np.isfinite(a)]
     return max(apart, default=0.0) < 1e-6
+
+
+def _is_one(one: Verdict, other: Verdict) -> bool:
+    """Whether two motions at one value come to one limit, whatever labels it has there: two may turn out to be one later."""
+    return one.kind == other.kind and _seems(one.outcome, other.outcome)
 
 
 class _TooLong(ConvergenceError):

@@ -1,6 +1,6 @@
 """A branch of cycles against AUTO-07p, the standard continuation code: the Hopf point where it begins, and cycles on it.
 
-``python -m benchmarks.bench_auto`` prints both. AUTO finds cycles by orthogonal collocation, without integrating; Debian has it as
+``python -m benchmarks.bench_auto`` prints both, and the time of a point of either branch: processor time here, AUTO's own clock there. AUTO finds cycles by orthogonal collocation, without integrating; Debian has it as
 ``auto-07p``, which also needs ``gfortran``. The model is the shipped ``stick_slip``: no contact is lost, and the friction law is smooth;
 between the Hopf point and V = 0.159 the slip keeps its sign.
 """
@@ -8,10 +8,12 @@ between the Hopf point and V = 0.159 the slip keeps its sign.
 from __future__ import annotations
 
 import math
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import spragsym as ss
@@ -65,8 +67,8 @@ def installed() -> bool:
     return shutil.which("auto-07p") is not None and shutil.which("gfortran") is not None
 
 
-def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]]]:
-    """V of the Hopf point; period and largest x of the cycles, by V."""
+def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]], float]:
+    """V of the Hopf point; period and largest x of the cycles, by V; seconds a point of the branch."""
     base = ss.load("stick_slip").base
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -76,8 +78,10 @@ def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]
         if not (folder / "b.cycles").is_file():
             raise RuntimeError(f"AUTO did not end as it should:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
         hopf = next(row[4] for row in _rows(folder / "b.steady") if row[2] == 3)  # type 3: Hopf point
-        cycles = {row[4]: (row[8], row[6]) for row in _rows(folder / "b.cycles") if row[2] == -4}  # type −4: as asked for
-    return hopf, {speed: min((abs(speed - at), found) for at, found in cycles.items())[1] for speed in SPEEDS}
+        rows = _rows(folder / "b.cycles")
+        cycles = {row[4]: (row[8], row[6]) for row in rows if row[2] == -4}  # type −4: as asked for
+    spent = float(re.findall(r"Total Time\s+(\S+)", done.stdout)[-1]) / len(rows)
+    return hopf, {speed: min((abs(speed - at), found) for at, found in cycles.items())[1] for speed in SPEEDS}, spent
 
 
 def _rows(path: Path) -> list[list[float]]:
@@ -95,24 +99,26 @@ def hopf_exactly() -> float:
     return math.sqrt(half - math.sqrt(half**2 - 4 * mu_s * v_s**3 / zeta) - v_s**2)
 
 
-def ours() -> tuple[float, dict[float, tuple[float, float]]]:
+def ours() -> tuple[float, dict[float, tuple[float, float]], float]:
     """The same by the branch of cycles."""
     model = ss.load("stick_slip")
     first = model.cycle(model.Parameters(V=0.2))
+    begin = time.process_time()
     branch = model.cycle_branch(first, "V", (0.08, 0.21))
+    spent = (time.process_time() - begin) / len(branch.values)
     found = {}
     for speed in SPEEDS:
         near = min(branch.cycles, key=lambda cycle: abs(cycle.parameters["V"] - speed))
         cycle = model.cycle(model.Parameters(V=speed), near=near)
         found[speed] = (cycle.period, float(cycle.state[0]))
-    return branch.of("end")[0].value, found
+    return branch.of("end")[0].value, found, spent
 
 
 def main() -> None:
     """Print the table."""
     if not installed():
         sys.exit("AUTO is not installed: apt-get install auto-07p gfortran")
-    (their_hopf, theirs), (our_hopf, own) = by_auto(), ours()
+    (their_hopf, theirs, their_time), (our_hopf, own, our_time) = by_auto(), ours()
     exact = hopf_exactly()
     print(
         f"Hopf point: exactly V = {exact:.12f}; AUTO {their_hopf - exact:+.1e}; the branch's end here {our_hopf - exact:+.1e}\n"
@@ -121,6 +127,7 @@ def main() -> None:
     for speed in SPEEDS:
         (period, top), (their_period, their_top) = own[speed], theirs[speed]
         print(f"| {speed} | {period:.12f} | {their_period - period:+.1e} | {top:.12f} | {their_top - top:+.1e} |")
+    print(f"\nA point of the branch: {1e3 * our_time:.1f} ms here, {1e3 * their_time:.1f} ms by AUTO's own clock")
 
 
 if __name__ == "__main__":

@@ -292,8 +292,8 @@ def test_the_textbook_period_of_stick_slip() -> None:
 @pytest.mark.thorough
 @pytest.mark.skipif(not bench_auto.installed(), reason="AUTO-07p, a continuation code by collocation, is not installed")
 def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
-    hopf, theirs = bench_auto.by_auto(intervals=30)
-    end, own = bench_auto.ours()
+    hopf, theirs, _ = bench_auto.by_auto(intervals=30)
+    end, own, _ = bench_auto.ours()
     exact = bench_auto.hopf_exactly()
     assert hopf == pytest.approx(exact, abs=1e-9)
     assert end == pytest.approx(exact, abs=1e-6)
@@ -554,6 +554,17 @@ def test_steps_and_counts_that_make_no_sense_are_refused(slow: ss.Cycle, options
 
 
 # --------------------------------------------------------------------------------------------- fates and exponents
+
+
+@pytest.mark.thorough
+def test_rounding_does_not_decide_between_a_cycle_and_itself() -> None:
+    """It had two labels, since its fates were not known to be one yet."""
+    given = validate_fates.call(142)
+    p = ss.Parameters(**{name: value for name, value in given["values"].items() if name not in BELT})
+    speeds = {name: given["values"][name] for name in BELT}
+    with pytest.raises(ss.ConvergenceError, match="between those it is undecided") as told:
+        ss.fate_boundary(p, vary=given["vary"], bracket=given["bracket"], start=given["start"], **speeds)
+    assert "as rounding decides" not in str(told.value)
 
 
 def test_a_motion_that_cannot_be_followed_is_undecided() -> None:

@@ -302,6 +302,16 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
         assert theirs[speed][1] == pytest.approx(top, rel=1e-4)  # AUTO's is the largest on its mesh
 
 
+def test_a_turn_where_two_stretches_meet_is_no_round(slow: ss.Cycle) -> None:
+    """It may be listed twice, at one time or a rounding apart."""
+    loop = slow.loop
+    first = next(turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0)
+    for apart in (0.0, 1e-14):
+        again = first._replace(t=first.t + apart)
+        twice = types.SimpleNamespace(guess=loop.guess, turns=lambda again=again: [first, again, *loop.turns()[1:]], field=SPRAG)
+        assert shooting.once_round(twice, lambda *_: pytest.fail("a round was tried")) is twice  # type: ignore[arg-type]
+
+
 # ------------------------------------------------------------------------------------------------------ branches
 
 

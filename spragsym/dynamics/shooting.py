@@ -288,6 +288,8 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
     scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
     first = turns[0]
     for other in turns[1:]:
+        if (other.t - first.t) * len(turns) < period / 2:
+            continue  # rounds have a turn each at least: this is the same one, at the end of a stretch and where the next begins
         share = period / (other.t - first.t)
         apart = np.abs(other.state - first.state)
         if (apart / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:

@@ -101,6 +101,9 @@ def test_a_number_that_is_new_is_an_argument_where_it_appears(tmp_path: Path) ->
 STOPPED = {
     "cubic contact": ("lambda depth: k_c * depth", "lambda depth: k_c * depth**3 / L_0**2"),
     "unknown name": ("page.spring(k_y, along=y)", "page.spring(k_z, along=y)"),
+    "second inclined spring": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y), (L_0, 2 * L_0), length=L_0)"),
+    "another name": ('becomes="beta"', 'becomes="rho"'),
+    "name of a shorthand": ("page.spring(k_y, along=y)", 'page.spring(k_y + page.parameter("q", "N/m", "", base=0.0), along=y)'),
 }
 
 

@@ -24,11 +24,11 @@ from . import nomenclature as nm
 #: Accelerations, with dimensions and without.
 AX, AY = sp.symbols("x_tt y_tt", real=True)
 
+#: What becomes of the parameters of the published model.
+PUBLISHED = (nm.theta0, *nm.PARAMETERS, nm.V, nm.creep)
+
 #: Where a quantity with a unit has the letter of the number that it becomes.
 _WITH_UNITS = {nm.V: nm.V_dim, nm.creep: nm.d_dim}
-
-#: What the general way calls what the article has another letter for.
-_SPECIAL = {MU: nm.mu, PUSHING: nm.nbar}
 
 
 # ------------------------------------------------------------------------------------------------ the page
@@ -41,7 +41,30 @@ def page() -> Page:
 
 @cache
 def _model() -> Mechanics:
-    return pages.read(pages.SHIPPED / "kang_nam.py").mechanics
+    found = pages.read(pages.SHIPPED / "kang_nam.py").mechanics
+    _require(found)
+    return found
+
+
+def _require(model: Mechanics) -> None:
+    """Raise where a changed page lacks what the article's chain is about, or gives one of its names to something else."""
+    becomes = {datum.becomes for datum in model.page.parameters}
+    published = {str(symbol) for symbol in PUBLISHED}
+    places, here = {"x", "y"}, {str(symbol) for symbol in model.coordinates}
+    for what, missing in (("parameter that becomes", published - becomes), ("coordinate", places - here)):
+        if missing:
+            raise ArithmeticError(
+                f"the article's page has no {what} {', '.join(sorted(missing))}, which its closed forms are about"
+            )
+    if here != places or len(model.lines) != 1:
+        raise ArithmeticError(
+            f"the article's page has {len(here)} coordinates and {len(model.lines)} inclined springs; its closed forms are about x, y "
+            "and one: a model with others is a page of its own"
+        )
+    for datum in model.page.parameters:
+        entry = nm.quantities().get(datum.becomes)
+        if entry is not None and datum.becomes not in published:
+            raise ArithmeticError(f"{datum.becomes} is {entry.meaning} in the article; give this parameter another name")
 
 
 @cache
@@ -65,8 +88,7 @@ def _measured(datum: Datum) -> sp.Symbol:
 
 def further_parameters() -> tuple[sp.Symbol, ...]:
     """Numbers of the page that the published model does not have."""
-    published = {nm.theta0, *nm.PARAMETERS, nm.V, nm.creep}
-    return tuple(symbol for symbol in map(symbol_of, page().parameters) if symbol not in published)
+    return tuple(symbol for symbol in map(symbol_of, page().parameters) if symbol not in PUBLISHED)
 
 
 def quantities() -> dict[str, Quantity]:

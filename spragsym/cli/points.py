@@ -40,7 +40,7 @@ def _row(case: Case, found: Any, row: int, along: Sequence[Span]) -> dict[str, A
     told: dict[str, Any] = {**at, "kind": str(found.kind[row]), **places}
     if hasattr(found, "criticality"):
         omega, per = case.units.rate("omega")
-        told |= {omega: per * float(found.omega[row]), "criticality": str(found.criticality[row])}
+        told |= {omega: per * float(found.omega[row]), "criticality": str(found.criticality[row]), "when": str(found.when[row])}
         told |= {name: getattr(found, name)[row] for name in BESIDE}
     elif len(along) == 1:
         told |= {"ends": str(found.ends[row]), "when": str(found.when[row])}

@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 AROUND = 1e-13
 #: Share of the amplitude at which a motion first comes to a border of the field; the amplitude where it has none.
 SHARE, FREE = 0.1, 0.01
+#: How closely an amplitude is met, relatively; by how many steps, and the longest of them, as a factor.
+MET, ROUNDS, FARTHEST = 1e-3, 20, 2.0
+#: What to do where none is met.
+SMALLER = "give a smaller one, and go on from it with cycle_branch"
 #: Stretches of one round, at most.
 PIECES = 32
 
@@ -41,8 +45,8 @@ def born(
     form : NormalForm
         Of the onset.
     amplitude : float, optional
-        Half of the range of the coordinate that moves most, to first order, in the units of the page. Without it a tenth of that
-        at which the motion would leave the contact or come up with the belt.
+        Half of the range of the coordinate that moves most at the onset, to a thousandth, in the units of the page. Without it a
+        tenth of that at which the motion would leave the contact or come up with the belt.
     backend : {"heyoka", "scipy"}, optional
         As for :func:`spragsym.cycle`.
 
@@ -57,7 +61,7 @@ def born(
     ConvergenceError
         Where Newton's method finds no such cycle.
     """
-    field, place = model.field, model.parameters.index(vary)
+    place = model.parameters.index(vary)
     if amplitude is not None:
         amplitude = as_number("amplitude", amplitude, POSITIVE)
     given, state, radius = _of_the_motion(model, given, state, place, form)
@@ -65,13 +69,31 @@ def born(
         form = normal_form(model, given, state, vary, np.full(state.size + 1, radius), law="friction_at_speed")
     except Undecided as reason:
         raise ConvergenceError(f"the motion has no generic Hopf point beside the onset: {reason}") from reason
-    n = len(state)
-    size = float(np.abs(form.q[:n]).max())
-    z = (
-        (amplitude / 2 / size)
-        if amplitude is not None
-        else min(_default(model, given, state, form), _within(model, given, place, form))
-    )
+    most = int(np.abs(form.q[: len(state)]).argmax())
+    size = float(np.abs(form.q[most]))
+    if amplitude is None:
+        z = min(_default(model, given, state, form), _within(model, given, place, form))
+    else:
+        z = amplitude / 2 / size
+    reached = 0.0
+    for _ in range(ROUNDS):
+        try:
+            found = _along(model, given, state, place, form, z, backend)
+        except ConvergenceError as error:
+            asked = 2 * z * size if amplitude is None else amplitude
+            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {SMALLER}") from error
+        reached = float(np.ptp(found.samples.states[most])) / 2
+        if amplitude is None or abs(reached / amplitude - 1) < MET:
+            return found
+        z *= min(max(amplitude / reached, 1 / FARTHEST), FARTHEST)
+    raise ConvergenceError(f"no cycle of the amplitude {amplitude:g} was found: the last one has {reached:.6g}; {SMALLER}")
+
+
+def _along(
+    model: Model, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float, backend: str | None
+) -> Cycle:  # fmt: skip
+    """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first order."""
+    field, n = model.field, len(state)
     known = abs(form.lyapunov) > form.lyapunov_error
     aside = -form.omega * form.lyapunov * z**2 / form.crossing if known else 0.0
     rest = np.append(state, np.zeros(n))
@@ -91,16 +113,11 @@ def born(
     guess = Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()))
     # What is asked of the first state: its part along q, as the normal form has it.
     wanted = float((form.p.conjugate() @ (first - rest)).real)
-    try:
-        loop, pieces = looped(field, fly, guess, (place,)), 1
-        while growth(loop) > LARGEST_GROWTH and pieces < PIECES:
-            pieces *= 2
-            loop = looped(field, fly, divided(field, fly, guess, pieces), (place,))
-        return cycle_of(solved(field, fly, loop.guess, conditions, (place,), reach=4 * z), fly, name)
-    except ConvergenceError as error:
-        raise ConvergenceError(
-            f"no cycle of the amplitude {2 * z * size:.3g} was found: {error}; give another amplitude"
-        ) from error
+    loop, pieces = looped(field, fly, guess, (place,)), 1
+    while growth(loop) > LARGEST_GROWTH and pieces < PIECES:
+        pieces *= 2
+        loop = looped(field, fly, divided(field, fly, guess, pieces), (place,))
+    return cycle_of(solved(field, fly, loop.guess, conditions, (place,), reach=4 * z), fly, name)
 
 
 def _of_the_motion(

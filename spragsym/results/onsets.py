@@ -40,6 +40,9 @@ class Onsets(Points):
         none. The state is coordinates, then rates, in the units of the page, and ⟨q, q⟩ = ⟨p, q⟩ = 1.
     crossing, crossing_error : ndarray
         d Re λ / d parameter of the pair: where it is positive, the state is unstable for larger values.
+    when : ndarray of str
+        What the sign of that says, where its bound leaves it: as the parameter goes ``"up"`` or ``"down"``, this pair makes the
+        state unstable; else empty.
     why : tuple of str
         Why an onset is undecided; empty for the others.
     """
@@ -68,6 +71,12 @@ class Onsets(Points):
     def crossing_error(self) -> FloatArray:
         """Bounds on its error."""
         return self._column("crossing_error", np.inf)
+
+    @cached_property
+    def when(self) -> NDArray[np.str_]:
+        """As the parameter goes ``"up"`` or ``"down"``, the state loses its stability to this pair; else empty."""
+        known = np.abs(self.crossing) > self.crossing_error
+        return np.where(known, np.where(self.crossing > 0, "up", "down"), "")
 
     @cached_property
     def criticality(self) -> NDArray[np.str_]:

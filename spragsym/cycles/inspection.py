@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, unsure
+from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, multipliers, unsure
 from ..dynamics.shooting import Loop
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
@@ -29,8 +29,9 @@ FLAT = 1e-6
 LOCATED = 1e-11
 
 
-#: Slope of a branch, in shares of the range over the arc, below which it is upright; what is then not told.
-UPRIGHT, OF_ONES = 1e-8, frozenset(("fold", "crossing"))
+#: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a double multiplier is found; and
+#: what is then not told.
+UPRIGHT, DOUBLE, OF_ONES = 1e-8, 1e-4, frozenset(("fold", "crossing"))
 
 #: Said of an event that is none of a multiplier that is continuous.
 JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
@@ -152,10 +153,14 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
 def vertical(one: Seen, other: Seen, length: float) -> bool:
     """Whether the parameter stays what it is from one point to another, far apart: a whole family of cycles at one value.
 
-    There two multipliers are 1 all along, and what a sign of the tangent says is rounding.
+    There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign of the tangent says is
+    rounding.
     """
-    still = max(abs(float(seen.point.tangent[-1])) / one.setting.spans[0] for seen in (one, other)) < UPRIGHT
-    return length > FINEST and still and abs(_value(one) - _value(other)) < UPRIGHT * length * one.setting.spans[0]
+    span = one.setting.spans[0]
+    still = max(abs(float(seen.point.tangent[-1])) for seen in (one, other)) < UPRIGHT * span
+    if length <= FINEST or not still or not abs(_value(one) - _value(other)) < UPRIGHT * length * span:
+        return False
+    return all(float(np.abs(multipliers(seen.point.loop)[1:] - 1).min()) < DOUBLE for seen in (one, other))
 
 
 def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:

@@ -309,7 +309,7 @@ def test_a_turn_where_two_stretches_meet_is_no_round(slow: ss.Cycle) -> None:
     for apart in (0.0, 1e-14):
         again = first._replace(t=first.t + apart)
         twice = types.SimpleNamespace(guess=loop.guess, turns=lambda again=again: [first, again, *loop.turns()[1:]], field=SPRAG)
-        assert shooting.once_round(twice, lambda *_: pytest.fail("a round was tried")) is twice  # type: ignore[arg-type]
+        assert shooting.once_round(twice, lambda *_: pytest.fail("a round was tried")) is twice  # type: ignore[arg-type]  # stands for a loop
 
 
 # ------------------------------------------------------------------------------------------------------ branches

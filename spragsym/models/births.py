@@ -75,7 +75,6 @@ def born(
         z = min(_default(model, given, state, form), _within(model, given, place, form))
     else:
         z = amplitude / 2 / size
-    reached = 0.0
     for _ in range(ROUNDS):
         try:
             found = _along(model, given, state, place, form, z, backend)

@@ -37,7 +37,7 @@ def _on_the_motion(parts: Mapping[str, Any]) -> str:
     unstable = bool(here) and all(state.settles is False for state in here)
     if found is None or not (found.alive or found.kind == "lift-off"):
         return " Steady sliding is unstable: small disturbances grow." if unstable else ""
-    beside = {True: ", beside stable sliding", False: "", None: ""}[found.coexists]
+    beside = ", beside stable sliding" if found.coexists else ""
     if found.kind == "lift-off":
         return " From rest it lifts off the belt for good."
     if found.kind == "motion":
@@ -275,7 +275,7 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {unit}"
     faster = f" and V = {report.study.shown('V', report.facts.speed, 3)}" if report.facts.reach == "faster" else ""
     yield ("the states before and after", f"at friction {found.friction:.4g}{faster}, {places}")
-    yield ("let go at rest", f"{AWAY:.0%} of the way beyond the fold".replace("%", " %"))
+    yield ("let go at rest", f"{100 * AWAY:g} % of the way beyond the fold")
     for key, (least, most) in found.ranges.items():
         name, _, unit = key.rpartition("_")
         yield (f"range of {name}", f"{least:.4g} {unit} to {most:.4g} {unit}")

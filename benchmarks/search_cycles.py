@@ -168,7 +168,9 @@ def main() -> None:
         follow(path, lines, cycle, f"period {cycle.period:.2f} at {degrees:g}", points)
     (folder / "cycles.json").write_text(json.dumps(record(sweep, lines), ensure_ascii=False).replace("}, {", "},\n{") + "\n")
     counts = np.bincount(sweep.regime.ravel(), minlength=len(Regime))
-    print("Motions: " + ", ".join(f"{n} {Regime(i).name.lower()}" for i, n in enumerate(counts.tolist()) if n) + "\n")
+    print("Motions: " + ", ".join(f"{n} {Regime(i).name.lower()}" for i, n in enumerate(counts.tolist()) if n))
+    near = counts[[Regime.LIMIT_CYCLE, Regime.APPROACHES_CYCLE]].sum()
+    print(f"{len(sweep.regime)} inclinations, {counts.sum()} motions: {near} to a cycle or nearing one\n")
     print("| branch | inclinations | periods | stable | events |\n|---|---|---|---|---|")
     for line in lines:
         degrees = np.degrees(line["theta0"])

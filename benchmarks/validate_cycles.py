@@ -79,13 +79,16 @@ def differences(cycle: ss.Cycle) -> tuple[float, float, float]:
 
 
 def main() -> None:
-    """Print the table."""
+    """Print the table, and the largest difference."""
+    largest_off = 0.0
     print(f"{'cycle':32}{'theta0':>7}{'period':>18}{'largest':>12}  state    period   multipliers")
     for name, degrees, state in CASES:
         cycle = ss.cycle(ss.Parameters.article(theta0=np.radians(degrees)), V=0.5, d=10.0, near=state, patient=False)
         largest = cycle.multipliers[1]
         off = differences(cycle)
         print(f"{name:32}{degrees:7.1f}{cycle.period:18.12f}{abs(largest):12.6f}  " + "  ".join(f"{value:.1e}" for value in off))
+        largest_off = max(largest_off, *off)
+    print(f"{len(CASES)} cycles, the largest difference {largest_off:.1e}")
 
 
 if __name__ == "__main__":

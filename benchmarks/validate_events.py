@@ -100,7 +100,7 @@ def seen(branch: ss.CycleBranch, event: ss.CycleEvent, backend: str) -> tuple[bo
 
 def main() -> None:
     """Print the table; exit code 1 if an event is not seen."""
-    wrong = 0
+    wrong = events = 0
     for name, (low, high) in BRANCHES.items():
         angle, state = SEEDS[name]
         cycle = ss.cycle(parameters(np.radians(angle)), **BELT, near=state, patient=False)
@@ -110,9 +110,10 @@ def main() -> None:
                 right, how = seen(branch, event, "compiled")
             except ss.ConvergenceError as error:
                 right, how = False, str(error)
-            wrong += not right
+            wrong, events = wrong + (not right), events + 1
             verdict = "seen" if right else "NOT SEEN"
             print(f"{name:>4} {event.kind:16} {np.degrees(event.value):12.7f}  {verdict}: {how}", flush=True)
+    print(f"{events - wrong} of {events} events seen")
     sys.exit(bool(wrong))
 
 

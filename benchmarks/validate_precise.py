@@ -16,6 +16,7 @@ from benchmarks.families import FAMILIES
 from benchmarks.reference import refine
 from spragsym import precise
 from spragsym.parameters import NAMES
+from spragsym.results.precise_states import PreciseEquilibrium
 
 PRECISIONS = (1, 2, 3, 5, 8, 12, 15, 16, 17, 20, 25, 33, 50, 77, 100, 150, 250, 400, 650, 1000)
 #: Precisions that a caller may have set.
@@ -38,17 +39,17 @@ def worst_shares(point: tuple[float, ...], precisions: Iterable[int], *, contact
     results = {}
     for i, dps in enumerate(precisions):
         with mpmath.workdps(CALLERS[i % len(CALLERS)]):
-            results[dps] = precise.equilibria(*point, contact=contact, dps=dps)
+            results[dps] = precise.equilibria(**dict(zip(NAMES, point, strict=True)), contact=contact, dps=dps)
     digits = max(results) + MORE_DIGITS
     # Where to begin is all that the reference takes from the results.
-    begin = precise.equilibria(*point, contact=contact, dps=60)
+    begin = precise.equilibria(**dict(zip(NAMES, point, strict=True)), contact=contact, dps=60)
     truth = [refine(state.x, state.y, *point, contact, digits=digits) for state in begin]
     with mpmath.workdps(digits):
         return {dps: max((_share(*pair, dps) for pair in zip(found, truth, strict=True)), default=0.0) if len(found) == len(truth)
                 else float("inf") for dps, found in results.items()}  # fmt: skip
 
 
-def _share(state: precise.PreciseEquilibrium, truth: tuple[mpmath.mpf, ...], dps: int) -> float:
+def _share(state: PreciseEquilibrium, truth: tuple[mpmath.mpf, ...], dps: int) -> float:
     """The true error over the bound, or over what was asked for where the bound is larger."""
     bound = min(state.error, mpmath.mpf(10) ** -dps)
     values = (state.theta, state.L, state.x, state.y)

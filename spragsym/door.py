@@ -40,9 +40,9 @@ INTERFACE = frozenset((
     "onset_curves", "diagram",
     "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
-#: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, and whether one that is
-#: above the belt stays there.
-PARTS = frozenset(("integrate", "rest_index", "aloft"))
+#: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, whether one that is
+#: above the belt stays there, and what is known to any number of digits.
+PARTS = frozenset(("integrate", "rest_index", "aloft", "precise_equilibria", "precise_cusps"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 

@@ -12,23 +12,25 @@ precision of mpmath's or of python-flint's is set or read here, so results depen
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, ClassVar, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import mpmath
+import numpy as np
 
+from .door import WAYS, model_of
 from .errors import ParameterError, ParameterTypeError
-from .exact.adaptive_bits import with_enough_bits
-from .exact.decimals import Decimal, around, exactly
-from .exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
-from .exact.polynomials import Undecided
-from .kang_nam.catastrophe import cusp_proofs
-from .kang_nam.catastrophe.fold_enclosures import Point
-from .kang_nam.statics import adaptive_precision
-from .parameters import RANGES, Range
-from .results.equilibria import Stability
+from .exact.decimals import exactly
+from .exact.intervals import Arithmetic, Interval
+from .models.load import USUAL, load
+from .names import hint
+from .parameters import ParameterSet, Range
+from .results.precise_states import CuspProof, PreciseEquilibria
+
+if TYPE_CHECKING:
+    from .models import Model
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
@@ -38,56 +40,8 @@ MOST_DIGITS = 1000
 _NUMBER = re.compile(r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*")
 
 
-class _Written:
-    """Gives a dataclass its numbers in decimals, and a ``repr`` that is made of these."""
-
-    #: Names of the numbers.
-    NUMBERS: ClassVar[tuple[str, ...]]
-
-    def _bound(self, value: mpmath.mpf) -> Fraction:
-        raise NotImplementedError
-
-    def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
-        """The numbers in decimals, each with a bound on its error that covers the rounding to these digits too.
-
-        ``digits`` are significant ones; by default as many as are proved.
-        """
-        return {name: around(getattr(self, name), self._bound(getattr(self, name)), digits) for name in self.NUMBERS}
-
-    def __repr__(self) -> str:
-        numbers = [f"{name}={decimal}" for name, decimal in self.decimals().items()]
-        others = [
-            f"{field.name}={getattr(self, field.name)!r}"
-            for field in fields(self)  # type: ignore[arg-type]
-            if field.name not in (*self.NUMBERS, "error", "radius")
-        ]
-        return f"{type(self).__name__}({', '.join([*numbers, *others])})"
-
-
-@dataclass(frozen=True, repr=False)
-class PreciseEquilibrium(_Written):
-    """One equilibrium; ``theta`` in radians, ``error`` a proved bound on |error| / max(1, |value|) of the four as they stand.
-
-    ``print`` writes decimals with bounds that hold for these digits, and so does :meth:`decimals`. ``fold`` says that it is a
-    fold to the last digit that could be tried; only then may ``error`` be above 10^−dps.
-    """
-
-    theta: mpmath.mpf
-    L: mpmath.mpf
-    x: mpmath.mpf
-    y: mpmath.mpf
-    stability: Stability
-    error: mpmath.mpf
-    fold: bool
-
-    NUMBERS = ("theta", "L", "x", "y")
-
-    def _bound(self, value: mpmath.mpf) -> Fraction:
-        return exactly(self.error) * max(Fraction(1), abs(exactly(value)))
-
-
 @dataclass(frozen=True)
-class _Degrees:
+class Degrees:
     """An angle that is exact in degrees, and in radians an interval."""
 
     value: Fraction
@@ -130,28 +84,30 @@ def as_digits(dps: int) -> int:
 
 
 def equilibria(
-    theta0: Exact | None = None, mu0: Exact = "0.5", kappa: Exact = "0.007", alpha: Exact = "0.007", sigma: Exact = "0.1",
-    beta: Exact = 0, *, theta0_deg: Exact | None = None, contact: bool = True, dps: int = 50, arith: Arithmetic | None = None,
-) -> tuple[PreciseEquilibrium, ...]:  # fmt: skip
-    """All equilibria of one point to ``dps`` digits, count and digits proved by interval arithmetic.
+    p: ParameterSet | None = None, *, contact: bool = True, dps: int = 50, arith: Arithmetic | None = None, method: str = "auto",
+    **exact: Exact,
+) -> PreciseEquilibria:  # fmt: skip
+    """All equilibria of one point of any model to ``dps`` digits, count and digits proved by interval arithmetic.
 
     Parameters
     ----------
-    theta0, mu0, kappa, alpha, sigma, beta : int, str, Fraction, mpf or float
-        Taken exactly; the article's base values where left out.
-    theta0_deg : int, str, Fraction, mpf or float, optional
-        θ₀ in degrees, instead of ``theta0`` in radians.
+    p : Parameters, optional
+        Of any model, single numbers, taken exactly as the floats that they are; the article's base values as it prints them where
+        left out.
     contact : bool
         True for n̄ = 1 (y < 0), False for n̄ = 0 (y ≥ 0).
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic to use, another than :class:`spragsym.exact.intervals.Balls`.
+        Interval arithmetic for closed forms, another than :class:`spragsym.exact.intervals.Balls`.
+    method : {"auto", "closed", "search"}
+        Closed forms where the model has them, or the search over boxes as a second witness.
+    **exact : int, str, Fraction, mpf or float
+        Parameters by name, taken exactly, in the place of those of ``p``; with ``theta0_deg`` an angle in degrees.
 
     Returns
     -------
-    tuple of PreciseEquilibrium
-        Ascending in ``theta``.
+    PreciseEquilibria
 
     Raises
     ------
@@ -162,106 +118,54 @@ def equilibria(
 
     Notes
     -----
-    Source: f(θ) = 0, (12)–(13) eliminated.
+    Source: f(θ) = 0, (12)–(13) eliminated; of other models the balance of forces, isolated over boxes and narrowed by Krawczyk's
+    operator in ball arithmetic.
 
     Examples
     --------
+    >>> import spragsym as ss
     >>> from spragsym import precise
     >>> state, = precise.equilibria(theta0_deg="49", dps=30)
     >>> str(state.decimals()["x"]), str(state.decimals(digits=6)["x"])
     ('1.21742364817816844590957746961466093475851094892 ± 2.9e-45', '1.21742 ± 3.7e-06')
+    >>> state, = precise.equilibria(ss.load("stick_slip").Parameters(V=1), dps=30)
+    >>> str(state.decimals(digits=20)["x"]), state.stability.name
+    ('0.19230769230769231755 ± 3.8e-21', 'STABLE')
     """
-    digits = as_digits(dps)
-    if (theta0 is None) == (theta0_deg is None):
-        raise ParameterError("give one of theta0 (radians) and theta0_deg (degrees)")
-    angle: Any
-    if theta0 is not None:
-        angle = as_exact("theta0", theta0, RANGES["theta0"])
-    else:
-        assert theta0_deg is not None
-        angle = _Degrees(as_exact("theta0_deg", theta0_deg, Range(0.0, 180.0, open_low=True)))
-    given = {"mu0": mu0, "kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
-    exact = [as_exact(name, value, RANGES[name]) for name, value in given.items()]
-    found = adaptive_precision.equilibria(angle, *exact, contact=contact, digits=digits, arith=arith)
-    return tuple(
-        PreciseEquilibrium(state.theta, state.L, state.x, state.y, Stability(state.stability), state.error, found.fold)
-        for state in found.states
-    )
-
-
-# ------------------------------------------------------------------------------------------------------- cusps
-
-
-@dataclass(frozen=True, repr=False)
-class PreciseCusp(_Written):
-    """One cusp; ``radius`` bounds |error| of each of the six numbers as they stand, angles in radians.
-
-    ``versal`` says that it is one in the sense of catastrophe theory: f‴ ≠ 0 and θ₀, μ₀ unfold f, both proved.
-    """
-
-    theta0: mpmath.mpf
-    mu0: mpmath.mpf
-    theta: mpmath.mpf
-    L: mpmath.mpf
-    x: mpmath.mpf
-    y: mpmath.mpf
-    radius: mpmath.mpf
-    versal: bool
-
-    NUMBERS = ("theta0", "mu0", "theta", "L", "x", "y")
-
-    def _bound(self, _: mpmath.mpf) -> Fraction:
-        return exactly(self.radius)
-
-
-@dataclass(frozen=True)
-class CuspProof(Sequence[PreciseCusp]):
-    """All cusps, and why there are no more.
-
-    Attributes
-    ----------
-    cusps : tuple of PreciseCusp
-        Those in contact with L > 0, sorted by ``mu0``.
-    polynomial : tuple of Fraction
-        Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps. Empty for α = 1 + β, where
-        3 s² = 2 instead.
-    sines : tuple of (Fraction, Fraction)
-        Disjoint intervals, each proved to hold one of its real roots.
-    count : int
-        Number of different real roots there by Sturm's theorem, which ``sines`` matches: the proof.
-    """
-
-    cusps: tuple[PreciseCusp, ...]
-    polynomial: tuple[Fraction, ...]
-    sines: tuple[tuple[Fraction, Fraction], ...]
-    count: int  # type: ignore[assignment]  # not Sequence's count
-
-    def __getitem__(self, index: Any) -> Any:
-        return self.cusps[index]
-
-    def __len__(self) -> int:
-        return len(self.cusps)
+    model, given = _exactly(p, exact, {})
+    if method == "search":
+        model = model.search
+    elif method not in WAYS or (method == "closed" and "precise_equilibria" not in model.closed):
+        raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)} that the model {model.name} has")
+    found: PreciseEquilibria = model.precise_equilibria(given, contact, as_digits(dps), arith)
+    return found
 
 
 def cusps(
-    kappa: Exact = "0.007", alpha: Exact = "0.007", sigma: Exact = "0.1", beta: Exact = 0, *, dps: int = 40,
-    arith: Arithmetic | None = None,
+    p: ParameterSet | None = None, *, dps: int = 40, arith: Arithmetic | None = None, **exact: Exact
 ) -> CuspProof:  # fmt: skip
     """All cusps to ``dps`` digits, with enclosures and the proof that there are no more.
 
     Parameters
     ----------
-    kappa, alpha, sigma, beta : int, str, Fraction, mpf or float
-        Taken exactly; the article's base values where left out.
+    p : Parameters, optional
+        Single numbers, of which θ₀ and μ₀ are not asked; the article's base values as it prints them where left out.
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
         Interval arithmetic to use, another than :class:`spragsym.exact.intervals.Balls`.
+    **exact : int, str, Fraction, mpf or float
+        kappa, alpha, sigma and beta, taken exactly, in the place of those of ``p``.
 
     Returns
     -------
     CuspProof
         A sequence of cusps with θ₀ in (−π, π] and μ₀ of either sign; empty where there is none.
+
+    Raises
+    ------
+    ModelError
+        For a model without this closed form: its ``cusps`` are proved too, to the digits of a float.
 
     Notes
     -----
@@ -274,34 +178,45 @@ def cusps(
     >>> len(found), found.count, str(found[2].decimals(25)["mu0"]), found[2].versal
     (4, 2, '0.2009317818050900185134401 ± 4.8e-26', True)
     """
-    digits = as_digits(dps)
-    given = {"kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
-    exact = tuple(as_exact(name, value, RANGES[name]) for name, value in given.items())
-    chosen = arith or arithmetic()
-
-    def attempt(bits: int) -> list[PreciseCusp]:
-        return [_cusp(chosen, point, digits) for point in cusp_proofs.cusps(chosen, exact, bits)]
-
-    found = with_enough_bits(chosen, digits, attempt, "cusps")
-    ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
-    if exact[1] == 1 + exact[3]:
-        return CuspProof(ordered, (), (), 0)
-    polynomial, sines, count = cusp_proofs.cusp_sines(*exact, bits=64)
-    return CuspProof(ordered, polynomial, tuple(sines), count)
+    model, given = _exactly(p, exact, {"theta0": 1.0})
+    found: CuspProof = model.precise_cusps(given, as_digits(dps), arith)
+    return found
 
 
-def _cusp(arith: Arithmetic, point: Point, digits: int) -> PreciseCusp:
-    middles, radius = [], Fraction(0)
-    for interval in (*point.parameters[:2], point.theta, point.L, point.x, point.y):
-        low, high = arith.ends(interval)
-        middle = (low + high) / 2
-        half = rounded_up(high - middle)
-        if half > Fraction(1, 10**digits) * max(Fraction(1), abs(middle)):
-            raise Undecided(f"an error of {float(half):.1e}")
-        radius = max(radius, half)
-        middles.append(as_mpf(middle))
-    theta0, mu0, theta, L, x, y = middles
-    return PreciseCusp(theta0, mu0, theta, L, x, y, as_mpf(radius), cusp_proofs.is_versal(arith, point))
+def _exactly(p: ParameterSet | None, exact: Mapping[str, Exact], unasked: Mapping[str, float]) -> tuple[Model, dict[str, Any]]:
+    """The model, and all of its parameters as exact numbers: those given by name, of the set, or the base values as printed."""
+    if p is not None and not isinstance(p, ParameterSet):
+        raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as theta0={p!r:.30}")
+    if p is not None and p.shape:
+        raise ParameterError(f"p has the shape {p.shape}; digits are asked for one point, so give single numbers")
+    model = load(USUAL) if p is None else model_of(p)
+    known = {**{name: name for name in model.parameters}, **{f"{name}_deg": name for name in model.about["angles"]}}
+    for name in exact:
+        if name not in known:
+            raise ParameterError(f"{name} is no parameter of {model.name}{hint(name, known)}; it has {', '.join(known)}")
+    given: dict[str, Any] = {}
+    for name in model.parameters:
+        allowed, degrees = model.Parameters.ranges[name], exact.get(f"{name}_deg")
+        if degrees is not None and exact.get(name) is not None:
+            raise ParameterError(f"give one of {name} (radians) and {name}_deg (degrees)")
+        if degrees is not None:
+            # Where π is an end, 180 is the same.
+            ends = [end * 180 / np.pi for end in (allowed.low, allowed.high)]
+            low, high = (float(round(end)) if abs(end - round(end)) < 1e-9 else end for end in ends)
+            limits = Range(low, high, open_low=allowed.open_low)
+            given[name] = Degrees(as_exact(f"{name}_deg", degrees, limits))
+            continue
+        value = exact.get(name)
+        if value is None and p is not None:
+            value = float(getattr(p, name))
+        elif value is None:
+            base = model.base.get(name, unasked.get(name))
+            if base is None:
+                degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])
+                raise ParameterError(f"give one of {name}{degrees_too}: it has no base value")
+            value = repr(base)
+        given[name] = as_exact(name, value, allowed)
+    return model, given
 
 
 def prove_cycle(cycle: Any, **options: Any) -> Any:

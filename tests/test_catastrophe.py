@@ -101,7 +101,7 @@ def test_cusp_count_is_sturms_and_numpys() -> None:
     for _ in range(20):
         p = random_fixed(rng)
         values = [float(value) for value in p.scalars("kappa", "alpha", "sigma", "beta")]
-        proof = ss.precise.cusps(*values, dps=20)
+        proof = ss.precise.cusps(**dict(zip(("kappa", "alpha", "sigma", "beta"), values, strict=True)), dps=20)
         roots = np.roots([float(value) for value in proof.polynomial[::-1]])
         real = roots[(abs(roots.imag) < 1e-7) & (abs(roots.real) < 1)].real
         assert proof.count == len(proof.sines) == real.size

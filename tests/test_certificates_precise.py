@@ -15,9 +15,11 @@ from benchmarks import reference
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
+from spragsym.kang_nam import digits
 from spragsym.kang_nam.catastrophe import cusp_proofs
 from spragsym.kang_nam.catastrophe.fold_enclosures import Point
 from spragsym.kang_nam.statics import adaptive_precision
+from spragsym.parameters import NAMES
 
 # ----------------------------------------------------------------------------------------------------- precise
 
@@ -78,21 +80,21 @@ def test_degrees_are_degrees() -> None:
     for degrees in ("179.9999999", "0.0000001", "44.5", "179"):
         with mpmath.workdps(80):
             theta0 = mpmath.radians(mpmath.mpf(degrees))
-        one, two = ss.precise.equilibria(theta0_deg=degrees, dps=40), ss.precise.equilibria(theta0, dps=40)
+        one, two = ss.precise.equilibria(theta0_deg=degrees, dps=40), ss.precise.equilibria(theta0=theta0, dps=40)
         assert len(one) == len(two)
         for first, second in zip(one, two, strict=True):
             assert abs(first.x - second.x) < 1e-38 * max(1, abs(first.x))
             assert abs(first.theta - second.theta) < 1e-38
     with pytest.raises(ss.ParameterError, match="one of theta0"):
-        ss.precise.equilibria(1, theta0_deg=1)
+        ss.precise.equilibria(theta0=1, theta0_deg=1)
     with pytest.raises(ss.ParameterError, match="one of theta0"):
         ss.precise.equilibria()
 
 
 def test_the_defaults_are_the_articles() -> None:
-    base = ("0.5", "0.007", "0.007", "0.1", 0)
-    assert ss.precise.equilibria(1) == ss.precise.equilibria(1, *base, contact=True, dps=50)
-    assert ss.precise.cusps() == ss.precise.cusps("0.007", "0.007", "0.1", 0, dps=40)
+    base = {"mu0": "0.5", "kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": 0}
+    assert ss.precise.equilibria(theta0=1) == ss.precise.equilibria(theta0=1, **base, contact=True, dps=50)
+    assert ss.precise.cusps() == ss.precise.cusps(kappa="0.007", alpha="0.007", sigma="0.1", beta=0, dps=40)
 
 
 def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int) -> None:
@@ -125,7 +127,7 @@ class _Spy(intervals.Balls):
 
 def test_the_arithmetic_asked_for_is_the_one_used() -> None:
     calls = (
-        lambda arith: ss.precise.cusps(arith=arith), lambda arith: ss.precise.equilibria(1, arith=arith),
+        lambda arith: ss.precise.cusps(arith=arith), lambda arith: ss.precise.equilibria(theta0=1, arith=arith),
         lambda arith: adaptive_precision.equilibria(*[1] * 6, arith=arith),
     )  # fmt: skip
     for call in calls:
@@ -139,7 +141,7 @@ def test_equilibria_have_the_digits_asked_for(dps: int) -> None:
     """Against Newton's method on the forces."""
     for point in ((0.5, 0.5, 0.0078125, 0.0078125, 0.125, 0.0), (1.25, 0.0, 0.5, 0.25, 1.0, 0.5)):
         for contact in (True, False):
-            for state in ss.precise.equilibria(*point, contact=contact, dps=dps):
+            for state in ss.precise.equilibria(**dict(zip(NAMES, point, strict=True)), contact=contact, dps=dps):
                 with mpmath.workdps(dps + 40):
                     true = reference.refine(state.x, state.y, *point, contact=contact, digits=dps + 40)
                     for name, value in zip(("theta", "L", "x", "y"), true, strict=True):
@@ -152,7 +154,8 @@ CUSPS = [("0.007", "0.007", "0.1", 0), ("0.3", 0, "1.7", "0.4"), ("0.2", "1.5", 
 @pytest.mark.parametrize("dps", [3, 25])
 def test_the_radius_of_a_cusp_holds_every_number(dps: int, arith: Arithmetic) -> None:
     for values in CUSPS:
-        exact, rough = ss.precise.cusps(*values, dps=dps + 40), ss.precise.cusps(*values, dps=dps, arith=arith)
+        given = dict(zip(NAMES[2:], values, strict=True))
+        exact, rough = ss.precise.cusps(**given, dps=dps + 40), ss.precise.cusps(**given, dps=dps, arith=arith)
         assert len(exact) == len(rough)
         _are_cusps(exact, values, dps + 20)
         assert [cusp.mu0 for cusp in rough] == sorted(cusp.mu0 for cusp in rough)
@@ -187,9 +190,9 @@ def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith
                     wide = Point((*blurred[:2], *point.parameters[2:]), *blurred[2:])
                     if share > 1:
                         with pytest.raises(Undecided):
-                            ss.precise._cusp(arith, wide, 3)
+                            digits._cusp(arith, wide, 3)
                         continue
-                    cusp = ss.precise._cusp(arith, wide, 3)
+                    cusp = digits._cusp(arith, wide, 3)
                     radius = ss.precise.as_exact("kappa", cusp.radius, ss.parameters.RANGES["kappa"])
                     assert share * allowed <= radius <= share * allowed * (1 + Fraction(1, 10**6))
                     found = (cusp.theta0, cusp.mu0, cusp.theta, cusp.L, cusp.x, cusp.y)
@@ -205,7 +208,7 @@ def test_a_radius_is_allowed_by_the_size_of_its_number_whatever_its_sign(arith: 
                 x = arith.between(middle - off, middle + off)
                 wide = Point(point.parameters, point.theta, point.L, x, point.y)
                 if fits:
-                    assert 0.0049 <= ss.precise._cusp(arith, wide, 3).radius <= 0.0049001
+                    assert 0.0049 <= digits._cusp(arith, wide, 3).radius <= 0.0049001
                     continue
                 with pytest.raises(Undecided):
-                    ss.precise._cusp(arith, wide, 3)
+                    digits._cusp(arith, wide, 3)

@@ -16,6 +16,7 @@ from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.exact import intervals
 from spragsym.generated.equilibrium import f_coefficients
 from spragsym.kang_nam.statics import adaptive_precision, compiled, kernel, solver
+from spragsym.results.precise_states import PreciseEquilibrium
 from tests.support import as_fraction
 
 FOLD_DEG = 44.5593177025653  # left fold at base values, by three continuation codes (peers)
@@ -166,7 +167,7 @@ def test_both_interval_arithmetics_agree(name: str) -> None:
             assert _force(state, degrees) < mpmath.mpf(10) ** -57
 
 
-def _force(state: ss.precise.PreciseEquilibrium, degrees: str) -> mpmath.mpf:
+def _force(state: PreciseEquilibrium, degrees: str) -> mpmath.mpf:
     with mpmath.workdps(80):
         theta0 = mpmath.radians(mpmath.mpf(degrees))
         kappa = alpha = mpmath.mpf(7) / 1000
@@ -207,9 +208,9 @@ def test_a_fold_to_the_last_digit_is_reported_not_guessed(monkeypatch: pytest.Mo
 
 def test_precise_takes_numbers_exactly() -> None:
     kappa = Fraction(7, 1000)
-    written = ss.precise.equilibria("0.8", kappa="0.007", dps=40)
-    exact = ss.precise.equilibria(Fraction(4, 5), kappa=kappa, dps=40)
-    rounded = ss.precise.equilibria("0.8", kappa=0.007, dps=40)
+    written = ss.precise.equilibria(theta0="0.8", kappa="0.007", dps=40)
+    exact = ss.precise.equilibria(theta0=Fraction(4, 5), kappa=kappa, dps=40)
+    rounded = ss.precise.equilibria(theta0="0.8", kappa=0.007, dps=40)
     assert written[0].x == exact[0].x
     assert written[0].x != rounded[0].x
     assert abs(written[0].x - rounded[0].x) < 1e-14
@@ -231,7 +232,7 @@ def test_what_float64_cannot_carry_is_said(backend: str, size: float) -> None:
             ss.equilibria(p)
     finally:
         ss.set_backend("auto")
-    [state] = ss.precise.equilibria(1.0, size, size, 1.0, 1.0, 1.0)
+    [state] = ss.precise.equilibria(theta0=1.0, mu0=size, kappa=size, alpha=1.0, sigma=1.0, beta=1.0)
     assert mpmath.isfinite(state.L)
 
 
@@ -303,15 +304,15 @@ def test_missing_angle_is_named() -> None:
 @pytest.mark.parametrize(
     "call",
     [
-        lambda: ss.precise.equilibria("one"),
-        lambda: ss.precise.equilibria("1/0"),
-        lambda: ss.precise.equilibria(True),
-        lambda: ss.precise.equilibria("4"),
-        lambda: ss.precise.equilibria("1", dps=0),
-        lambda: ss.precise.equilibria("1", dps="50"),
+        lambda: ss.precise.equilibria(theta0="one"),
+        lambda: ss.precise.equilibria(theta0="1/0"),
+        lambda: ss.precise.equilibria(theta0=True),
+        lambda: ss.precise.equilibria(theta0="4"),
+        lambda: ss.precise.equilibria(theta0="1", dps=0),
+        lambda: ss.precise.equilibria(theta0="1", dps="50"),
         lambda: ss.precise.equilibria(),
-        lambda: ss.precise.equilibria("1", sigma="-1"),
-        lambda: ss.precise.equilibria(float("nan")),
+        lambda: ss.precise.equilibria(theta0="1", sigma="-1"),
+        lambda: ss.precise.equilibria(theta0=float("nan")),
     ],
 )
 def test_bad_input_to_precise(call: object) -> None:

@@ -23,8 +23,10 @@ from spragsym import precise
 from spragsym.cli import cli as command_line
 from spragsym.exact import adaptive_bits
 from spragsym.exact.intervals import Balls
+from spragsym.kang_nam import digits
 from spragsym.kang_nam.catastrophe import cusp_proofs
 from spragsym.kang_nam.statics import adaptive_precision, compiled
+from spragsym.results.precise_states import PreciseCusp
 
 ARITH = Balls()
 
@@ -58,7 +60,7 @@ def test_cusps_lie_within_their_radii(given: dict[str, Any]) -> None:
                 assert one.radius <= mpmath.mpf(10) ** -dps * max(1, *(abs(getattr(one, name)) for name in names))
 
 
-def _cusp_equations(one: precise.PreciseCusp, given: dict[str, Any]) -> list[mpmath.mpf]:
+def _cusp_equations(one: PreciseCusp, given: dict[str, Any]) -> list[mpmath.mpf]:
     """The balance along x, with L from the balance across, and its first two derivatives in θ, by differences in 400 digits."""
     values = {"kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0", **given}
     rational = [Fraction(values[name]) for name in ("kappa", "alpha", "sigma", "beta")]
@@ -93,9 +95,9 @@ def test_the_first_try_has_enough_bits(dps: int) -> None:
     tries: list[int] = []
     exact = tuple(map(Fraction, ("0.007", "0.007", "0.1", "0")))
 
-    def attempt(bits: int) -> list[precise.PreciseCusp]:
+    def attempt(bits: int) -> list[PreciseCusp]:
         tries.append(bits)
-        return [precise._cusp(ARITH, point, dps) for point in cusp_proofs.cusps(ARITH, exact, bits)]
+        return [digits._cusp(ARITH, point, dps) for point in cusp_proofs.cusps(ARITH, exact, bits)]
 
     assert len(adaptive_bits.with_enough_bits(ARITH, dps, attempt, "cusps")) == 4
     assert tries == [max(adaptive_bits.FIRST_BITS, int(3.4 * dps) + 96)]
@@ -112,7 +114,7 @@ def test_degrees_in_range_are_those_in_radians(degrees: Any) -> None:
     with mpmath.workdps(60):
         radians = mpmath.pi * mpmath.mpf(Fraction(degrees).numerator) / Fraction(degrees).denominator / 180
     found = precise.equilibria(theta0_deg=degrees, dps=30)
-    same = precise.equilibria(radians, dps=30)
+    same = precise.equilibria(theta0=radians, dps=30)
     with mpmath.workdps(60):
         for one, other in zip(found, same, strict=True):
             assert max(abs(getattr(one, name) - getattr(other, name)) for name in ("theta", "L", "x", "y")) < 1e-40
@@ -146,6 +148,8 @@ def _bits(value: Any) -> Any:
         return [_bits(getattr(value, name)) for name in ("count", "theta", "L", "x", "y", "error", "stability")]
     if dataclasses.is_dataclass(value):
         return [_bits(part) for part in vars(value).values()]
+    if isinstance(value, dict):
+        return {name: _bits(part) for name, part in value.items()}
     return value.tobytes() if isinstance(value, np.ndarray) else str(value)
 
 

@@ -166,7 +166,7 @@ def test_stiffer_by_one_factor_is_the_same_shape(p: ss.Parameters, factor: float
 def test_more_digits_agree(p: ss.Parameters) -> None:
     """The error bound holds against 30 digits, for the same float64 parameters."""
     eq = ss.equilibria(p)
-    exact = ss.precise.equilibria(*p.scalars("theta0", "mu0", "kappa", "alpha", "sigma", "beta"), dps=30)
+    exact = ss.precise.equilibria(p, dps=30)
     assert len(exact) == int(eq.count)
     for i, state in enumerate(exact):
         for name in ("theta", "L", "x", "y"):
@@ -197,4 +197,4 @@ def test_surface_gives_the_friction_back(p: ss.Parameters) -> None:
 def test_more_digits_where_a_factor_is_even(mu0: int | str, alpha: int | str, contact: bool) -> None:
     """Where one factor of the quartic in t is t² − 1 or another without a linear term."""
     sigma, beta = 1, "0.3" if alpha == "0.3" else 0
-    assert ss.precise.equilibria(1, mu0, "0.4", alpha, sigma, beta, contact=contact, dps=30)
+    assert ss.precise.equilibria(theta0=1, mu0=mu0, kappa="0.4", alpha=alpha, sigma=sigma, beta=beta, contact=contact, dps=30)

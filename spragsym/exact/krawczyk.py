@@ -31,11 +31,12 @@ class Digits(Protocol):
         """∂F/∂x over a box."""
 
 
-def narrowed(system: Digits, box: FloatArray, alone: FloatArray) -> list[Ball] | None:
+def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = ENOUGH) -> list[Ball] | None:
     """A box of balls around the root in a box of floats, None where it can't be made smaller; both boxes of shape (2, n).
 
     Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r around z, and r not less than
-    2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so it holds a root, the only one of ``alone``.
+    2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so it holds a root. It is that of the box of floats where the small
+    box lies in ``alone``, or where |1 − Y J| is at most 1/2 all over a box that holds both.
 
     Raises
     ------
@@ -48,23 +49,27 @@ def narrowed(system: Digits, box: FloatArray, alone: FloatArray) -> list[Ball] |
         values = as_balls([system.values(z)], system.bits)[0]
         step = [_dot(row, values) for row in Y]
         size = _norm(step)
-        if size <= ENOUGH:
-            return _proved(system, z, 2 * size, Y, alone)
+        if size <= enough:
+            return _proved(system, z, 2 * size, Y, box, alone)
         z = [Balls().middle(part - change) for part, change in zip(z, step, strict=True)]
     return None
 
 
-def _proved(system: Digits, z: Sequence[Ball], r: Fraction, Y: Sequence[Sequence[Ball]], alone: FloatArray) -> list[Ball] | None:
+def _proved(
+    system: Digits, z: Sequence[Ball], r: Fraction, Y: Sequence[Sequence[Ball]], box: FloatArray, alone: FloatArray
+) -> list[Ball] | None:
     """The box of half-width r around z if it is shown to hold the root."""
     with Balls().precision(system.bits):
         around = [part + Balls().between(-r, r) for part in z]
-    columns = list(zip(*as_balls(system.slopes(around), system.bits), strict=True))
-    off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
+        floats = [Balls().between(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T]
+        both = [Balls().union(part, given) for part, given in zip(around, floats, strict=True)]
     within = all(
         Fraction(-float(low)) <= Balls().ends(part)[0] and Balls().ends(part)[1] <= Fraction(float(high))
         for part, (low, high) in zip(around, alone.T, strict=True)
     )
-    return around if within and max(map(_norm, off)) <= Fraction(1, 2) else None
+    columns = list(zip(*as_balls(system.slopes(around if within else both), system.bits), strict=True))
+    off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
+    return around if max(map(_norm, off)) <= Fraction(1, 2) else None
 
 
 def ball(value: float, bits: int) -> Ball:

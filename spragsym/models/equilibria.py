@@ -76,15 +76,21 @@ def equilibria(model: Model, p: Any, contact: bool = True, within: Mapping[str, 
     looked at in its angle and tension, see :mod:`spragsym.models.polar`. What float64 does not decide is reduced to one unknown
     and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
+    balance = balance_of(model, contact)
+    given = columns(p, balance.parameters)
+    found, around, whole = solved(balance, given, by_hand(balance.coordinates, within))
+    return _arranged(balance, p, found, around, whole)
+
+
+def balance_of(model: Model, contact: bool) -> Balance:
+    """The balance in contact or in lift-off, if there is one."""
     if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
         raise ParameterTypeError(f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off")
     balance = Balance(model, bool(contact))
     if not contact and not balance.opens:
         why = "has no contact that could open" if model.about["contact"]["gap"] is None else "has a contact that never opens"
         raise ParameterError(f"contact = False: this model {why}, so it has no lift-off; leave contact out")
-    given = columns(p, balance.parameters)
-    found, around, whole = solved(balance, given, by_hand(balance.coordinates, within))
-    return _arranged(balance, p, found, around, whole)
+    return balance
 
 
 def rest_index(model: Model, p: Any, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:

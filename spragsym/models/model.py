@@ -24,12 +24,14 @@ if TYPE_CHECKING:
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
     from ..dynamics.solution import Solution
+    from ..exact.intervals import Arithmetic
     from ..results.bifurcation_sets import BifurcationSet
     from ..results.equilibria import Equilibria
     from ..results.lowest_ends import LowestEnd
     from ..results.onsets import Onsets
     from ..results.paths import Path
     from ..results.points import Ended, Points
+    from ..results.precise_states import PreciseEquilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
     from .diagram import Diagram
@@ -410,6 +412,22 @@ class Model:
         from .equilibria import rest_index
 
         return rest_index(self, p, x, y)
+
+    @part
+    def precise_equilibria(
+        self, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
+    ) -> PreciseEquilibria:  # fmt: skip
+        """Equilibria to a number of digits, from exact parameters by name: see :func:`spragsym.precise.equilibria`."""
+        from .digits import precise_equilibria
+
+        return precise_equilibria(self, exact, contact, digits, arith)
+
+    @part
+    def precise_cusps(self, exact: Mapping[str, Any], digits: int, arith: Arithmetic | None) -> Any:
+        """Cusps to a number of digits, and the proof that there are no more: see :func:`spragsym.precise.cusps`."""
+        raise ModelError(
+            f"precise.cusps is not there yet for the model {self.name}; cusps(p) has them with the digits of a float"
+        )
 
     @question
     def certify(

@@ -166,13 +166,38 @@ def _with_digits(
     precise = PreciseBalance(balance, given, BITS)
     try:
         q = narrowed(precise, box, alone)
-        if q is None:
-            return None
-        values = precise.arguments
-        directions = balance.plain_directions(q, values, BALLS)
-        K = balance.by_coordinate("forces_jacobian", q, directions, values, BALLS)
-        M, K = (as_balls(part, BITS) for part in (balance.mass(q, values, BALLS), K))
-        parts = ask(M, K, lambda: as_balls(balance.damping(q, directions, values, xp=BALLS), BITS))
+        return None if q is None else _signs_at(balance, precise, q, ask)
     except (Undecided, ZeroDivisionError):
         return None
+
+
+def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stability:
+    """The type of a state of balls.
+
+    Raises
+    ------
+    Undecided
+        Where a sign that it takes is not decided.
+    """
+    elementary, minors = _signs_at(balance, precise, q, lambda M, K, damping: invariants(K, M))
+    low, high = Balls().ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
+    without = (low == 0 == high) | (balance.opens and not balance.contact)
+    code, proved = _told(elementary, minors, np.array([bool(balance.model.about.get("symmetric")) and bool(without)]))
+    if not proved[0]:
+        raise Undecided("a state on the border of its type")
+    return Stability(int(code[0]))
+
+
+def _signs_at(
+    balance: Balance,
+    precise: PreciseBalance,
+    q: Sequence[Any],
+    ask: Callable[[Any, Any, Callable[[], Any]], Sequence[Sequence[Any]]],
+) -> list[NDArray[np.int8]]:
+    """Signs of what ``ask`` makes of M, K and C at a state of balls."""
+    values = precise.arguments
+    directions = balance.plain_directions(q, values, BALLS)
+    K = balance.by_coordinate("forces_jacobian", q, directions, values, BALLS)
+    M, K = (as_balls(part, precise.bits) for part in (balance.mass(q, values, BALLS), K))
+    parts = ask(M, K, lambda: as_balls(balance.damping(q, directions, values, xp=BALLS), precise.bits))
     return [np.array([[Balls().sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

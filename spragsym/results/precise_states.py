@@ -1,0 +1,147 @@
+"""Equilibria and cusps to any number of digits, and how their numbers are written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+
+from ..exact.decimals import Decimal, around, exactly
+from .equilibria import Stability
+
+
+class Written:
+    """Gives a dataclass its numbers in decimals, and a ``repr`` that is made of these."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the numbers."""
+        raise NotImplementedError
+
+    def _bound(self, value: mpmath.mpf) -> Fraction:
+        raise NotImplementedError
+
+    def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
+        """The numbers in decimals, each with a bound on its error that covers the rounding to these digits too.
+
+        ``digits`` are significant ones; by default as many as are proved.
+        """
+        return {name: around(getattr(self, name), self._bound(getattr(self, name)), digits) for name in self.names}
+
+    def __repr__(self) -> str:
+        numbers = [f"{name}={decimal}" for name, decimal in self.decimals().items()]
+        others = [
+            f"{field.name}={getattr(self, field.name)!r}"
+            for field in fields(self)  # type: ignore[arg-type]
+            if field.name not in (*self.names, "numbers", "error", "radius")
+        ]
+        return f"{type(self).__name__}({', '.join([*numbers, *others])})"
+
+
+@dataclass(frozen=True, repr=False)
+class PreciseEquilibrium(Written):
+    """One equilibrium; ``error`` is a proved bound on |error| / max(1, |value|) of all of its numbers as they stand.
+
+    ``numbers`` are mpmath numbers by name, each an attribute too: angle in radians and length of each inclined spring, ``theta``
+    and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several, then the coordinates. ``print`` writes decimals
+    with bounds that hold for these digits, and so does :meth:`decimals`. ``fold`` says that it is a fold to the last digit that
+    could be tried; only then may ``error`` be above 10^−dps.
+    """
+
+    numbers: Mapping[str, mpmath.mpf]
+    stability: Stability
+    error: mpmath.mpf
+    fold: bool = False
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(self.numbers)
+
+    def __getattr__(self, name: str) -> mpmath.mpf:
+        if name == "numbers" or name not in self.numbers:  # the first while it is being unpickled
+            raise AttributeError(name)
+        return self.numbers[name]
+
+    def _bound(self, value: mpmath.mpf) -> Fraction:
+        return exactly(self.error) * max(Fraction(1), abs(exactly(value)))
+
+
+@dataclass(frozen=True)
+class PreciseEquilibria(Sequence[PreciseEquilibrium]):
+    """All equilibria of one point, a sequence of them.
+
+    Attributes
+    ----------
+    states : tuple of PreciseEquilibrium
+        Ascending in ``theta`` by the article's closed forms, in the first coordinate by search.
+    complete : bool
+        Whether it is proved that these are all.
+    region : mapping of str to (float, float)
+        The box that was searched, by coordinate; empty where no box is needed.
+    """
+
+    states: tuple[PreciseEquilibrium, ...]
+    complete: bool
+    region: Mapping[str, tuple[float, float]]
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.states[index]
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+
+@dataclass(frozen=True, repr=False)
+class PreciseCusp(Written):
+    """One cusp; ``radius`` bounds |error| of each of the six numbers as they stand, angles in radians.
+
+    ``versal`` says that it is one in the sense of catastrophe theory: f‴ ≠ 0 and θ₀, μ₀ unfold f, both proved.
+    """
+
+    theta0: mpmath.mpf
+    mu0: mpmath.mpf
+    theta: mpmath.mpf
+    L: mpmath.mpf
+    x: mpmath.mpf
+    y: mpmath.mpf
+    radius: mpmath.mpf
+    versal: bool
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return "theta0", "mu0", "theta", "L", "x", "y"
+
+    def _bound(self, _: mpmath.mpf) -> Fraction:
+        return exactly(self.radius)
+
+
+@dataclass(frozen=True)
+class CuspProof(Sequence[PreciseCusp]):
+    """All cusps, and why there are no more.
+
+    Attributes
+    ----------
+    cusps : tuple of PreciseCusp
+        Those in contact with L > 0, sorted by ``mu0``.
+    polynomial : tuple of Fraction
+        Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps. Empty for α = 1 + β, where
+        3 s² = 2 instead.
+    sines : tuple of (Fraction, Fraction)
+        Disjoint intervals, each proved to hold one of its real roots.
+    count : int
+        Number of different real roots there by Sturm's theorem, which ``sines`` matches: the proof.
+    """
+
+    cusps: tuple[PreciseCusp, ...]
+    polynomial: tuple[Fraction, ...]
+    sines: tuple[tuple[Fraction, Fraction], ...]
+    count: int  # type: ignore[assignment]  # not Sequence's count
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.cusps[index]
+
+    def __len__(self) -> int:
+        return len(self.cusps)

@@ -130,7 +130,7 @@ def equilibria(
     ('1.21742364817816844590957746961466093475851094892 ± 2.9e-45', '1.21742 ± 3.7e-06')
     >>> state, = precise.equilibria(ss.load("stick_slip").Parameters(V=1), dps=30)
     >>> str(state.decimals(digits=20)["x"]), state.stability.name
-    ('0.19230769230769231755 ± 3.8e-21', 'STABLE')
+    ('0.099009900990099015288 ± 3.1e-22', 'STABLE')
     """
     model, given = _exactly(p, exact, {})
     if method == "search":

@@ -16,6 +16,8 @@ import pytest
 import spragsym as ss
 from spragsym import precise
 from spragsym.exact.decimals import exactly
+from spragsym.exact.intervals import Balls
+from spragsym.exact.krawczyk import narrowed
 from spragsym.models.forces import undecorated
 from spragsym.models.load import shipped
 
@@ -96,6 +98,43 @@ def test_the_search_is_a_second_witness_of_the_closed_forms(given: dict[str, Any
         for name in one.names:
             (mine, error), (its, rest) = (map(exactly, state.decimals()[name]) for state in (one, other))
             assert abs(mine - its) <= error + rest < Fraction(1, 10**49)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_numbers_beside_floats_have_the_same_states(name: str) -> None:
+    """Isolated over a box of parameters, each state on its side of the contact's border."""
+    p = a_set(name)
+    given = {one: Fraction(float(getattr(p, one))) for one in p.model.parameters}
+    beside: dict[str, Any] = {one: value + Fraction(1, 10**20) for one, value in given.items() if value}
+    for contact in p.model.regimes:
+        both: Any = (precise.equilibria(p, contact=contact, dps=25), precise.equilibria(p, contact=contact, dps=25, **beside))
+        there, here = (sorted(found, key=lambda state: state.numbers[p.model.coordinates[0]]) for found in both)
+        assert [state.stability for state in there] == [state.stability for state in here]
+        for one, other in zip(there, here, strict=True):
+            for column, value in one.numbers.items():
+                assert 0 <= abs(value - other.numbers[column]) < 1e-16
+
+
+def test_a_root_that_newton_meets_elsewhere_is_not_that_of_the_box() -> None:
+    """x³ = x from the middle of a box around 0 leads to −1."""
+
+    class Cubic:
+        bits = 200
+
+        def values(self, unknowns: Any) -> Any:
+            (x,) = unknowns
+            return [x**3 - x]
+
+        def slopes(self, unknowns: Any) -> Any:
+            (x,) = unknowns
+            return [[3 * x**2 - 1]]
+
+    box = np.array([[0.01], [0.95]])
+    assert narrowed(Cubic(), box, box) is None
+    near = np.array([[0.01], [0.02]])
+    found = narrowed(Cubic(), near, box)
+    assert found is not None
+    assert max(map(abs, Balls().ends(found[0]))) < 1e-40
 
 
 def test_a_set_is_taken_exactly_and_numbers_by_name_replace_its_own() -> None:

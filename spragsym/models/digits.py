@@ -25,6 +25,9 @@ from .precise import PreciseBalance
 from .regions import region
 from .spectrum import type_at
 
+#: Bits that may be lost where forces are summed.
+ROOM = 96
+
 
 def precise_equilibria(
     model: Any, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
@@ -90,7 +93,8 @@ def _state(
     balance: Balance, system: PreciseBalance, box: FloatArray, alone: FloatArray, digits: int
 ) -> PreciseEquilibrium | None:  # fmt: skip
     """The equilibrium in a box; None where it lies beyond the border of the contact."""
-    q = narrowed(system, box, alone, Fraction(1, 8 * 10**digits))
+    # The box gets narrower as bits are added: an angle may be known worse than the coordinates that it follows from.
+    q = narrowed(system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM)))
     if q is None:
         raise Undecided("a root that is nearly a double one")
     if balance.opens:

@@ -137,6 +137,11 @@ def test_a_root_that_newton_meets_elsewhere_is_not_that_of_the_box() -> None:
     assert max(map(abs, Balls().ends(found[0]))) < 1e-40
 
 
+def test_an_angle_that_is_known_worse_than_coordinates_gets_more_digits() -> None:
+    states = precise.equilibria(a_set("trolley", theta0=3.0, sigma=0.5), dps=30)
+    assert max(state.error for state in states) < 1e-30
+
+
 def test_a_set_is_taken_exactly_and_numbers_by_name_replace_its_own() -> None:
     p = ss.Parameters.article(theta0=0.8)
     assert precise.equilibria(p) == precise.equilibria(theta0=0.8, mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0)

@@ -36,13 +36,13 @@ def points(number: int, seed: int = 0) -> Iterator[tuple[float, ...]]:
 
 def worst_shares(point: tuple[float, ...], precisions: Iterable[int], *, contact: bool = True) -> dict[int, float]:
     """For each precision the largest true error of any number of any state, over its bound; ``inf`` for a wrong count."""
-    results = {}
+    results, given = {}, dict(zip(NAMES, point, strict=True))
     for i, dps in enumerate(precisions):
         with mpmath.workdps(CALLERS[i % len(CALLERS)]):
-            results[dps] = precise.equilibria(**dict(zip(NAMES, point, strict=True)), contact=contact, dps=dps)
+            results[dps] = precise.equilibria(**given, contact=contact, dps=dps)
     digits = max(results) + MORE_DIGITS
     # Where to begin is all that the reference takes from the results.
-    begin = precise.equilibria(**dict(zip(NAMES, point, strict=True)), contact=contact, dps=60)
+    begin = precise.equilibria(**given, contact=contact, dps=60)
     truth = [refine(state.x, state.y, *point, contact, digits=digits) for state in begin]
     with mpmath.workdps(digits):
         return {dps: max((_share(*pair, dps) for pair in zip(found, truth, strict=True)), default=0.0) if len(found) == len(truth)

@@ -11,16 +11,16 @@ precision of mpmath's or of python-flint's is set or read here, so results depen
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import mpmath
-import numpy as np
 
-from .door import WAYS, model_of
+from .door import model_of
 from .errors import ParameterError, ParameterTypeError
 from .exact.decimals import exactly
 from .exact.intervals import Arithmetic, Interval
@@ -67,9 +67,11 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
     elif isinstance(value, mpmath.mpf | float) and not mpmath.isfinite(value):
         raise ParameterError(f"{name} = {value} is not a finite number in {allowed}")
     exact = exactly(value)
-    below = exact <= Fraction(allowed.low) if allowed.open_low else exact < Fraction(allowed.low)
-    # π is irrational and its float lies below it: a rational beyond the float but below π is not worth a doubt.
-    if below or (allowed.high != float("inf") and exact >= Fraction(allowed.high)):
+    # Python compares rational numbers with floats exactly, infinite ones too. π is irrational and its float lies below it: what
+    # is beyond the float but below π is not worth a doubt.
+    below = exact <= allowed.low if allowed.open_low else exact < allowed.low
+    above = exact > allowed.high if allowed.closed_high else exact >= allowed.high
+    if below or above:
         raise ParameterError(f"{name} = {value} is not in {allowed}" + (f": {allowed.remedy}" if allowed.remedy else ""))
     return exact
 
@@ -132,12 +134,8 @@ def equilibria(
     >>> str(state.decimals(digits=20)["x"]), state.stability.name
     ('0.099009900990099015288 ± 3.1e-22', 'STABLE')
     """
-    model, given = _exactly(p, exact, {})
-    if method == "search":
-        model = model.search
-    elif method not in WAYS or (method == "closed" and "precise_equilibria" not in model.closed):
-        raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)} that the model {model.name} has")
-    found: PreciseEquilibria = model.precise_equilibria(given, contact, as_digits(dps), arith)
+    model, given = _exactly(p, exact)
+    found: PreciseEquilibria = model.precise_equilibria(given, contact, as_digits(dps), arith, method=method)
     return found
 
 
@@ -178,13 +176,18 @@ def cusps(
     >>> len(found), found.count, str(found[2].decimals(25)["mu0"]), found[2].versal
     (4, 2, '0.2009317818050900185134401 ± 4.8e-26', True)
     """
-    model, given = _exactly(p, exact, {"theta0": 1.0})
+    model, given = _exactly(p, exact, unasked=("theta0", "mu0"))
     found: CuspProof = model.precise_cusps(given, as_digits(dps), arith)
     return found
 
 
-def _exactly(p: ParameterSet | None, exact: Mapping[str, Exact], unasked: Mapping[str, float]) -> tuple[Model, dict[str, Any]]:
-    """The model, and all of its parameters as exact numbers: those given by name, of the set, or the base values as printed."""
+def _exactly(
+    p: ParameterSet | None, exact: Mapping[str, Exact], unasked: Collection[str] = ()
+) -> tuple[Model, dict[str, Any]]:  # fmt: skip
+    """The model, and its parameters as exact numbers: those given by name, of the set, or the base values as printed.
+
+    ``unasked`` are parameters on which the answer does not depend.
+    """
     if p is not None and not isinstance(p, ParameterSet):
         raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as theta0={p!r:.30}")
     if p is not None and p.shape:
@@ -192,25 +195,25 @@ def _exactly(p: ParameterSet | None, exact: Mapping[str, Exact], unasked: Mappin
     model = load(USUAL) if p is None else model_of(p)
     known = {**{name: name for name in model.parameters}, **{f"{name}_deg": name for name in model.about["angles"]}}
     for name in exact:
+        if known.get(name) in unasked:
+            raise ParameterError(f"{name} is not asked: the answer is for all {known[name]}; leave it out")
         if name not in known:
             raise ParameterError(f"{name} is no parameter of {model.name}{hint(name, known)}; it has {', '.join(known)}")
     given: dict[str, Any] = {}
-    for name in model.parameters:
+    for name in (one for one in model.parameters if one not in unasked):
         allowed, degrees = model.Parameters.ranges[name], exact.get(f"{name}_deg")
         if degrees is not None and exact.get(name) is not None:
             raise ParameterError(f"give one of {name} (radians) and {name}_deg (degrees)")
         if degrees is not None:
-            # Where π is an end, 180 is the same.
-            ends = [end * 180 / np.pi for end in (allowed.low, allowed.high)]
-            low, high = (float(round(end)) if abs(end - round(end)) < 1e-9 else end for end in ends)
-            limits = Range(low, high, open_low=allowed.open_low)
+            low, high = (round(math.degrees(end), 9) for end in (allowed.low, allowed.high))  # 180 where the end is π
+            limits = replace(allowed, low=low, high=high)
             given[name] = Degrees(as_exact(f"{name}_deg", degrees, limits))
             continue
         value = exact.get(name)
         if value is None and p is not None:
             value = float(getattr(p, name))
         elif value is None:
-            base = model.base.get(name, unasked.get(name))
+            base = model.base.get(name)
             if base is None:
                 degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])
                 raise ParameterError(f"give one of {name}{degrees_too}: it has no base value")

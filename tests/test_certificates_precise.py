@@ -20,6 +20,7 @@ from spragsym.kang_nam.catastrophe import cusp_proofs
 from spragsym.kang_nam.catastrophe.fold_enclosures import Point
 from spragsym.kang_nam.statics import adaptive_precision
 from spragsym.parameters import NAMES
+from spragsym.parameters.ranges import Range
 
 # ----------------------------------------------------------------------------------------------------- precise
 
@@ -57,6 +58,11 @@ def test_the_ends_of_ranges_that_belong_to_them() -> None:
     assert ss.precise.as_exact("kappa", "1e300", ss.parameters.RANGES["kappa"]) == 10**300
     with pytest.raises(ss.ParameterError, match=r"numpy\.radians"):
         ss.precise.as_exact("theta0", 49, ss.parameters.RANGES["theta0"])
+    anything, half_open = Range(-math.inf), Range(0.0, 1.0, closed_high=True)
+    assert ss.precise.as_exact("a", "-1e300", anything) == -(10**300)
+    assert ss.precise.as_exact("a", 1, half_open) == 1
+    with pytest.raises(ss.ParameterError, match=r"^a = "):
+        ss.precise.as_exact("a", Fraction(1) + Fraction(1, 10**30), half_open)
 
 
 @pytest.mark.parametrize("dps", [0, -1, 1001, True, 2.0, "9"])

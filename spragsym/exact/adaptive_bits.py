@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import TypeVar
 
+import mpmath
+
 from ..errors import ConvergenceError
-from .intervals import Arithmetic, Interval, sign
+from .intervals import Arithmetic, Interval, as_mpf, rounded_up, sign
 from .polynomials import Undecided, exact_sign
 
 #: Bits of the first try and of the last.
@@ -65,6 +67,17 @@ def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[fl
         raise Undecided("an interval wider than a float may be off")
     # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is rounded and in the sum, 1e-30.
     return values, float(worst) + 1.2e-16
+
+
+def as_numbers(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[mpmath.mpf], Fraction]:
+    """The middles of intervals with every bit that they have, and a bound on |error| / max(1, |value|) of all of them."""
+    middles, error = [], Fraction(0)
+    for low, high in map(arith.ends, intervals):
+        middle = (low + high) / 2
+        # Over the smallest that the value may be, so that it is a bound over the true one as well.
+        error = max(error, (high - middle) / max(Fraction(1), abs(middle) - (high - middle)))
+        middles.append(as_mpf(middle))
+    return middles, rounded_up(error)
 
 
 def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:

@@ -61,13 +61,13 @@ def _proved(
     """The box of half-width r around z if it is shown to hold the root."""
     with Balls().precision(system.bits):
         around = [part + Balls().between(-r, r) for part in z]
-        floats = [Balls().between(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T]
-        both = [Balls().union(part, given) for part, given in zip(around, floats, strict=True)]
-    within = all(
-        Fraction(-float(low)) <= Balls().ends(part)[0] and Balls().ends(part)[1] <= Fraction(float(high))
-        for part, (low, high) in zip(around, alone.T, strict=True)
-    )
-    columns = list(zip(*as_balls(system.slopes(around if within else both), system.bits), strict=True))
+        within = all(
+            Fraction(-float(low)) <= Balls().ends(part)[0] and Balls().ends(part)[1] <= Fraction(float(high))
+            for part, (low, high) in zip(around, alone.T, strict=True)
+        )
+        floats = (Balls().between(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T)
+        over = around if within else [Balls().union(part, given) for part, given in zip(around, floats, strict=True)]
+    columns = list(zip(*as_balls(system.slopes(over), system.bits), strict=True))
     off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
     return around if max(map(_norm, off)) <= Fraction(1, 2) else None
 

@@ -10,13 +10,14 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..exact import boxes, certified_roots
-from ..exact.adaptive_bits import FIRST_BITS, with_enough_bits
+from ..exact.adaptive_bits import FIRST_BITS, as_numbers, with_enough_bits
 from ..exact.ball_functions import XP
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
-from ..exact.intervals import Arithmetic, Balls, as_mpf, rounded_up
+from ..exact.intervals import Arithmetic, Balls, as_mpf
 from ..exact.krawczyk import narrowed
 from ..exact.polynomials import Undecided
+from ..results.equilibria import columns_of
 from ..results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .balance import Balance
 from .equilibria import balance_of, solved
@@ -45,8 +46,8 @@ def precise_equilibria(
     found, around, whole = _isolated(balance, exact)
     if found.left_point.size:
         raise ConvergenceError(
-            f"equilibria: {found.left_point.size} boxes are not decided; the parameters are degenerate, "
-            "change one of them a little"
+            f"equilibria: {found.left_point.size} boxes are not decided; change a parameter a little, or give only numbers that "
+            "floats hold, as 0.5: these are searched more closely"
         )
 
     def attempt(bits: int) -> list[PreciseEquilibrium]:
@@ -104,18 +105,10 @@ def _state(
         if (side < 0) != balance.contact:
             return None
     directions = balance.plain_directions(q, system.arguments, XP)
-    numbers: dict[str, Any] = {}
-    for spring in range(balance.springs):
-        c, s, length = directions[3 * spring : 3 * spring + 3]
-        tail = "" if balance.springs == 1 else f"_{spring + 1}"
-        numbers |= {f"theta{tail}": XP.atan2(s, c), f"L{tail}": length}
-    numbers |= zip(balance.coordinates, q, strict=True)
-    middles, error = {}, Fraction(0)
-    for name, value in numbers.items():
-        low, high = Balls().ends(value)
-        middle = (low + high) / 2
-        error = max(error, rounded_up(high - middle) / max(Fraction(1), abs(middle)))
-        middles[name] = as_mpf(middle)
+    springs = (directions[3 * spring : 3 * spring + 3] for spring in range(balance.springs))
+    seen = [value for c, s, length in springs for value in (XP.atan2(s, c), length)]
+    numbers, error = as_numbers(Balls(), (*seen, *q))
     if error > Fraction(1, 10**digits):
         raise Undecided(f"an error of {float(error):.1e}")
-    return PreciseEquilibrium(middles, type_at(balance, system, q), as_mpf(rounded_up(error)))
+    named = dict(zip(columns_of(balance.model), numbers, strict=True))
+    return PreciseEquilibrium(named, type_at(balance, system, q), as_mpf(error))

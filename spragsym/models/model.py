@@ -413,7 +413,7 @@ class Model:
 
         return rest_index(self, p, x, y)
 
-    @part
+    @question
     def precise_equilibria(
         self, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
     ) -> PreciseEquilibria:  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
@@ -13,16 +14,17 @@ from ..exact.decimals import Decimal, around, exactly
 from .equilibria import Stability
 
 
-class Written:
+class Written(ABC):
     """Gives a dataclass its numbers in decimals, and a ``repr`` that is made of these."""
 
     @property
+    @abstractmethod
     def names(self) -> tuple[str, ...]:
         """Names of the numbers."""
-        raise NotImplementedError
 
+    @abstractmethod
     def _bound(self, value: mpmath.mpf) -> Fraction:
-        raise NotImplementedError
+        """A bound on the error of one of them."""
 
     def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
         """The numbers in decimals, each with a bound on its error that covers the rounding to these digits too.
@@ -35,7 +37,7 @@ class Written:
         numbers = [f"{name}={decimal}" for name, decimal in self.decimals().items()]
         others = [
             f"{field.name}={getattr(self, field.name)!r}"
-            for field in fields(self)  # type: ignore[arg-type]
+            for field in fields(self)  # type: ignore[arg-type]  # whoever inherits it is a dataclass
             if field.name not in (*self.names, "numbers", "error", "radius")
         ]
         return f"{type(self).__name__}({', '.join([*numbers, *others])})"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import math
 import pickle
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -30,18 +29,12 @@ def a_set(name: str, **changes: Any) -> Any:
     return model.Parameters(**({"theta0": 0.5} if "theta0" in model.parameters else {}) | changes)
 
 
-def regimes(name: str) -> Iterator[tuple[bool, Any]]:
-    """Each regime, and the states of floats in it."""
-    p = a_set(name)
-    for contact in p.model.regimes:
-        yield contact, p.model.equilibria(p, contact)
-
-
 @pytest.mark.parametrize("name", MODELS)
 def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
     """The same states, types, directions and lengths; 25 digits hold those of 60."""
     p = a_set(name)
-    for contact, floats in regimes(name):
+    for contact in p.model.regimes:
+        floats = p.model.equilibria(p, contact)
         few, many = (precise.equilibria(p, contact=contact, dps=dps) for dps in (25, 60))
         assert len(few) == len(many) == int(floats.count)
         assert few.complete == floats.complete
@@ -172,6 +165,8 @@ def test_numbers_that_no_float_is_are_taken_exactly_by_any_model() -> None:
         (lambda: precise.equilibria(a_set("stick_slip"), V="x"), "V = 'x' is not a number"),
         (lambda: precise.equilibria(a_set("stick_slip", V=0.0), V=math.nan), "V = nan"),
         (lambda: precise.cusps(a_set("two_springs")), "two_springs"),
+        (lambda: precise.cusps(theta0=0.8), "theta0 is not asked: the answer is for all theta0"),
+        (lambda: precise.cusps(theta0_deg=49), "theta0_deg is not asked: the answer is for all theta0"),
     ],
 )
 def test_what_is_wrong_is_named(ask: Any, told: str) -> None:

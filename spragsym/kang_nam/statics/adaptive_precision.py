@@ -15,8 +15,9 @@ from typing import Any
 import mpmath
 
 from ...errors import ConvergenceError
+from ...exact.adaptive_bits import as_numbers
 from ...exact.half_angle import on_circle
-from ...exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
+from ...exact.intervals import Arithmetic, Interval, arithmetic, as_mpf
 from ...exact.polynomials import Undecided, evaluate
 from . import kernel
 
@@ -209,17 +210,9 @@ def _state(
         return []
     if 0 in sides:
         raise Undecided("L or y holds 0")
-    middles, error = [], Fraction(0)
-    for value in (2 * arith.atan(t), *state):
-        low, high = arith.ends(value)
-        middle = (low + high) / 2
-        # Over the smallest that the value may be, so that it is a bound over the true one as well.
-        error = max(error, (high - middle) / max(Fraction(1), abs(middle) - (high - middle)))
-        middles.append(as_mpf(middle))
-    error = rounded_up(error)
+    (theta, L, x, y), error = as_numbers(arith, (2 * arith.atan(t), *state))
     if error > Fraction(1, 10**digits) and not fold:
         raise Undecided(f"an error of {float(error):.1e}")
-    theta, L, x, y = middles
     return [State(theta, L, x, y, _stability(arith, c, s, state[0], trig, values, fold), as_mpf(error))]
 
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -134,65 +134,91 @@ def equilibria(
     >>> str(state.decimals(digits=20)["x"]), state.stability.name
     ('0.099009900990099015288 ± 3.1e-22', 'STABLE')
     """
-    model, given = _exactly(p, exact)
+    model = _model(p)
+    given = _exactly(model, p, exact)
     found: PreciseEquilibria = model.precise_equilibria(given, contact, as_digits(dps), arith, method=method)
     return found
 
 
 def cusps(
-    p: ParameterSet | None = None, *, dps: int = 40, arith: Arithmetic | None = None, **exact: Exact
+    p: ParameterSet | None = None, *, vary: Sequence[str] | None = None, between: Mapping[str, tuple[float, float]] | None = None,
+    dps: int = 40, arith: Arithmetic | None = None, method: str = "auto", **exact: Exact,
 ) -> CuspProof:  # fmt: skip
-    """All cusps to ``dps`` digits, with enclosures and the proof that there are no more.
+    """All cusps of any model in the plane of two parameters to ``dps`` digits, and the proof that there are no more.
 
     Parameters
     ----------
     p : Parameters, optional
-        Single numbers, of which θ₀ and μ₀ are not asked; the article's base values as it prints them where left out.
+        Of any model, single numbers, of which those that vary are not asked; the article's base values as it prints them where
+        left out.
+    vary : pair of str, optional
+        Two parameters; θ₀ and μ₀ where there are both.
+    between : mapping, optional
+        Ranges of these, as for :func:`spragsym.cusps`: then boxes are searched.
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic to use, another than :class:`spragsym.exact.intervals.Balls`.
+        Interval arithmetic for closed forms, another than :class:`spragsym.exact.intervals.Balls`.
+    method : {"auto", "closed", "search"}
+        The polynomial where the model has it, for θ₀ and μ₀, or the search over boxes as a second witness.
     **exact : int, str, Fraction, mpf or float
-        kappa, alpha, sigma and beta, taken exactly, in the place of those of ``p``.
+        Parameters by name, taken exactly, in the place of those of ``p``.
 
     Returns
     -------
     CuspProof
-        A sequence of cusps with θ₀ in (−π, π] and μ₀ of either sign; empty where there is none.
+        A sequence of cusps, empty where there is none; by the polynomial those with θ₀ in (−π, π] and μ₀ of either sign, by
+        search those within the parameters' ranges. ``complete`` says whether these are all: of a search with numbers that are no
+        floats, as ``"0.007"``, each cusp is proved, and not that there are no more.
 
     Raises
     ------
-    ModelError
-        For a model without this closed form: its ``cusps`` are proved too, to the digits of a float.
+    ParameterError, ParameterTypeError
+        For what is not a number, or out of range.
+    ConvergenceError
+        For a cusp that no number of digits tells from a worse point, or from one on the border of the contact.
 
     Notes
     -----
-    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ with rational coefficients.
+    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ with rational coefficients; of other models F = 0, det K = 0 and
+    ∇(det K) · v = 0 with K v = 0, isolated over boxes and narrowed by Krawczyk's operator in ball arithmetic.
 
     Examples
     --------
+    >>> import spragsym as ss
     >>> from spragsym import precise
     >>> found = precise.cusps(dps=30)
     >>> len(found), found.count, str(found[2].decimals(25)["mu0"]), found[2].versal
     (4, 2, '0.2009317818050900185134401 ± 4.8e-26', True)
+    >>> found = precise.cusps(ss.load("two_springs").Parameters(), between={"theta0": (0, 2), "mu0": (0, 2)})
+    >>> len(found), found.complete, str(found[0].decimals(20)["mu0"])
+    (1, True, '1.0630183449987103511 ± 3.8e-20')
     """
-    model, given = _exactly(p, exact, unasked=("theta0", "mu0"))
-    found: CuspProof = model.precise_cusps(given, as_digits(dps), arith)
+    model = _model(p)
+    vary = model.two(vary)
+    given = _exactly(model, p, exact, unasked=vary)
+    options = {} if between is None else {"between": between}
+    found: CuspProof = model.precise_cusps(given, vary, as_digits(dps), arith, method=method, **options)
     return found
 
 
-def _exactly(
-    p: ParameterSet | None, exact: Mapping[str, Exact], unasked: Collection[str] = ()
-) -> tuple[Model, dict[str, Any]]:  # fmt: skip
-    """The model, and its parameters as exact numbers: those given by name, of the set, or the base values as printed.
-
-    ``unasked`` are parameters on which the answer does not depend.
-    """
+def _model(p: ParameterSet | None) -> Model:
+    """The model that is asked."""
     if p is not None and not isinstance(p, ParameterSet):
         raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters; give one, or numbers by name as theta0={p!r:.30}")
     if p is not None and p.shape:
         raise ParameterError(f"p has the shape {p.shape}; digits are asked for one point, so give single numbers")
-    model = load(USUAL) if p is None else model_of(p)
+    model: Model = load(USUAL) if p is None else model_of(p)
+    return model
+
+
+def _exactly(
+    model: Model, p: ParameterSet | None, exact: Mapping[str, Exact], unasked: Collection[str] = ()
+) -> dict[str, Any]:  # fmt: skip
+    """Parameters as exact numbers: those given by name, of the set, or the base values as printed.
+
+    ``unasked`` are parameters on which the answer does not depend.
+    """
     known = {**{name: name for name in model.parameters}, **{f"{name}_deg": name for name in model.about["angles"]}}
     for name in exact:
         if known.get(name) in unasked:
@@ -219,7 +245,7 @@ def _exactly(
                 raise ParameterError(f"give one of {name}{degrees_too}: it has no base value")
             value = repr(base)
         given[name] = as_exact(name, value, allowed)
-    return model, given
+    return given
 
 
 def prove_cycle(cycle: Any, **options: Any) -> Any:

@@ -279,5 +279,5 @@ def test_what_is_refused() -> None:
             ss.onset_curves(p, vary)
     with pytest.raises(ss.ParameterError, match="is not a number of lines"):
         ss.onset_curves(p, n=1)
-    with pytest.raises(ss.ParameterError, match="is not a parameter of this model"):
+    with pytest.raises(ss.ParameterError, match="is not a parameter of damped"):
         ss.onset_curves(p, ("mu0", "nu"))

@@ -69,15 +69,25 @@ def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[fl
     return values, float(worst) + 1.2e-16
 
 
-def as_numbers(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[mpmath.mpf], Fraction]:
-    """The middles of intervals with every bit that they have, and a bound on |error| / max(1, |value|) of all of them."""
-    middles, error = [], Fraction(0)
+def as_numbers(
+    arith: Arithmetic, intervals: Iterable[Interval], digits: int | None
+) -> tuple[list[mpmath.mpf], Fraction, Fraction]:  # fmt: skip
+    """The middles of intervals with every bit that they have, and bounds on |error| / max(1, |value|) and |error| of all of them.
+
+    Raises
+    ------
+    Undecided
+        Where the first of the bounds is above 10^−digits, if there are ``digits``.
+    """
+    middles, error, radius = [], Fraction(0), Fraction(0)
     for low, high in map(arith.ends, intervals):
-        middle = (low + high) / 2
+        middle, half = (low + high) / 2, (high - low) / 2
         # Over the smallest that the value may be, so that it is a bound over the true one as well.
-        error = max(error, (high - middle) / max(Fraction(1), abs(middle) - (high - middle)))
+        error, radius = max(error, half / max(Fraction(1), abs(middle) - half)), max(radius, half)
         middles.append(as_mpf(middle))
-    return middles, rounded_up(error)
+    if digits is not None and error > Fraction(1, 10**digits):
+        raise Undecided(f"an error of {float(error):.1e}")
+    return middles, rounded_up(error), rounded_up(radius)
 
 
 def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:

@@ -19,7 +19,8 @@ _ROOMS = {
 #: What may vary, where that is not any parameter.
 _ALONG = {
     "folds": NAMES, "quasi_static_path": NAMES, "flutter_onsets": ("theta0",),
-    "cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),), "jump_value": NAMES, "jump_gradient": NAMES,
+    "cusps": (("theta0", "mu0"),), "precise_cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),),
+    "jump_value": NAMES, "jump_gradient": NAMES,
 }  # fmt: skip
 #: Arguments of which a closed form knows one value: (27) leaves the dampers out, and the slope of the friction law.
 _ONLY = {"flutter_onsets": {"damping": False}}

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from fractions import Fraction
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..exact.adaptive_bits import with_enough_bits
-from ..exact.intervals import Arithmetic, arithmetic, as_mpf, rounded_up
-from ..exact.polynomials import Undecided
+from ..exact.adaptive_bits import as_numbers, with_enough_bits
+from ..exact.intervals import Arithmetic, arithmetic, as_mpf
 from ..results.equilibria import Stability
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from .catastrophe import cusp_proofs
@@ -29,8 +27,8 @@ def precise_equilibria(exact: Mapping[str, Any], contact: bool, digits: int, ari
     return PreciseEquilibria(tuple(states), True, {})
 
 
-def precise_cusps(given: Mapping[str, Any], digits: int, arith: Arithmetic | None) -> CuspProof:
-    """All cusps; source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ with rational coefficients."""
+def precise_cusps(given: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None) -> CuspProof:
+    """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of degree 9 in sin θ."""
     exact = tuple(given[name] for name in ("kappa", "alpha", "sigma", "beta"))
     chosen = arith or arithmetic()
 
@@ -40,20 +38,12 @@ def precise_cusps(given: Mapping[str, Any], digits: int, arith: Arithmetic | Non
     found = with_enough_bits(chosen, digits, attempt, "cusps")
     ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
     if exact[1] == 1 + exact[3]:
-        return CuspProof(ordered, (), (), 0)
+        return CuspProof(ordered, True, {})
     polynomial, sines, count = cusp_proofs.cusp_sines(*exact, bits=64)
-    return CuspProof(ordered, polynomial, tuple(sines), count)
+    return CuspProof(ordered, True, {}, polynomial, tuple(sines), count)
 
 
 def _cusp(arith: Arithmetic, point: Point, digits: int) -> PreciseCusp:
-    middles, radius = [], Fraction(0)
-    for interval in (*point.parameters[:2], point.theta, point.L, point.x, point.y):
-        low, high = arith.ends(interval)
-        middle = (low + high) / 2
-        half = rounded_up(high - middle)
-        if half > Fraction(1, 10**digits) * max(Fraction(1), abs(middle)):
-            raise Undecided(f"an error of {float(half):.1e}")
-        radius = max(radius, half)
-        middles.append(as_mpf(middle))
-    theta0, mu0, theta, L, x, y = middles
-    return PreciseCusp(theta0, mu0, theta, L, x, y, as_mpf(radius), cusp_proofs.is_versal(arith, point))
+    names = ("theta0", "mu0", "theta", "L", "x", "y")
+    numbers, _, radius = as_numbers(arith, (*point.parameters[:2], point.theta, point.L, point.x, point.y), digits)
+    return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), cusp_proofs.is_versal(arith, point))

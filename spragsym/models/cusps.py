@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ParameterError
 from ..exact.interval_arrays import Intervals
 from ..exact.jets import variables
 from ..results.points import Points
@@ -52,18 +51,24 @@ def cusps(
     -----
     Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K.
     """
-    if isinstance(vary, str) or not isinstance(vary, Sequence) or len(vary) != 2 or vary[0] == vary[1]:
-        raise ParameterError(f"vary = {vary!r}; give two different parameters")
-    balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
+    balance = Balance(model, contact=True)
     given = given_column(p, balance.parameters, vary)
-    found = search(balance, vary, Cusp(), given, spans, asked=by_hand(balance.coordinates, within))
+    found = isolated(balance, vary, given, spans, by_hand(balance.coordinates, within))
+    kind = np.full(found.roots.point.size, "cusp")
+    return arranged(balance, p, vary, given, found, kind, endless=endless(model, vary, between or {}))
+
+
+def isolated(
+    balance: Balance, vary: Sequence[str], given: NDArray[np.float64], spans: NDArray[np.float64],
+    asked: NDArray[np.float64] | None = None,
+) -> Found:  # fmt: skip
+    """A box for each cusp, and what is left; arguments as of :func:`spragsym.models.points.search`."""
+    found = search(balance, vary, Cusp(), given, spans, asked=asked)
     proved, unclear = told_apart(balance, vary, found, given)
     left = np.concatenate([found.roots.left, found.roots.ends[:, :, unclear]], axis=2)
     left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
-    kept = replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
-    kind = np.full(int(proved.sum()), "cusp")
-    return arranged(balance, p, vary, given, kept, kind, endless=endless(model, vary, between or {}))
+    return replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
 
 
 def told_apart(

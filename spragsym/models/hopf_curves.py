@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..errors import ParameterError
 from ..exact import contractors
 from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals
@@ -122,8 +121,6 @@ def onset_curves(
     Source: F = 0 and Hurwitz's determinant along 2 n lines, as for :func:`spragsym.models.flutter.flutter_onsets`; two points are
     neighbours only if no line separates them. A curve that closes between two lines is not seen.
     """
-    if isinstance(vary, str) or not isinstance(vary, Sequence) or len(vary) != 2 or vary[0] == vary[1]:
-        raise ParameterError(f"vary = {vary!r}; give two different parameters")
     require_lines(n)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})

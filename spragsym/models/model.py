@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ..results.onsets import Onsets
     from ..results.paths import Path
     from ..results.points import Ended, Points
-    from ..results.precise_states import PreciseEquilibria
+    from ..results.precise_states import CuspProof, PreciseEquilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
     from .diagram import Diagram
@@ -221,7 +221,7 @@ class Model:
         """
         from .cusps import cusps
 
-        return cusps(self, p, self._two(vary), **options)
+        return cusps(self, p, self.two(vary), **options)
 
     @question
     def bifurcation_set(self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any) -> BifurcationSet:
@@ -231,7 +231,7 @@ class Model:
         """
         from .bifurcation import bifurcation_set
 
-        return bifurcation_set(self, p, self._two(vary), n, **options)
+        return bifurcation_set(self, p, self.two(vary), n, **options)
 
     @question
     def critical_friction(self, p: ParameterSet, vary: str | None = None, over: str | None = None, **options: Any) -> LowestEnd:
@@ -263,7 +263,7 @@ class Model:
     def _rising_over(self, vary: str | None, over: str | None) -> tuple[str, str]:
         """What rises, and over the range of what."""
         if vary is None or over is None:
-            first, second = self._two(None)
+            first, second = self.two(None)
             vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
         return vary, over
 
@@ -324,7 +324,7 @@ class Model:
         """Curves of Hopf points in the plane of two parameters, gentle or dangerous: see :func:`spragsym.onset_curves`."""
         from .hopf_curves import onset_curves
 
-        return onset_curves(self, p, self._two(vary), n, **options)
+        return onset_curves(self, p, self.two(vary), n, **options)
 
     @question
     def cycle(self, p: ParameterSet | None = None, near: Any = None, **options: Any) -> Cycle:
@@ -422,12 +422,14 @@ class Model:
 
         return precise_equilibria(self, exact, contact, digits, arith)
 
-    @part
-    def precise_cusps(self, exact: Mapping[str, Any], digits: int, arith: Arithmetic | None) -> Any:
-        """Cusps to a number of digits, and the proof that there are no more: see :func:`spragsym.precise.cusps`."""
-        raise ModelError(
-            f"precise.cusps is not there yet for the model {self.name}; cusps(p) has them with the digits of a float"
-        )
+    @question
+    def precise_cusps(
+        self, exact: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None, **options: Any
+    ) -> CuspProof:  # fmt: skip
+        """Cusps to a number of digits, from exact parameters by name: see :func:`spragsym.precise.cusps`."""
+        from .digits import precise_cusps
+
+        return precise_cusps(self, exact, vary, digits, arith, **options)
 
     @question
     def certify(
@@ -614,10 +616,20 @@ class Model:
             raise ParameterError(f"{name} has no least value in {allowed}; give begin, from where it rises")
         return name, allowed.low if begin is None else begin
 
-    def _two(self, vary: Sequence[str] | None) -> Sequence[str]:
+    def two(self, vary: Sequence[str] | None) -> Sequence[str]:
+        """The two parameters that vary: theta0 and mu0 unless told otherwise."""
         if vary is None and len(self.axes) < 2:
             raise ParameterError(f"{self.name} has not both theta0 and mu0; give vary, two of {', '.join(self.parameters)}")
-        return self.axes if vary is None else vary
+        if vary is None:
+            return self.axes
+        if isinstance(vary, str) or not isinstance(vary, Sequence) or len(vary) != 2 or vary[0] == vary[1]:
+            raise ParameterError(f"vary = {vary!r}; give two different parameters")
+        for name in vary:
+            if name not in self.parameters:
+                raise ParameterError(
+                    f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}"
+                )
+        return vary
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

@@ -8,6 +8,7 @@ brings them down to one unknown.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.jets import constant, gradient, variables
 from .defining_systems import Augmented, State
-from .precise import PreciseBalance, assembled, boxes_of, clusters, reduced, replaced, unsettled, widened, with_digits
+from .precise import PreciseBalance, Spans, assembled, boxes_of, clusters, reduced, replaced, unsettled, widened, with_digits
 
 #: Boxes beyond which they lie around no points.
 MANY = 400
@@ -66,15 +67,15 @@ def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
 
 
 class PreciseAugmented:
-    """Balance and condition of balls at one point of the parameters that do not vary; ``order`` of a cusp included."""
+    """Balance and condition of balls at one point of the parameters that do not vary; ``spans`` as of the balance."""
 
-    def __init__(self, system: Augmented, given: FloatArray, bits: int) -> None:
+    def __init__(self, system: Augmented, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
         self.system, self.bits = system, bits
-        self.base = PreciseBalance(system.balance, np.nan_to_num(given), bits)
+        self.base = PreciseBalance(system.balance, np.nan_to_num(given), bits, spans)
 
     def rows(self, unknowns: Sequence[Any]) -> list[Any]:
         """Forces and condition, of balls or jets of balls."""
-        at = self._state(unknowns)
+        at = self.state(unknowns)
         return [*at.forces(), *self.system.condition.equations(at)]
 
     def values(self, unknowns: Sequence[Any]) -> list[Any]:
@@ -88,9 +89,10 @@ class PreciseAugmented:
 
     def gap(self, unknowns: Sequence[Any]) -> Any:
         """Gap of the contact."""
-        return self._state(unknowns).gap()
+        return self.state(unknowns).gap()
 
-    def _state(self, unknowns: Sequence[Any]) -> State:
+    def state(self, unknowns: Sequence[Any]) -> State:
+        """The evaluation at balls or jets of balls."""
         n, balance = self.system.balance.n, self.system.balance
         values = dict(self.base.arguments)
         for name, value in zip(self.system.vary, unknowns[n:], strict=True):

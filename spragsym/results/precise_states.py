@@ -14,13 +14,21 @@ from ..exact.decimals import Decimal, around, exactly
 from .equilibria import Stability
 
 
+@dataclass(frozen=True, repr=False)
 class Written(ABC):
-    """Gives a dataclass its numbers in decimals, and a ``repr`` that is made of these."""
+    """Numbers by name, each an attribute too and written in decimals, with a ``repr`` that is made of these."""
+
+    numbers: Mapping[str, mpmath.mpf]
 
     @property
-    @abstractmethod
     def names(self) -> tuple[str, ...]:
         """Names of the numbers."""
+        return tuple(self.numbers)
+
+    def __getattr__(self, name: str) -> mpmath.mpf:
+        if name == "numbers" or name not in self.numbers:  # the first while it is being unpickled
+            raise AttributeError(name)
+        return self.numbers[name]
 
     @abstractmethod
     def _bound(self, value: mpmath.mpf) -> Fraction:
@@ -31,14 +39,14 @@ class Written(ABC):
 
         ``digits`` are significant ones; by default as many as are proved.
         """
-        return {name: around(getattr(self, name), self._bound(getattr(self, name)), digits) for name in self.names}
+        return {name: around(value, self._bound(value), digits) for name, value in self.numbers.items()}
 
     def __repr__(self) -> str:
         numbers = [f"{name}={decimal}" for name, decimal in self.decimals().items()]
         others = [
             f"{field.name}={getattr(self, field.name)!r}"
-            for field in fields(self)  # type: ignore[arg-type]  # whoever inherits it is a dataclass
-            if field.name not in (*self.names, "numbers", "error", "radius")
+            for field in fields(self)
+            if field.name not in ("numbers", "error", "radius")
         ]
         return f"{type(self).__name__}({', '.join([*numbers, *others])})"
 
@@ -53,19 +61,9 @@ class PreciseEquilibrium(Written):
     could be tried; only then may ``error`` be above 10^−dps.
     """
 
-    numbers: Mapping[str, mpmath.mpf]
     stability: Stability
     error: mpmath.mpf
     fold: bool = False
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        return tuple(self.numbers)
-
-    def __getattr__(self, name: str) -> mpmath.mpf:
-        if name == "numbers" or name not in self.numbers:  # the first while it is being unpickled
-            raise AttributeError(name)
-        return self.numbers[name]
 
     def _bound(self, value: mpmath.mpf) -> Fraction:
         return exactly(self.error) * max(Fraction(1), abs(exactly(value)))
@@ -98,23 +96,14 @@ class PreciseEquilibria(Sequence[PreciseEquilibrium]):
 
 @dataclass(frozen=True, repr=False)
 class PreciseCusp(Written):
-    """One cusp; ``radius`` bounds |error| of each of the six numbers as they stand, angles in radians.
+    """One cusp; ``radius`` bounds |error| of each of its numbers as they stand, angles in radians.
 
-    ``versal`` says that it is one in the sense of catastrophe theory: f‴ ≠ 0 and θ₀, μ₀ unfold f, both proved.
+    ``numbers`` are the two parameters that vary and then those of an equilibrium, each an attribute too. ``versal`` says that it
+    is one in the sense of catastrophe theory: of third order, and unfolded by the two parameters, both proved.
     """
 
-    theta0: mpmath.mpf
-    mu0: mpmath.mpf
-    theta: mpmath.mpf
-    L: mpmath.mpf
-    x: mpmath.mpf
-    y: mpmath.mpf
     radius: mpmath.mpf
     versal: bool
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        return "theta0", "mu0", "theta", "L", "x", "y"
 
     def _bound(self, _: mpmath.mpf) -> Fraction:
         return exactly(self.radius)
@@ -122,15 +111,19 @@ class PreciseCusp(Written):
 
 @dataclass(frozen=True)
 class CuspProof(Sequence[PreciseCusp]):
-    """All cusps, and why there are no more.
+    """Cusps, and why there are no more.
 
     Attributes
     ----------
     cusps : tuple of PreciseCusp
-        Those in contact with L > 0, sorted by ``mu0``.
+        Those in contact with L > 0, sorted by the second of the parameters that vary, ``mu0`` unless told otherwise.
+    complete : bool
+        Whether it is proved that these are all: everywhere by the polynomial, in ``region`` by search.
+    region : mapping of str to (float, float)
+        The box that was searched, by coordinate and parameter; empty where the polynomial answers.
     polynomial : tuple of Fraction
         Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps. Empty for α = 1 + β, where
-        3 s² = 2 instead.
+        3 s² = 2 instead, and by search.
     sines : tuple of (Fraction, Fraction)
         Disjoint intervals, each proved to hold one of its real roots.
     count : int
@@ -138,9 +131,11 @@ class CuspProof(Sequence[PreciseCusp]):
     """
 
     cusps: tuple[PreciseCusp, ...]
-    polynomial: tuple[Fraction, ...]
-    sines: tuple[tuple[Fraction, Fraction], ...]
-    count: int  # type: ignore[assignment]  # not Sequence's count
+    complete: bool
+    region: Mapping[str, tuple[float, float]]
+    polynomial: tuple[Fraction, ...] = ()
+    sines: tuple[tuple[Fraction, Fraction], ...] = ()
+    count: int = 0  # type: ignore[assignment]  # not Sequence's count
 
     def __getitem__(self, index: Any) -> Any:
         return self.cusps[index]

@@ -6,6 +6,7 @@ import copy
 import math
 import pickle
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -19,6 +20,7 @@ from spragsym.exact.intervals import Balls
 from spragsym.exact.krawczyk import narrowed
 from spragsym.models.forces import undecorated
 from spragsym.models.load import shipped
+from tests.support import model_of
 
 MODELS = shipped()
 
@@ -108,6 +110,42 @@ def test_numbers_beside_floats_have_the_same_states(name: str) -> None:
                 assert 0 <= abs(value - other.numbers[column]) < 1e-16
 
 
+#: A mass that is pressed on the belt by W and lifted by P.
+PRESSED = """"A mass on a belt."
+from spragsym.derive.model import Page, tanh
+
+page = Page("A mass on a belt.")
+m = page.unit("m", "kg", "mass")
+L_0 = page.unit("L_0", "m", "length")
+k_c = page.unit("k_c", "N/m", "contact stiffness")
+W = page.parameter("W", "N", "weight", ">= 0", 1.0)
+P = page.parameter("P", "N", "lift", ">= 0", 0.5)
+k = page.parameter("k", "N/m", "stiffness", "> 0", 0.5)
+mu0 = page.parameter("mu0", "1", "friction", ">= 0", 0.5)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+x = page.coordinate("x", "m", "along the belt")
+y = page.coordinate("y", "m", "across the belt")
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+page.spring(k, along=x)
+page.spring(k, along=y)
+page.force(0, P - W, at=(x, y))
+page.contact(y + x / 8, lambda depth: k_c * depth)
+page.friction(x, V, lambda v: mu0 * tanh(d * v))
+"""
+
+
+@pytest.mark.parametrize("weight", ["1.000000000000000000000000000001", "0.999999999999999999999999999999"])
+def test_a_state_beside_the_border_of_the_contact_is_on_its_side(weight: str, tmp_path: Path) -> None:
+    """Where W = P all forces vanish at x = y = 0: 1e-30 beside that no float tells the side."""
+    p = model_of(PRESSED, "pressed", tmp_path).Parameters(P=1.0)
+    touches = Fraction(weight) > 1
+    assert len(precise.equilibria(p, W=weight)) == touches
+    assert len(precise.equilibria(p, W=weight, contact=False)) == (not touches)
+    with pytest.raises(ss.ConvergenceError, match=r"1 boxes are not decided; change a parameter a little$"):
+        precise.equilibria(p, W=1)
+
+
 def test_a_root_that_newton_meets_elsewhere_is_not_that_of_the_box() -> None:
     """x³ = x from the middle of a box around 0 leads to −1."""
 
@@ -154,6 +192,85 @@ def test_numbers_that_no_float_is_are_taken_exactly_by_any_model() -> None:
     assert abs(number - exact) <= error < Fraction(1, 10**39)
 
 
+def _are_one(one: Any, other: Any, bound: Fraction) -> None:
+    """Two enclosures of the same numbers, both narrow."""
+    assert one.names == other.names
+    assert one.versal == other.versal
+    for name in one.names:
+        (mine, error), (its, rest) = (map(exactly, cusp.decimals()[name]) for cusp in (one, other))
+        assert abs(mine - its) <= error + rest < bound
+
+
+@pytest.mark.parametrize("given", [{}, {"kappa": "1/50", "sigma": "1/7"}, {"kappa": 0.0078125, "alpha": 0.0078125, "sigma": 0.5}])
+def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) -> None:
+    """Those of the plane that a page allows: θ₀ in (0, π), μ₀ ≥ 0."""
+    closed, search = precise.cusps(**given, dps=50), precise.cusps(**given, dps=50, method="search", between={"mu0": (0, 3)})
+    within = [one for one in closed if 0 < one.theta0 < math.pi and 0 <= one.mu0 < 3]
+    assert len(search) == len(within) > 0
+    for one, other in zip(within, search, strict=True):
+        _are_one(one, other, Fraction(1, 10**49))
+    assert closed.complete
+    assert search.complete == all(Fraction(value) == float(Fraction(value)) for value in ({"kappa": "0.007"} | given).values())
+    assert set(search.region) == {"x", "y", "theta0", "mu0"}
+
+
+def test_cusps_at_the_end_of_a_range_are_not_denied_by_search() -> None:
+    """α = 0 has two at μ₀ = 0 exactly."""
+    p = ss.Parameters.article(alpha=0.0)
+    assert [one.mu0 for one in precise.cusps(p)] == [0, 0]
+    assert not precise.cusps(p, method="search", between={"mu0": (0, 1)}).complete
+
+
+@pytest.mark.parametrize("name", [name for name in MODELS if len(ss.load(name).axes) == 2])
+def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
+    p = a_set(name)
+    vary = p.model.axes
+    between = {"mu0": (0.0, 2.0)} if "mu0" in vary else None
+    floats = p.model.cusps(p, vary, between=between, method="search")
+    few, many = (precise.cusps(p, vary=vary, between=between, dps=dps, method="search") for dps in (25, 60))
+    assert len(few) == len(many) == len(floats)
+    assert few.complete == many.complete == floats.complete
+    assert list(few.region.values()) == [tuple(ends) for ends in floats.region.tolist()]
+    order = np.lexsort([getattr(floats, one) for one in vary])
+    for one, other, slot in zip(few, many, order.tolist(), strict=True):
+        _are_one(one, other, Fraction(1, 10**24))
+        for column, number in one.numbers.items():
+            assert float(number) == pytest.approx(float(getattr(floats, column)[slot]), rel=1e-11, abs=1e-11)
+
+
+def test_the_tangent_forces_of_a_cusp_vanish_by_differences() -> None:
+    """Along the state that the others give, the force has no slope and no curvature, but a third derivative: by mpmath."""
+    p = a_set("two_springs")
+    (cusp,) = precise.cusps(p, between={"mu0": (0, 2)}, dps=60)
+    model, balance = p.model, undecorated(p.model.statics.forces)
+    with mpmath.workdps(200):
+        values: dict[str, Any] = {one: mpmath.mpf(float(getattr(p, one) or 0)) for one in model.parameters}
+        values |= {"theta0": cusp.theta0, "mu0": cusp.mu0}
+        for angle, (cosine, sine) in model.about["angles"].items():
+            values |= {cosine: mpmath.cos(values[angle]), sine: mpmath.sin(values[angle])}
+        mu = undecorated(model.statics.friction_at_rest)(*(values[one] for one in model.about["arguments"]["motion"]), xp=mpmath)
+        statics = [values[one] for one in model.about["arguments"]["statics"]]
+
+        def forces(x: Any, y: Any) -> Any:
+            directions: list[Any] = []
+            for dx, dy, _ in undecorated(model.statics.geometry)(x, y, *statics, xp=mpmath):
+                length = mpmath.hypot(dx, dy)
+                directions += [dx / length, dy / length, length]
+            return balance(x, y, *directions, *statics, mu, 1, xp=mpmath)
+
+        def across(x: Any) -> Any:
+            return forces(x, mpmath.findroot(lambda y: forces(x, y)[1], cusp.y))[0]
+
+        step = mpmath.mpf(10) ** -20
+        below, here, above = (across(cusp.x + k * step) for k in (-1, 0, 1))
+        far = [across(cusp.x + 2 * k * step) for k in (-1, 1)]
+        assert abs(here) < mpmath.mpf(10) ** -58
+        # Differences are off by the third derivative times step², and step².
+        assert abs(above - below) / (2 * step) < 1e-35
+        assert abs(above - 2 * here + below) / step**2 < 1e-15
+        assert abs(far[1] - 2 * above + 2 * below - far[0]) / (2 * step**3) > 1e-3
+
+
 @pytest.mark.parametrize(
     ("ask", "told"),
     [
@@ -164,7 +281,11 @@ def test_numbers_that_no_float_is_are_taken_exactly_by_any_model() -> None:
         (lambda: precise.equilibria(a_set("stick_slip"), method="closed"), "closed"),
         (lambda: precise.equilibria(a_set("stick_slip"), V="x"), "V = 'x' is not a number"),
         (lambda: precise.equilibria(a_set("stick_slip", V=0.0), V=math.nan), "V = nan"),
-        (lambda: precise.cusps(a_set("two_springs")), "two_springs"),
+        (lambda: precise.cusps(a_set("stick_slip")), "give vary, two of"),
+        (lambda: precise.cusps(vary=("theta0", "theta0")), "two different parameters"),
+        (lambda: precise.cusps(vary=("theta0", "gamma")), "gamma"),
+        (lambda: precise.cusps(between={"kappa": (0, 1)}), "kappa"),
+        (lambda: precise.cusps(a_set("two_springs"), method="closed"), "closed"),
         (lambda: precise.cusps(theta0=0.8), "theta0 is not asked: the answer is for all theta0"),
         (lambda: precise.cusps(theta0_deg=49), "theta0_deg is not asked: the answer is for all theta0"),
     ],

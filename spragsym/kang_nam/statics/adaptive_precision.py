@@ -210,9 +210,7 @@ def _state(
         return []
     if 0 in sides:
         raise Undecided("L or y holds 0")
-    (theta, L, x, y), error = as_numbers(arith, (2 * arith.atan(t), *state))
-    if error > Fraction(1, 10**digits) and not fold:
-        raise Undecided(f"an error of {float(error):.1e}")
+    (theta, L, x, y), error, _ = as_numbers(arith, (2 * arith.atan(t), *state), None if fold else digits)
     return [State(theta, L, x, y, _stability(arith, c, s, state[0], trig, values, fold), as_mpf(error))]
 
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.design.certificates import Unit
 from spragsym.kang_nam.design import cells, certificates
 from spragsym.kang_nam.design.cells import Boxes, Ground, Line, Verdict
 from spragsym.kang_nam.design.claims import Claim
@@ -19,11 +20,16 @@ from tests.support import as_fraction
 BASE = ss.Parameters.article(theta0=0.5, mu0=0.6)
 
 
-def random_boxes(seed: int, count: int) -> Boxes:
+#: κ = P u₁⁻¹ u₂⁻² and α = P u₁⁻¹ with units 6 and 7.
+POWERS = {"kappa": ((6, -1), (7, -2)), "alpha": ((6, -1),)}
+
+
+def random_boxes(seed: int, count: int, powers: dict[str, tuple[tuple[int, int], ...]] | None = None) -> Boxes:
     rng = np.random.default_rng(seed)
-    low = rng.uniform(0.1, 1.5, (6, count))
-    high = low + rng.uniform(0, 0.3, (6, count)) * rng.integers(0, 2, (6, count))
-    return Boxes(low, high, rng.uniform(0, 1, count))
+    sides = 8 if powers else 6
+    low = rng.uniform(0.1, 1.5, (sides, count))
+    high = low + rng.uniform(0, 0.3, (sides, count)) * rng.integers(0, 2, (sides, count))
+    return Boxes(low, high, rng.uniform(0, 1, count), powers or {})
 
 
 # ------------------------------------------------------------------------------------------------------------- cells
@@ -38,7 +44,7 @@ def test_rows_middles_and_lines() -> None:
     middle = boxes.middle()
     assert list(middle) == list(NAMES)
     assert np.abs(middle["kappa"] - (boxes.low[2] + boxes.high[2]) / 2).max() < 1e-15
-    one, two = Line(np.array([1.0, 2.0]), np.array([[0.5, -3.0], [-1.0, 0.25]])), cells.constant(7.0, 2)
+    one, two = Line(np.array([1.0, 2.0]), np.array([[0.5, -3.0], [-1.0, 0.25]])), cells.constant(7.0, some)
     assert one.reach().tolist() == [1.5, 3.25]
     assert two.value.tolist() == [7.0, 7.0]
     assert two.slopes.shape == (6, 2)
@@ -56,35 +62,79 @@ def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
     return Fraction(float(number.value[k])) + sum(Fraction(float(term)) * as_fraction(mpmath.mpf(share)) for term, share in terms)
 
 
+@pytest.mark.parametrize("powers", [{}, POWERS], ids=["parameters", "units"])
 @pytest.mark.parametrize("fixed", [True, False])
-def test_the_ground_holds_every_point_of_a_cell(fixed: bool) -> None:
+def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> None:
     """cos θ and sin θ at the shares of the way that the cell has, θ₀ and the parameters at those of the box."""
-    boxes = random_boxes(2, 20)
-    rng = np.random.default_rng(3)
-    low = Line(rng.uniform(0, 1, 20), rng.uniform(-0.1, 0.1, (6, 20)))
-    high = Line(low.value + rng.uniform(0, 1, 20), rng.uniform(-0.1, 0.1, (6, 20)))
+    boxes = random_boxes(2, 20, powers)
+    rng, n = np.random.default_rng(3), len(boxes.low)
+    low = Line(rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
+    high = Line(low.value + rng.uniform(0, 1, 20), rng.uniform(-0.6 / n, 0.6 / n, (n, 20)))
     begin = rng.choice([0.0, 0.25, 0.5], 20)
     end = begin + 0.25
     ground = cells.at(boxes, low) if fixed else cells.over(boxes, low, high, begin, end)
     with mpmath.workprec(150):
         for k in range(20):
-            for at in rng.choice([-1.0, 1.0, 0.0, 0.5], (6, 7)):
-                ends = [value.slopes[:, k] @ at[:6] + value.value[k] for value in (low, high)]
-                share = begin[k] + (end[k] - begin[k]) * (1 + at[6]) / 2
+            for at in rng.choice([-1.0, 1.0, 0.0, 0.5], (6, n + 1)):
+                ends = [value.slopes[:, k] @ at[:n] + value.value[k] for value in (low, high)]
+                share = begin[k] + (end[k] - begin[k]) * (1 + at[n]) / 2
                 theta = ends[0] if fixed else ends[0] + share * (ends[1] - ends[0])
                 middle, half = (boxes.low[:, k] + boxes.high[:, k]) / 2, (boxes.high[:, k] - boxes.low[:, k]) / 2
-                point = middle + half * at[:6]
+                point = [mpmath.mpf(one) for one in middle + half * at[:n]]
                 given = {"c": mpmath.cos(theta), "s": mpmath.sin(theta), "c0": mpmath.cos(point[0]), "s0": mpmath.sin(point[0])}
                 for name, true in given.items():
                     number = getattr(ground, name)
                     assert abs(as_fraction(true) - value_at(number, at, k)) <= Fraction(float(number.error[k])) + Fraction(
                         1, 10**15
                     )
-                for name, true in zip(NAMES, point, strict=True):
+                for name, true in zip(NAMES, point, strict=False):
                     number = ground.parameters[name]
-                    assert abs(as_fraction(mpmath.mpf(true)) - value_at(number, at, k)) <= Fraction(1, 10**15)
+                    for side, power in powers.get(name, ()):
+                        true *= point[side] ** power
+                    allowed = Fraction(float(number.error[k])) + Fraction(1, 10**15)
+                    assert abs(as_fraction(true) - value_at(number, at, k)) <= allowed
     assert [one is ground.parameters[name] for one, name in zip(ground.others(), NAMES[1:], strict=True)] == [True] * 5
     assert max(ground.c.error.max(), ground.s.error.max()) < (0.13 if fixed else 0.6)
+
+
+def test_a_unit_changes_all_that_depend_on_it() -> None:
+    """The chain rule, by a complex step."""
+    boxes, rng = random_boxes(4, 9, POWERS), np.random.default_rng(5)
+    changes = {name: rng.normal(size=9) for name in NAMES}
+    found, middle = boxes.by_side(changes), 0.5 * (boxes.low + boxes.high)
+    for side in range(8):
+        moved = middle.astype(complex)
+        moved[side] += 1e-100j
+        p = boxes.parameters(moved)
+        assert found[side] == pytest.approx(sum(changes[name] * np.imag(p[name]) for name in NAMES) / 1e-100, rel=1e-13)
+
+
+@pytest.mark.parametrize(("k_c", "outcome"), [((0.85, 1.15), "proved"), ((0.02, 1.15), "refuted")])
+def test_units_of_measure_with_ranges(k_c: tuple[float, float], outcome: str) -> None:
+    """What is proved holds for every stiffness of the contact, κ, α, σ and β all over it; a softer one jumps."""
+    powers = dict.fromkeys(("kappa", "alpha", "sigma", "beta"), -1.0)
+    units = {"k_c": Unit(*k_c, powers), "m": Unit(0.5, 2.0, {"V": 0.5}), "L_0": Unit(0.9, 1.1, {"kappa": -1.0})}
+    low = ss.Parameters.article(theta0=np.radians(40.0), mu0=0.3)
+    high = low.replace(mu0=0.4, sigma=0.11)
+    assert ss.certify(low, high, "no jump", units=units, max_boxes=4000).outcome == outcome
+    rng = np.random.default_rng(6)
+    soft, length = rng.uniform(*k_c, 400), rng.uniform(0.9, 1.1, 400)
+    sigma = rng.uniform(0.1, 0.11, 400)
+    p = ss.Parameters(low.theta0, 0.4, low.kappa / soft / length, low.alpha / soft, sigma / soft, 0.0)
+    assert (ss.jump_value(p, "mu0") < 0.4).any() == (outcome == "refuted")
+    found = ss.certify(low, high, "no jump", units=units, max_boxes=4000)
+    if found.counterexample is not None:
+        point = found.counterexample
+        assert ss.jump_value(point, "mu0") < 0.4
+        assert k_c[0] <= low.alpha / point.alpha <= k_c[1]
+        assert 0.1 - 1e-12 <= point.sigma / point.alpha * low.alpha <= 0.11 + 1e-12
+    assert low.model.certify(low, high, "no jump", units=units, method="search").outcome in (outcome, "undecided")
+
+
+@pytest.mark.parametrize("powers", [{"kappa": 0.5}, {"theta0": 1.0}, {"mu0": 1.0}])
+def test_units_that_closed_forms_do_not_take(powers: dict[str, float]) -> None:
+    with pytest.raises(ss.ParameterError, match=rf"^units: {next(iter(powers))} has the power .* give whole numbers"):
+        ss.certify(BASE, BASE, "no jump", units={"u": Unit(0.9, 1.1, powers)})
 
 
 def whole(count: int) -> Boxes:

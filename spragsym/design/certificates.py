@@ -2,10 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..display import Result
 from ..parameters import Parameters
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit of measure that has a range too: its ends over its base value, and the power of it in each parameter.
+
+    A parameter is P u₁^e₁ u₂^e₂ …, where P is what it is at the base values.
+    """
+
+    low: float
+    high: float
+    powers: Mapping[str, float]
 
 
 @dataclass(frozen=True)

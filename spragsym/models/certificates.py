@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..design.certificates import Certificate
+from ..design.certificates import Certificate, Unit
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..results.equilibria import Stability
@@ -18,7 +18,7 @@ from .equilibria import equilibria
 from .state_certificates import STATES, certify_states, corner_values
 from .tube_regions import ByColumn, Flags, Parts, Place
 from .tubes import SMALL, Tubes
-from .varying_units import BalanceInUnits, Unit
+from .varying_units import BalanceInUnits
 
 #: Parts at a time, and points at a time.
 BATCH, POINTS = 1024, 1024

@@ -7,26 +7,17 @@ parameters depend on one unit; the chain rule keeps that, where boxes of the par
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import reduce
 from operator import mul
 from typing import Any
 
 import numpy as np
 
+from ..design.certificates import Unit
 from ..exact.interval_arrays import Intervals, stacked
 from .balance import Balance
 from .forces import Model
 from .laws import XP
-
-
-@dataclass(frozen=True)
-class Unit:
-    """Ends of a unit over its base value, and the power of it in each parameter that depends on it."""
-
-    low: float
-    high: float
-    powers: Mapping[str, float]
 
 
 class BalanceInUnits(Balance):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from ..design.certificates import Unit
 from ..models.load import load
-from ..models.varying_units import Unit
 from . import brake_quantities
 
 if TYPE_CHECKING:

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from ..design.certificates import Unit
 from ..design.probability import estimated, variable
 from ..models.certificates import Splitting, certify
 from ..models.jumps import Followed
 from ..models.load import load
 from ..models.probability import measured
-from ..models.varying_units import Unit
 from ..parameters import FloatArray, Range
 from . import brake_quantities, tube_boxes
 from .friction import bounds, law_of

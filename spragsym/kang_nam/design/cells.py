@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,20 +20,54 @@ _OPEN = 64
 _SHARE = 0.25
 
 
-class Boxes(NamedTuple):
-    """Corners of boxes, of shape (6, n) in the order of ``NAMES``, and the share of the whole that each of them is."""
+@dataclass(frozen=True)
+class Boxes:
+    """Corners of boxes, of shape (sides, n), and the share of the whole that each of them is.
+
+    Sides are the parameters in the order of ``NAMES``, and then units of measure over their base values; ``powers`` are, for each
+    parameter that depends on units, the sides that these are, and the power of each.
+    """
 
     low: FloatArray
     high: FloatArray
     share: FloatArray
+    powers: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
 
     def rows(self, index: NDArray[Any]) -> Boxes:
         """Some of them."""
-        return Boxes(self.low[:, index], self.high[:, index], self.share[index])
+        return replace(self, low=self.low[:, index], high=self.high[:, index], share=self.share[index])
+
+    def then(self, others: Boxes) -> Boxes:
+        """These, and then others of the same sides."""
+        low, high, share = (
+            np.concatenate(both, axis=-1)
+            for both in ((self.low, others.low), (self.high, others.high), (self.share, others.share))
+        )
+        return Boxes(low, high, share, self.powers)
+
+    def parameters(self, sides: Iterable[Any]) -> dict[str, Any]:
+        """Parameters by name from one value of each side, of any number type."""
+        sides = list(sides)
+        found = dict(zip(NAMES, sides, strict=False))
+        for name, factors in self.powers.items():
+            for side, power in factors:
+                found[name] = found[name] * sides[side] ** power if power > 0 else found[name] / sides[side] ** -power
+        return found
 
     def middle(self) -> dict[str, FloatArray]:
         """Their middles, by parameter."""
-        return dict(zip(NAMES, 0.5 * (self.low + self.high), strict=True))
+        return self.parameters(0.5 * (self.low + self.high))
+
+    def by_side(self, changes: Mapping[str, FloatArray]) -> FloatArray:
+        """Derivatives by each side in the middles, from those by each parameter: a unit changes all that depend on it."""
+        sides = 0.5 * (self.low + self.high)
+        p, factors = self.parameters(sides), self.parameters([1.0] * len(NAMES) + list(sides[len(NAMES) :]))
+        out = np.zeros_like(self.low)
+        out[: len(NAMES)] = [changes[name] * factors[name] for name in NAMES]
+        for name, powers in self.powers.items():
+            for side, power in powers:
+                out[side] += changes[name] * p[name] * power / sides[side]
+        return out
 
 
 @dataclass(frozen=True)
@@ -70,9 +104,9 @@ class Line(NamedTuple):
         return Line(np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes))
 
 
-def constant(value: float, size: int) -> Line:
+def constant(value: float, boxes: Boxes) -> Line:
     """One direction for all boxes."""
-    return Line(np.full(size, value), np.zeros((len(NAMES), size)))
+    return Line(np.full(boxes.share.size, value), np.zeros_like(boxes.low))
 
 
 def at(boxes: Boxes, line: Line) -> Ground:
@@ -84,11 +118,11 @@ def at(boxes: Boxes, line: Line) -> Ground:
 def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray) -> Ground:
     """All directions between two, from one share of the way to another."""
     none = np.zeros_like(begin)
-    *parameters, share = sides(np.vstack([boxes.low, begin]), np.vstack([boxes.high, end]))
+    *own, share = sides(np.vstack([boxes.low, begin]), np.vstack([boxes.high, end]))
     base = Affine(low.value, np.vstack([low.slopes, none]), none)
     way = Affine(high.value, np.vstack([high.slopes, none]), none) - base
     theta = base + share * way
-    return Ground(*cosine_and_sine(theta), *cosine_and_sine(parameters[0]), dict(zip(NAMES, parameters, strict=True)))
+    return Ground(*cosine_and_sine(theta), *cosine_and_sine(own[0]), boxes.parameters(own))
 
 
 class Verdict(NamedTuple):
@@ -101,7 +135,7 @@ class Verdict(NamedTuple):
 def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[NDArray[np.bool_], FloatArray]:
     """The boxes for which all directions between two pass a test, and how much each side matters for the others."""
     size = boxes.share.size
-    weight = np.zeros((len(NAMES), size))
+    weight = np.zeros_like(boxes.low)
     box = np.tile(np.arange(size), _CELLS)
     begin = np.repeat(np.arange(_CELLS) / _CELLS, size)
     end = begin + 1.0 / _CELLS

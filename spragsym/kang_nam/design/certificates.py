@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
-from ...design.certificates import Certificate
+from ...design.certificates import Certificate, Unit
 from ...errors import ParameterError
 from ...parameters import NAMES, FloatArray, Parameters
 from .cells import Boxes
@@ -14,7 +16,10 @@ from .claims import CLAIMS, Claim
 _BATCH = 2048
 
 
-def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 20_000, refute: bool = True) -> Certificate:
+def certify(
+    low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 20_000, refute: bool = True,
+    units: Mapping[str, Unit] | None = None,
+) -> Certificate:  # fmt: skip
     """Prove a claim for every point of a box of parameters, or find a point where it is false.
 
     Parameters
@@ -28,6 +33,9 @@ def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 2
         Boxes to look at before what is left is given back as undecided.
     refute : bool
         Also look for a point where the claim is false, which takes as long as the proof.
+    units : mapping of str to Unit, optional
+        Units of measure that have ranges too, as :class:`spragsym.design.certificates.Unit`: the corners are those at their base
+        values.
 
     Returns
     -------
@@ -58,7 +66,7 @@ def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 2
     if isinstance(max_boxes, bool) or not isinstance(max_boxes, int | np.integer) or max_boxes < 1:
         raise ParameterError(f"max_boxes = {max_boxes!r} is not a number of boxes; give an integer of 1 or more")
     chosen = CLAIMS[claim]
-    pending = Boxes(*_corners(low, high, chosen), np.ones(1))
+    pending = _whole(low, high, chosen, units or {})
     seen, open_share = 0, 0.0
     while pending.share.size:
         batch, rest = (
@@ -74,12 +82,12 @@ def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 2
         if seen + rest.share.size >= max_boxes:
             open_share = float(batch.share[open_ones].sum() + rest.share.sum())
             break
-        halves = halved(batch.rows(open_ones), weight[:, open_ones])
-        pending = Boxes(*(np.concatenate([one, other], axis=-1) for one, other in zip(rest, halves, strict=True)))
+        pending = rest.then(halved(batch.rows(open_ones), weight[:, open_ones]))
     return Certificate(claim, "undecided" if open_share else "proved", None, open_share, seen)
 
 
-def _corners(low: Parameters, high: Parameters, chosen: Claim) -> tuple[FloatArray, FloatArray]:
+def _whole(low: Parameters, high: Parameters, chosen: Claim, units: Mapping[str, Unit]) -> Boxes:
+    """The box of parameters and units, one box."""
     ends = []
     for what, corner in (("low", low), ("high", high)):
         if corner.shape:
@@ -90,7 +98,23 @@ def _corners(low: Parameters, high: Parameters, chosen: Claim) -> tuple[FloatArr
             raise ParameterError(f"low.{name} = {one:g} is above high.{name} = {other:g}; exchange the two")
     for name in chosen.from_above:
         ends[0][NAMES.index(name)] = ends[1][NAMES.index(name)]
-    return ends[0], ends[1]
+    matter = [unit for unit in units.values() if set(unit.powers) & set(NAMES)]
+    powers: dict[str, list[tuple[int, int]]] = {name: [] for name in NAMES}
+    for side, unit in enumerate(matter, len(NAMES)):
+        for name, power in unit.powers.items():
+            if name in powers:
+                powers[name].append((side, _whole_number(name, power)))
+    low_ends, high_ends = (
+        np.concatenate([end, [[getattr(unit, what)] for unit in matter]]) if matter else end
+        for end, what in zip(ends, ("low", "high"), strict=True)
+    )
+    return Boxes(low_ends, high_ends, np.ones(1), {name: tuple(found) for name, found in powers.items() if found})
+
+
+def _whole_number(name: str, power: float) -> int:
+    if int(power) != power or name in ("theta0", "mu0"):
+        raise ParameterError(f"units: {name} has the power {power:g} of one; give whole numbers, and none for theta0 and mu0")
+    return int(power)
 
 
 def halved(boxes: Boxes, weight: FloatArray) -> Boxes:
@@ -105,6 +129,4 @@ def halved(boxes: Boxes, weight: FloatArray) -> Boxes:
     high, low = boxes.high.copy(), boxes.low.copy()
     high[side, column], low[side, column] = middle, middle
     # A box that is a point, or as thin as floats are, has no halves: both are the same, and it stays open.
-    return Boxes(
-        np.concatenate([boxes.low, low], axis=1), np.concatenate([high, boxes.high], axis=1), np.tile(boxes.share / 2, 2)
-    )
+    return Boxes(boxes.low, high, boxes.share / 2, boxes.powers).then(Boxes(low, boxes.high, boxes.share / 2, boxes.powers))

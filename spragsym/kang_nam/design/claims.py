@@ -65,8 +65,7 @@ def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
         value, slope, _, _ = _balance(ground, others)
         return Verdict((value.sign() != 0) | (slope.sign() > 0) | _not_in_contact(ground, others), (value, slope))
 
-    size = boxes.share.size
-    return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
+    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
 
 
 def _three(boxes: Boxes) -> Parameters | None:
@@ -90,8 +89,7 @@ def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
         discriminant = kernel.invariants(*K[0], *K[1])[2]
         return Verdict(done | (discriminant.sign() > 0), (value, slope, discriminant))
 
-    size = boxes.share.size
-    return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
+    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
 
 
 def _flutters(boxes: Boxes) -> Parameters | None:
@@ -144,7 +142,7 @@ def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[
 
 def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
     """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
-    change = np.stack(list(by_parameter(values, theta).values()))
+    change = boxes.by_side(by_parameter(values, theta))
     trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
     slopes = -change / kernel.f_slope(np.cos(theta), np.sin(theta), *trig) * 0.5 * (boxes.high - boxes.low)
     slopes[_MU0] = 0.0
@@ -167,9 +165,11 @@ def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[
         others = _with_friction(ground, friction)
         value = _balance(ground, others)[0]
         inside = others[1] - others[3] * (ground.s0 - ground.s)
-        result &= (value.sign() == wanted) & (inside.sign() > 0)
-        weight = np.maximum(weight, line.slopes**2)
-    return result, np.abs(weight)
+        for quantity, sign in ((value, wanted), (inside, 1)):
+            open_ = quantity.sign() != sign
+            result &= ~open_
+            weight = np.maximum(weight, np.where(open_, np.abs(quantity.terms[:-1]), 0.0))
+    return result, weight
 
 
 def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
@@ -206,9 +206,9 @@ def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[N
     left = np.flatnonzero(above & ~result)
     if left.size:
         some = boxes.rows(left)
-        below = _alone(some, constant(0.0, left.size), lowest.rows(left))
-        result[left] = below & _alone(some, start.rows(left), constant(_ALL, left.size))
-    return result, np.abs(reach.terms[: len(NAMES)])
+        below = _alone(some, constant(0.0, some), lowest.rows(left))
+        result[left] = below & _alone(some, start.rows(left), constant(_ALL, some))
+    return result, np.abs(reach.terms[:-1])
 
 
 def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
@@ -228,11 +228,9 @@ def _jumps(boxes: Boxes) -> Parameters | None:
     found = first_jumps(Parameters(**middle), "mu0", apart_from=middle["mu0"])
     with np.errstate(all="ignore"):
         changes = by_parameter(middle | {"mu0": found.value}, found.theta)
-        slopes = {name: -change / changes["mu0"] for name, change in changes.items()}
-    corner = dict(middle)
-    for j, name in enumerate(NAMES):
-        if name != "mu0":
-            corner[name] = np.where(slopes[name] > 0, boxes.low[j], np.where(slopes[name] < 0, boxes.high[j], middle[name]))
+        slopes = boxes.by_side({name: -change / changes["mu0"] for name, change in changes.items()})
+    sides = np.where(slopes > 0, boxes.low, np.where(slopes < 0, boxes.high, 0.5 * (boxes.low + boxes.high)))
+    corner = boxes.parameters(sides) | {"mu0": boxes.high[_MU0]}
     in_corner = first_jumps(Parameters(**corner), "mu0", apart_from=corner["mu0"])
     for values, jumps in ((middle, found.value), (corner, in_corner.value)):
         for i in np.flatnonzero(jumps < values["mu0"] * (1 - 1e-11))[:1]:

@@ -18,8 +18,9 @@ import numpy as np
 
 import spragsym as ss
 from benchmarks import parts
+from spragsym.studies.jump_verdicts import jumping
 from spragsym.studies.redesigns import changes
-from spragsym.studies.tolerances import jumping, varied
+from spragsym.studies.tolerances import varied
 
 #: A proposition → what follows from it; both with their truth values.
 IMPLIES: dict[tuple[str, bool], list[tuple[str, bool]]] = {
@@ -226,7 +227,7 @@ def changed(part: str) -> dict[str, Any]:
     study = brake(seed, i)
     names = ["k", "k_x", "k_c", "F_L", "L_0"]
     off = {name: f"{rng.choice([2, 5]):g} %" for name in rng.choice(names, rng.integers(1, 6), replace=False).tolist()}
-    study = ss.Study(study.parameters, tolerance=off | {"theta0": "0.5 deg"})
+    study = ss.Study(study.values, tolerance=off | {"theta0": "0.5 deg"})
     jump = float(ss.jump_value(study.dimensionless))
     if not jump < 2:
         return {"changes": 0, "outcomes": {}, "jumping": 0}

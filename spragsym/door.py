@@ -41,8 +41,8 @@ INTERFACE = frozenset((
     "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
 #: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, whether one that is
-#: above the belt stays there, and what is known to any number of digits.
-PARTS = frozenset(("integrate", "rest_index", "aloft", "precise_equilibria", "precise_cusps"))
+#: above the belt stays there, whether states have ended at their friction, and what is known to any number of digits.
+PARTS = frozenset(("integrate", "rest_index", "aloft", "have_jumped", "precise_equilibria", "precise_cusps"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 
@@ -148,6 +148,8 @@ def _check(model: Any, args: tuple[Any, ...], options: Mapping[str, Any]) -> Non
         return
     sets = list(sets_among((*args, *options.values())))
     first = args[0] if args else options.get("p", ())
+    if getattr(first, "of_model", None) is model.Parameters:  # a design of quantities with units
+        return
     if not sets and not isinstance(first, PhysicalParameters | Mapping | tuple):
         sets = [first]
     for p in sets:

@@ -142,7 +142,7 @@ def test_a_wrong_value(key: str, value: str, parts: list[str], tmp_path: Path) -
 #: What is done to the file: (lines, more lines, head, where, parts of the message).
 WHOLE = {
     "a key is missing": ({k: v for k, v in GOOD.items() if k != "k_c"}, (), "[brake]", "line 1", ["k_c", '"1500 N/mm"']),
-    "all are missing": ({}, (), "[brake]", "line 1", ["m, k, k_x", "add lines", 'k_y = "0 N/mm"', 'k_c = "1500 N/mm"']),
+    "all are missing": ({}, (), "[brake]", "line 1", ["m, k_c, L_0", "add lines", 'k_y = "0 N/mm"', 'k_c = "1500 N/mm"']),
     "a misspelt key": (GOOD, ('kx = "9 N/mm"',), "[brake]", "line 13", ["kx", "did you mean k_x?"]),
     "an unknown key": (GOOD, ('colour = "red"',), "[brake]", "line 13", ["colour", "the keys are"]),
     "a key twice": (GOOD, ('m = "0.4 kg"',), "[brake]", "line 13", ["m is there twice"]),

@@ -13,11 +13,11 @@ import pytest
 import spragsym as ss
 from benchmarks import validate_reports
 from spragsym.cli import main
-from spragsym.design.design_space import dimensionless
+from spragsym.design.design_space import PHYSICAL, dimensionless
 from spragsym.kang_nam.design.events import have_jumped
 from spragsym.models.varying_units import BalanceInUnits
-from spragsym.studies import brake_quantities, friction, tolerances, tube_tolerances
-from spragsym.studies.tube_tolerances import certificate
+from spragsym.studies import brake_quantities, friction, jump_verdicts, tolerances
+from spragsym.studies.jump_verdicts import certificate
 from tests.support import few
 
 BRAKE = """[brake]
@@ -143,8 +143,9 @@ def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, repo
 @pytest.mark.thorough
 def test_a_change_that_a_brake_refutes_is_not_given() -> None:
     """Eight quantities with tolerances, of which corners used to be sampled: at every corner of every change nothing jumps."""
+    from spragsym.studies.jump_verdicts import jumping
     from spragsym.studies.redesigns import changes
-    from spragsym.studies.tolerances import corners, jumping
+    from spragsym.studies.tolerances import corners
 
     off = dict.fromkeys(("k", "k_x", "k_c", "F_L", "L_0"), "8 %") | {"theta0": "1 deg", "mu0": (0.3, 0.36), "V": "10 %"}
     study = ss.Study(brake(mu0=0.33), tolerance=off)
@@ -160,7 +161,7 @@ def test_a_change_that_a_brake_refutes_is_not_given() -> None:
 def test_shares_that_the_samples_do_not_resolve_are_not_told() -> None:
     """Next to a certainty a handful of samples differ, and Sobol' indices of them are anything: −300 % was printed."""
     from spragsym.studies import texts
-    from spragsym.studies.tolerances import Chance
+    from spragsym.studies.jump_verdicts import Chance
 
     known = Chance(0.4, 0.39, 0.41, 0.95, 8192, {"mu0": (0.7, 0.8, 0.03), "k": (0.2, 0.3, 0.02)})
     assert [name for name, _ in texts._indices(known)] == ["how much mu0 decides", "how much k decides"]
@@ -169,13 +170,13 @@ def test_shares_that_the_samples_do_not_resolve_are_not_told() -> None:
 
 
 def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off(tmp_path: Path) -> None:
-    from spragsym.studies.tolerances import certificate, chance
+    from spragsym.studies.jump_verdicts import certificate, chance
 
     study = ss.Study(brake(mu0=0.36), tolerance={"k": "sd 5 %", "k_x": "sd 5 %"}, correlation={("k", "k_x"): 1.0})
     assert certificate(study).outcome == "refuted"
     found = chance(study, 1 << 12)
     assert found is not None
-    assert list(found.sobol) == ["k, k_x"]
+    assert list(found.sobol) == ["k_x, k"]
     g = np.random.default_rng(5).normal(0, 0.05, 100_000)
     p = ss.PhysicalParameters(**study.values | {"k": 180e3 * (1 + g), "k_x": 9e3 * (1 + g)}).dimensionless()
     share = float((np.asarray(ss.jump_value(p)) <= study.friction[1]).mean())
@@ -220,7 +221,7 @@ def test_a_design_that_sprags_within_its_tolerances_only_is_called_so_and_gets_c
 
 
 def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(report: ss.Report) -> None:
-    from spragsym.studies.tolerances import certificate
+    from spragsym.studies.jump_verdicts import certificate
 
     far = ss.Study(brake(mu0=0.2), tolerance={"k": "5 %", "k_c": "5 %", "mu0": 0.02})
     assert certificate(far).outcome == "proved"
@@ -504,16 +505,16 @@ def of_model(model: str, rows: dict[str, str], file: Path) -> ss.Study:
 def test_with_another_model_the_same_brakes_jump(tmp_path: Path) -> None:
     """At the same corners and points of the tolerances as by closed forms, with the belt's speed among them."""
     rows = {"mu0": "[0.3, 0.4]", "V": "[0.1, 0.4] m/s"}
-    article, other = (of_model(model, rows, tmp_path / "brake.toml") for model in ("kang_nam", "cubic_contact"))
+    other = of_model("cubic_contact", rows, tmp_path / "brake.toml")
     shares = tolerances.samples(other, 4096)
     values = tolerances.values_at(other, shares)
     friction = ss.sliding_friction(values["mu0"], values["V"], values["d"])
-    named = {name: values[name] for name in tolerances.names_of(article) if name not in ("mu0", "V", "d")}
-    jumps = have_jumped(ss.Parameters(**dimensionless(named | {"mu0": friction}))).jumped
-    found = tube_tolerances.jumping(other, shares[:256])
+    named = {name: values[name] for name in PHYSICAL if name != "mu0"}
+    jumps = have_jumped(ss.Parameters(**dimensionless(named | {"mu0": friction}))) == 1
+    found = jump_verdicts.jumping(other, shares[:256])
     assert np.array_equal(found == 1, jumps[:256])
     assert 0.05 < jumps.mean() < 0.95
-    odds = tube_tolerances.chance(other, 512)
+    odds = jump_verdicts.chance(other, 512)
     assert odds is not None
     assert odds.low < jumps.mean() < odds.high
 
@@ -528,7 +529,7 @@ def test_with_another_model_tolerances_are_proved(tmp_path: Path) -> None:
     odds = found.probability
     assert odds is not None
     assert (odds.low, odds.high, odds.confidence) == (0.0, 0.0, 1.0)
-    low, high, units = tube_tolerances.box(study)
+    low, high, units = jump_verdicts.box(study)
     for share in (0.0, 0.3, 1.0):
         at = {name: float(tolerances.quantile(one, share)) for name, one in study.quantities.items()}
         p = brake_quantities.groups("cubic_contact", at | {"k_c": study.values["k_c"]})
@@ -603,7 +604,7 @@ def test_bounds_of_the_probability_hold_what_closed_forms_give(tmp_path: Path, r
     study = of_model(
         "kang_nam", {"k": "180 N/mm", "k_c": "1500 N/mm", "k_x": "9 N/mm", "mu0": "[0.34, 0.4]"} | rows, tmp_path / "b.toml"
     )
-    low, high = tube_tolerances.bracket(study)
+    low, high = jump_verdicts.bracket(study)
     shares = (np.arange(400) + 0.5) / 400
     angles, speeds = (tolerances.quantile(study.quantities[name], shares) for name in ("theta0", "V"))
     jumps = ss.jump_value(study.dimensionless.replace(theta0=angles), "mu0")
@@ -671,7 +672,7 @@ def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
     folder.write_page(page, tmp_path / "rising")
     rows = {"mu0": "[0.2, 0.22]", "V": "[0.1, 0.2] m/s"}
     study = of_model(str(tmp_path / "rising"), rows, tmp_path / "brake.toml")
-    _, high, _ = tube_tolerances.box(study)
+    _, high, _ = jump_verdicts.box(study)
     # the law at its largest, 9/8, where exp(−d V) is 1/4: inside of the range of V
     values = {name: one.high for name, one in study.quantities.items()} | {"V": math.log(4) / 10}
     p, _ = brake_quantities.dimensionless(study.model, values)
@@ -834,7 +835,7 @@ def test_a_terminal_is_told_what_is_being_computed_and_left_clean(study: ss.Stud
 def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> None:
     from spragsym.figures.motion_pictures import Units, motion_figure
 
-    belt = study.parameters.belt()
+    belt = {name: float(getattr(study.dimensionless, name)) for name in ("V", "d")}
     motion = ss.simulate(study.dimensionless, **belt, t_end=200.0)
     scales = study.scales
     figure = motion_figure(motion, 50.0, Units(1e3 * scales.length, scales.time, "mm"))
@@ -920,8 +921,8 @@ def test_an_index_of_an_angle_is_no_angle(report: ss.Report) -> None:
 
 
 def test_a_corner_that_jumps_beside_a_sample_that_does_not() -> None:
+    from spragsym.studies.jump_verdicts import Chance
     from spragsym.studies.texts import share
-    from spragsym.studies.tolerances import Chance
 
     assert share(Chance(0.0, 0.0, 4.5e-4, 0.95, 8192, {})) == "fewer than 0.045 %"
     assert share(Chance(1.0, 0.9991, 1.0, 0.95, 8192, {})) == "more than 99.9 %"
@@ -940,9 +941,9 @@ def test_the_jump_as_a_motion_has_its_peaks() -> None:
     # It swings over the state that is left, and the contact is loaded more than in either state.
     assert peak.x_mm[1] > peak.after["x_mm"] > peak.before["x_mm"]
     assert peak.contact_force_N[1] > 57000 * max(-path.before["y"], -path.after["y"])
-    p, belt = study.dimensionless, study.parameters.belt()
+    p = study.dimensionless
     at = p.replace(mu0=1.0005 * jump / study.fraction)
-    motion = ss.simulate(at, **belt, x0=path.before["x"], y0=path.before["y"], t_end=1500.0)
+    motion = ss.simulate(at, x0=path.before["x"], y0=path.before["y"], t_end=1500.0)
     assert peak.x_mm[1] == pytest.approx(38 * motion.x.max(), rel=5e-3)
     assert peak.contact_force_N[1] == pytest.approx(57000 * motion.contact_force().max(), rel=5e-3)
     assert peak.spring_force_N[0] == pytest.approx(57000 * motion.spring_force().min(), rel=5e-3)

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .. import assumed
 from ..errors import MissingExtraError, ParameterError
 from ..explorer import Derived, Preset, Units, explorer_page, model_page, model_preset
 from ..explorer.presets import article_presets
@@ -120,7 +119,8 @@ def _article(study: Study | None, onsets: bool) -> str:
     model = load(ARTICLE_MODEL)
     if study is None:
         return explorer_page(onsets=_map(model, article_presets()[0].point, None, onsets))
-    drive = {"V": assumed.V, "d": assumed.D} | (study.parameters.belt() if study.moves else {})
+    belt = study.dimensionless
+    drive = {"V": float(belt.V), "d": float(belt.d)}
     preset = Preset.of(f"Your data: {study.source}", study.dimensionless)
     drawn = _map(model, {**preset.point, **drive}, study, onsets)
     return explorer_page([preset], V=float(drive["V"]), d=float(drive["d"]), units=_units(study), onsets=drawn)

@@ -29,7 +29,8 @@ def on_border(designs: Space, z: FloatArray, vary: str, limit: float | None = No
         """The point of smallest size of the plane at z, and how far z is from the plane, over the slopes."""
         p, slopes = designs.sets(z), designs.slopes(z)
         found = p.model.jump_gradient(p, vary, **options)
-        by_z = sum((float(found.slopes[name]) * slope for name, slope in slopes.items()), np.zeros(z.size))
+        # What is not among them the jump does not depend on, as the belt's speed.
+        by_z = sum((float(found.slopes[name]) * slopes[name] for name in found.slopes if name in slopes), np.zeros(z.size))
         ahead = float(found.value) - (float(getattr(p, vary)) if limit is None else limit)
         by_z = by_z - slopes[vary] if limit is None else by_z
         square = float(by_z @ by_z)

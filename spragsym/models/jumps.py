@@ -101,6 +101,20 @@ def jump_gradient(
     return JumpGradient(vary, found.value, asked.slopes(found))
 
 
+def have_jumped(model: Any, p: Any) -> FloatArray:
+    """1 where the state has ended as ``mu0`` rises from 0 to its value in ``p``, 0 where not, NaN where tubes don't decide it.
+
+    Returns
+    -------
+    ndarray
+        Of the shape of the points.
+    """
+    found = Followed(model, p, "mu0", "up", 0.0, np.broadcast_to(p.mu0, p.shape)).ends(patient=False)
+    out = np.where(np.isnan(found.value), 0.0, 1.0)
+    out.flat[list(found.reasons)] = np.nan
+    return out
+
+
 class Followed:
     """States of many points, followed as one parameter moves, up or down, from where to where: see :func:`jump_value`."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import importlib
 import importlib.util
@@ -36,6 +37,7 @@ _LOADED: dict[str, Model] = {}
 _LOCK = threading.RLock()
 
 
+@functools.cache
 def shipped() -> tuple[str, ...]:
     """Names of the models that come with the package."""
     folder = Path(str(resources.files("spragsym.generated") / "models"))
@@ -75,6 +77,8 @@ def load(name: str | os.PathLike[str]) -> Model:
     if not isinstance(name, str | os.PathLike):
         raise ParameterTypeError(f"{name!r} is no model; give a name, one of {', '.join(shipped())}, or a folder")
     text = os.fspath(name)
+    if text in _LOADED and text in shipped():  # its files do not change
+        return _LOADED[text]
     if text in shipped():
         folder, where = Path(str(resources.files("spragsym.generated") / "models" / text)), text
     elif Path(text).is_dir():

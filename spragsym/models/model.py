@@ -414,6 +414,13 @@ class Model:
         return rest_index(self, p, x, y)
 
     @question
+    def have_jumped(self, p: ParameterSet) -> FloatArray:
+        """1 where the state followed from no friction has ended at the μ₀ of p or below, else 0; NaN where that is not known."""
+        from .jumps import have_jumped
+
+        return have_jumped(self, p)
+
+    @question
     def precise_equilibria(
         self, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
     ) -> PreciseEquilibria:  # fmt: skip

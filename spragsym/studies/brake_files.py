@@ -6,28 +6,25 @@ import os
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..design.dependence import Correlation, dependence
 from ..errors import ParameterError, SpragsymError
 from ..files.text import decoded
-from ..generated.quantities import QUANTITIES
 from ..models.load import USUAL
 from ..names import hint
-from ..parameters import FINITE, RANGES, PhysicalParameters, Range, physical_ranges
+from ..parameters import Range
 from . import brake_quantities
 from .measured_tables import read_friction
 from .measurements import FrictionFit, fit_friction
 from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
-#: Quantities of the article's model in the order of the file, each with its SI unit.
-QUANTITY_UNITS: Mapping[str, str] = {
-    one.name: QUANTITIES[f"{one.name}_dim" if one.name in ("V", "d") else one.name].unit for one in fields(PhysicalParameters)
-}
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
+#: What may be missing: without the belt's speed and the steepness of the law friction is that at full slip.
+OPTIONAL = ("V", "d")
 #: Bytes; a larger file is no file of this kind.
 _LARGEST = 1 << 20
 
@@ -82,10 +79,11 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     lines = _Lines(name, text)
     table = _table(text, lines)
     model = _model(table, lines)
-    units = QUANTITY_UNITS if model == "kang_nam" else brake_quantities.quantity_units(model)
+    units = brake_quantities.quantity_units(model)
     measured, together = table.pop("friction", None), table.pop("correlation", None)
     _check_names(table, units, model, lines)
-    found = {key: _quantity(key, table[key], units[key], lines) for key in units if key in table}
+    ranges = brake_quantities.ranges(model)
+    found = {key: _quantity(key, table[key], units[key], ranges[key], lines) for key in units if key in table}
     fit = None
     if measured is not None:
         found, fit = _with_friction(measured, found, units, Path(path), lines)
@@ -137,7 +135,7 @@ def _syntax(message: str, lines: _Lines) -> str:
     if "overwrite" in message:
         remedy = f"{key} is there twice; keep one of the two"
     else:
-        example = _example(key, QUANTITY_UNITS.get(key, "kg"))
+        example = _example(key, brake_quantities.quantity_units(USUAL).get(key, "kg"))
         remedy = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
     return f"{lines.path}, line {number}: {line!r} is not TOML ({said[:1].lower()}{said[1:]}); {remedy}"
 
@@ -166,12 +164,11 @@ def _check_names(table: Mapping[str, Any], units: Mapping[str, str], model: str,
             raise ParameterError(f"{lines.of(key)}: {key} = {value!r} is not a quantity of the model {model}{remark}")
 
 
-def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:
-    where = lines.of(key)
+def _quantity(key: str, given: Any, unit: str, allowed: Range, lines: _Lines) -> Measured:
+    where, example = lines.of(key), _EXAMPLES.get(key, "")
     if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
         given = f"[{given[0]!r}, {given[1]!r}]"
     text = given if isinstance(given, str) else repr(given)
-    allowed, example = allowed_range(key), _EXAMPLES.get(key, "")
     if isinstance(given, bool) or not isinstance(given, str | int | float):
         what = remedy((), unit, allowed, example)
         raise ParameterError(f"{where}: {key} = {given!r} is neither text nor a number; write {what}")
@@ -182,13 +179,6 @@ def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:
         return read(text, unit, allowed, example)
     except ParameterError as error:
         raise ParameterError(f"{where}: {key} = {error}") from error
-
-
-def allowed_range(name: str) -> Range:
-    """Where a quantity must lie, in SI, and why."""
-    allowed = physical_ranges().get(name, FINITE)
-    group = {"k": "sigma", "F_L": "kappa"}.get(name)
-    return replace(allowed, remedy=RANGES[group].remedy) if group else allowed
 
 
 def _with_friction(
@@ -245,13 +235,7 @@ def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | N
 
 
 def _check_complete(found: Mapping[str, Measured], units: Mapping[str, str], model: str, lines: _Lines) -> None:
-    optional = {"V", "d"}
-    missing = [key for key in units if key not in found and key not in optional]
+    missing = [key for key in units if key not in found and key not in OPTIONAL]
     if missing:
         wanted = ", ".join(f'{key} = "{_example(key, units[key])}"' for key in missing)
         raise ParameterError(f"{lines.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")
-
-
-def physical(quantities: Mapping[str, Measured]) -> PhysicalParameters:
-    """The values, without their tolerances."""
-    return PhysicalParameters(**{name: one.value for name, one in quantities.items()})

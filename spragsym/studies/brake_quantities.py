@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -46,15 +49,19 @@ def scale_of(unit: str, bases: Mapping[str, tuple[float, str]]) -> float:
 
 def exponents(unit: str, bases: Mapping[str, str]) -> dict[str, float]:
     """Powers of the model's units, each with its SI unit, whose product has the dimension of a unit."""
+    return dict(zip(bases, _exponents(unit, tuple(bases.values())), strict=True))
+
+
+@cache
+def _exponents(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
     axes = ("[mass]", "[length]", "[time]")
 
     def powers(text: str) -> list[float]:
         known = dict(dimension(registry().parse_units(text.replace("1", "dimensionless") if text == "1" else text)))
         return [float(known.get(axis, 0.0)) for axis in axes]
 
-    matrix = np.array([powers(base) for base in bases.values()]).T
-    found = np.linalg.solve(matrix, np.array(powers(unit)))
-    return {name: round(float(power), 9) for name, power in zip(bases, found, strict=True)}
+    matrix = np.array([powers(base) for base in bases]).T
+    return tuple(round(float(power), 9) for power in np.linalg.solve(matrix, np.array(powers(unit))))
 
 
 def bases(name: str, values: Mapping[str, Any]) -> dict[str, tuple[float, str]]:
@@ -79,11 +86,34 @@ def groups(name: str, values: Mapping[str, Any]) -> dict[str, Any]:
     return given
 
 
-def ranges(name: str) -> dict[str, Range]:
-    """Where its quantities may lie in SI: units of measure are positive, others are as their parameters."""
+def ranges(name: str, values: Mapping[str, Any] | None = None) -> dict[str, Range]:
+    """Where quantities may lie in SI: units of measure are positive, others as their parameters, at units of these values.
+
+    Without values, in those of the parameters, of which ends other than 0 are rare.
+    """
     model = load(name)
     found = {entry["name"]: Range(0.0, open_low=True) for entry in model.about["units"]}
-    return found | {entry["quantity"]: model.Parameters.ranges[entry["name"]] for entry in model.about["parameters"]}
+    units = None if values is None else bases(name, values)
+    for entry in model.about["parameters"]:
+        allowed, unit = model.Parameters.ranges[entry["name"]], entry["quantity_unit"]
+        scale = 1.0 if units is None or unit in ("1", "rad") else scale_of(unit, units)
+        found[entry["quantity"]] = replace(allowed, low=scale * allowed.low, high=scale * allowed.high)
+    return found
+
+
+@cache
+def balanced(name: str) -> tuple[str, ...]:
+    """Quantities on which the balance of forces depends besides its friction, in the order of the page."""
+    model = load(name)
+    taken = set(inspect.signature(model.statics.forces).parameters)
+    kinds = {entry["name"]: entry["unit"] for entry in model.about["units"]}
+    found: set[str] = set()
+    for entry in model.about["parameters"]:
+        if taken & {entry["name"], *model.about["angles"].get(entry["name"], ())}:
+            unit = entry["quantity_unit"]
+            powers = {} if unit in ("1", "rad") else exponents(unit, kinds)
+            found |= {entry["quantity"], *(base for base, power in powers.items() if power)}
+    return tuple(quantity for quantity in quantity_units(name) if quantity in found)
 
 
 def friction(model: Any, p: Any, law: str) -> float:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from ..display import Result
 from .friction import of_statics
+from .jump_verdicts import BoxCertificate, Chance
 from .study import Study
-from .tolerances import BoxCertificate, Chance
 
 #: What a belt that reaches full slip brings: the friction of the jump is beyond all that there is, or there is none; it is beyond
 #: what works at the belt's speed; within its tolerances; or the state has jumped already.

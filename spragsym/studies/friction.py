@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..exact.interval_arrays import Intervals, stacked
+from ..exact.jets import gradient, variables
 from ..models.balance import NOTHING, Balance
 from ..models.load import load
 from ..models.varying_units import BalanceInUnits
 from ..parameters import FloatArray
 from . import brake_quantities
-from .tube_boxes import corners
+from .tolerance_boxes import corners
 
 if TYPE_CHECKING:
     from .study import Study
@@ -87,7 +88,27 @@ def _at_corners(study: Study) -> list[float]:
 
 def _deciding(study: Study) -> list[str]:
     """Quantities with tolerances on which the friction depends."""
-    return [name for name in study.about["friction"]["quantities"] if name in study.tolerances]
+    return [name for name in depends_on(study) if name in study.tolerances]
+
+
+def depends_on(study: Study) -> tuple[str, ...]:
+    """Quantities on which the friction that works depends."""
+    said = study.about["friction"]
+    if said and said["at_rest"] == "mu0" and law_of(study) == "friction_at_rest":
+        return ("mu0",)
+    return tuple(said["quantities"]) if said else ()
+
+
+def rising(study: Study) -> set[str]:
+    """Those of them along which it is proved not to fall, over all tolerances."""
+    if not study.about["friction"]:
+        return set()
+    law, low, high = _law_and_box(study)
+    prepared = law.prepared(Intervals.between(low, high))
+    of = {entry["quantity"]: entry["name"] for entry in study.about["parameters"] if entry["quantity"] in depends_on(study)}
+    jets = variables([prepared[law.codes.index(name)] for name in of.values()], 1)
+    slopes = gradient(law.friction(law.arguments(prepared, dict(zip(of.values(), jets, strict=True)))), len(of))
+    return {name for name, slope in zip(of, slopes, strict=True) if (stacked([slope], low.shape[1:]).low >= 0).all()}
 
 
 def bounds(study: Study) -> tuple[float, float]:

@@ -1,8 +1,7 @@
 """What to change, so that the jump lies beyond a target: single quantities, and the least joint change, with certificates.
 
 A value is rounded to what stands in the report, away from the old one, and verified as it stands there. A change that a brake
-within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing. What a model answers of
-brakes stands in :mod:`spragsym.studies.questions`; the search is the same for all.
+within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing.
 """
 
 from __future__ import annotations
@@ -10,17 +9,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..design.design_space import Design, space
 from ..display import Result
 from ..errors import SpragsymError
+from ..models.load import load
 from ..parameters import FloatArray
 from . import brake_quantities
-from .questions import Questions, questions
+from .effort import effort
+from .jump_verdicts import certificate, counterexample, ending, jumping
 from .study import Study
-from .tolerances import corners, counterexample, samples, varied
+from .tolerances import corners, samples, values_at, varied
 from .units import factor
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
@@ -69,18 +72,41 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     :func:`spragsym.certify` over the tolerances about the values as they are printed; that there is none nearer is not proved. A
     changed quantity keeps its tolerance as a share of its value, an inclination as it is.
     """
-    search = _Search(study, target, questions(study))
+    search = _Search(study, target)
     found = sorted(search.singles(), key=lambda one: one.distance)
     together = search.joint()
     return tuple(found if together is None else [*found, together])
 
 
+def distance(study: Study) -> float:
+    """The nearest jump in tolerances at the friction that works, see :func:`spragsym.jump_margin`; NaN where it is not asked."""
+    names = (*brake_quantities.balanced(study.model), "mu0")
+    scale = {name: size for name, size in study.tolerances.items() if name in names}
+    if not scale or not effort(study).margin:
+        return math.nan
+    return float(load(study.model).jump_margin(design(study), scale).distance)
+
+
+def design(study: Study) -> Design:
+    """The brake as drawn, with the friction that works, as a design of the model: quantities in SI."""
+    model = load(study.model)
+    return Design(
+        {**study.values, "mu0": study.friction[1]},
+        brake_quantities.ranges(study.model, study.values),
+        partial(brake_quantities.groups, study.model),
+        dict,
+        model.Parameters,
+    )
+
+
 class _Search:
     """The changes of one brake."""
 
-    def __init__(self, study: Study, target: float, asked: Questions) -> None:
-        self.study, self.target, self.asked = study, target, asked
-        self.scale = {name: self._scale(name) for name in asked.names}
+    def __init__(self, study: Study, target: float) -> None:
+        self.study, self.target, self.effort = study, target, effort(study)
+        self.names = tuple(name for name in brake_quantities.balanced(study.model) if name != "mu0")
+        self.scale = {name: self._scale(name) for name in self.names}
+        self.allowed = brake_quantities.ranges(study.model, study.values)
 
     def _scale(self, name: str) -> float:
         study = self.study
@@ -101,7 +127,7 @@ class _Search:
         """Which designs are known not to jump at the target or below it."""
         shape = np.shape(next(iter(changed.values())))
         rows = {name: np.broadcast_to(changed.get(name, value), shape) for name, value in self.study.values.items()}
-        return np.asarray(self.asked.ending(self.study, rows, self.target) == 0)
+        return np.asarray(ending(self.study, rows, self.target) == 0)
 
     def _kept(self, changed: Mapping[str, FloatArray]) -> int | None:
         """The first design that jumps at the target at the earliest, and at no corner of its tolerances."""
@@ -109,9 +135,9 @@ class _Search:
         for begin in range(0, left.size, _AT_ONCE):
             some = left[begin : begin + _AT_ONCE]
             designs = [self.study.changed({name: float(values[i]) for name, values in changed.items()}) for i in some]
-            about = [self.asked.rows(design, shares) for design in designs]
+            about = [values_at(design, shares) for design in designs]
             rows = {name: np.concatenate([one[name] for one in about]) for name in about[0]}
-            free = (self.asked.ending(self.study, rows, None) == 0).reshape(len(some), -1).all(axis=1)
+            free = (ending(self.study, rows) == 0).reshape(len(some), -1).all(axis=1)
             if free.any():
                 return int(some[np.flatnonzero(free)[0]])
         return None
@@ -120,11 +146,11 @@ class _Search:
 
     def singles(self) -> list[Change]:
         """Of single quantities the nearest values that keep the target, of as many as are asked for."""
-        starts = {name: self._starts(name) for name in self.asked.names}
+        starts = {name: self._starts(name) for name in self.names}
         before, found = self.study.values, list[Change]()
         nearest = {name: abs(ends[0][0] - before[name]) / self.scale[name] for name, ends in starts.items() if ends}
         for name in sorted(nearest, key=nearest.__getitem__):
-            change = self._nearest(name, starts[name]) if len(found) < self.asked.most else None
+            change = self._nearest(name, starts[name]) if len(found) < self.effort.most else None
             found += [change] if change is not None else []
         return found
 
@@ -133,11 +159,11 @@ class _Search:
         starts = []
         for side in (-1, 1):
             values = ladder = self._ladder(name, side)
-            for _ in range(self.asked.rounds):
+            for _ in range(self.effort.rounds):
                 k = self._kept({name: values})
                 if k is None:
                     break
-                values = np.linspace(values[max(k - 1, 0)], values[k], self.asked.between)
+                values = np.linspace(values[max(k - 1, 0)], values[k], self.effort.between)
             else:
                 k = self._kept({name: values})
                 if k is not None:
@@ -148,7 +174,7 @@ class _Search:
         """The first of these with a proof, as it is printed."""
         best: Change | None = None
         for start, end in starts:
-            change = self._first_proved({name: start + share * (end - start)} for share in self.asked.further)
+            change = self._first_proved({name: start + share * (end - start)} for share in self.effort.further)
             if change is not None and (best is None or _order(change) < _order(best)):
                 best = change
             if best is not None and best.outcome == "proved":
@@ -157,7 +183,7 @@ class _Search:
 
     def _ladder(self, name: str, side: int) -> FloatArray:
         """Values from the present one away, to where a redesign would be another brake."""
-        start, share = self.study.values[name], np.linspace(0.0, 1.0, self.asked.values)
+        start, share = self.study.values[name], np.linspace(0.0, 1.0, self.effort.values)
         if self.study.si(name) == "rad":
             end = math.radians(1.0) if side < 0 else math.radians(179.0)
             values = start + share * (end - start)
@@ -165,27 +191,37 @@ class _Search:
             values = share**2 * (self._unit(name) if side > 0 else 0.0)
         else:
             values = start * _FACTOR ** (side * share)
-        inside = [self.asked.inside(name, value, value) for value in values.tolist()]
+        inside = [self._inside(name, value, value) for value in values.tolist()]
         return np.asarray(values[: inside.index(False)] if False in inside else values)
 
     # ------------------------------------------------------------------------------------------------- several at once
 
     def joint(self) -> Change | None:
-        """The least change of all that has a tolerance."""
-        names = tuple(name for name in self.asked.names if name in self.study.tolerances)
+        """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
+        study, names = self.study, tuple(name for name in self.names if name in self.study.tolerances)
         try:
-            after = self.asked.joint(self.study, names, self.target, self.scale)
+            names = names if len(names) > 1 else self._movers()[:3]
+            scale = {name: self.scale[name] for name in names}
+            after = load(study.model).redesign(design(study), names, {"mu0": self.target}, scale).parameters
         except SpragsymError:
             return None
-        if after is None:
+        if not isinstance(after, dict):
             return None
         # The least change has its jump on the target: as much further as its own tolerances ask for.
         before = self.study.values
         longer = (
             {name: before[name] + stretch * (value - before[name]) for name, value in after.items()} for stretch in _STRETCHES
         )
-        allowed = (one for one in longer if all(self.asked.inside(name, value, value) for name, value in one.items()))
+        allowed = (one for one in longer if all(self._inside(name, value, value) for name, value in one.items()))
         return self._first_proved(allowed)
+
+    def _movers(self) -> tuple[str, ...]:
+        """Quantities by how far one tolerance of each moves the friction of the jump."""
+        designs = space(design(self.study), self.scale, None)
+        z = np.zeros(len(designs.names))
+        slopes, found = designs.slopes(z), load(self.study.model).jump_gradient(designs.sets(z), "mu0").slopes
+        moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
+        return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
 
     # ------------------------------------------------------------------------------------------------- as it is printed
 
@@ -217,23 +253,26 @@ class _Search:
     def _in_range(self, after: Mapping[str, float]) -> bool:
         """Whether all brakes within the tolerances about a design are brakes."""
         new = self.study.changed(after).quantities
-        return all(self.asked.inside(name, new[name].low, new[name].high) for name in after)
+        return all(self._inside(name, new[name].low, new[name].high) for name in after)
+
+    def _inside(self, name: str, low: float, high: float) -> bool:
+        """Whether all between two ends are values of a quantity."""
+        allowed = self.allowed[name]
+        return allowed.contains(low) and allowed.contains(high)
 
     def _verified(self, after: Mapping[str, float], proof_only: bool) -> Change | None:
         """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
-        study, asked = self.study, self.asked
+        study = self.study
         new, before = study.changed(after), {name: study.values[name] for name in after}
         try:
-            jump = asked.jump(study, {**study.values, **after})
+            jump = float(load(study.model).jump_value(new.dimensionless, "mu0"))
         except SpragsymError:
             return None
-        outcome, (few, many) = asked.outcome(new), asked.points
-        if outcome == "refuted" or (
-            outcome == "undecided" and (proof_only or counterexample(new, many, asked.jumping) is not None)
-        ):
+        outcome, (few, many) = certificate(new, hasty=True).outcome, self.effort.shares
+        if outcome == "refuted" or (outcome == "undecided" and (proof_only or counterexample(new, many) is not None)):
             return None
         size = math.hypot(*((value - before[name]) / self.scale[name] for name, value in after.items()))
-        share = 0.0 if outcome == "proved" else float(np.nanmean(asked.jumping(new, samples(new, few))))
+        share = 0.0 if outcome == "proved" else float(np.nanmean(jumping(new, samples(new, few))))
         return Change(before, after, jump, size, share if varied(study) else math.nan, outcome)
 
 

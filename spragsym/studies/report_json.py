@@ -8,11 +8,11 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from .fold_rows import FoldRow, fold_rows
+from .jump_verdicts import Chance
 from .jumps import JumpPeak
 from .redesigns import Change
 from .states import State
 from .study import Study
-from .tolerances import Chance
 
 if TYPE_CHECKING:
     from .reports import Report

@@ -13,16 +13,16 @@ from ..display import Result
 from ..errors import ParameterError, SpragsymError
 from ..results.points import Points
 from .cautions import cautions
+from .effort import effort
 from .facts import Facts, facts
 from .friction import of_statics, speed_for
+from .jump_verdicts import BoxCertificate, Chance, bracket, certificate, chance, top
 from .jumps import JumpPeak, jump_peak
 from .oscillations import Oscillation, oscillation_of
-from .questions import Questions, questions
-from .redesigns import Change, changes
+from .redesigns import Change, changes, distance
 from .states import State, current, states
 from .study import Study
-from .tolerances import BoxCertificate, Chance, varied
-from .tube_tolerances import bracket
+from .tolerances import varied
 
 T = TypeVar("T")
 
@@ -216,9 +216,9 @@ def _report(
             "there; give the speed of the belt, or leave V and d out for friction at full slip"
         )
     tell("jumps, lowest fold and states")
-    p, at, asked, told = study.dimensionless, study.at_work, _Asked(study), questions(study)
+    p, at, asked, end = study.dimensionless, study.at_work, _Asked(study), top(study)
     rises = "mu0" in p.model.parameters
-    mu0_jump, theta0_jump = asked.jump(p, "mu0", told.top), asked.jump(at, "theta0")
+    mu0_jump, theta0_jump = asked.jump(p, "mu0", end), asked.jump(at, "theta0")
     mu_jump, speed = mu0_jump, math.nan
     if mu0_jump is not None and not math.isnan(mu0_jump):
         mu_jump = of_statics(study, mu0_jump)
@@ -234,7 +234,7 @@ def _report(
     turns = asked.folds({name: one for name, one in (("mu0", p), ("theta0", at)) if name in p.model.parameters})
     tell("the proof for all within the tolerances")
     reached = (
-        asked.known("whether nothing within the tolerances jumps is", lambda: told.certificate(study))
+        asked.known("whether nothing within the tolerances jumps is", lambda: certificate(study))
         if probability and rises
         else None
     )
@@ -249,9 +249,9 @@ def _report(
         holds = any(state.stable for state in found if state.current or here is None)
         lives = asked.known("the oscillation is", lambda: oscillation_of(study, settles, holds))
     tell("the probability of a jump")
-    odds = _chance(asked, told, reached, n) if probability and rises else None
+    odds = _chance(asked, reached, n) if probability and rises else None
     tell("what to change (--no-redesign leaves it out)" if redesign else "")
-    so = facts(study, mu_jump, of_statics(study, told.top) if rises else told.top, speed, reached, odds)
+    so = facts(study, mu_jump, of_statics(study, end) if rises else end, speed, reached, odds)
     faster = so.reach == "faster"
     target = safety * (so.full[2] if faster else high)
     sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")
@@ -263,7 +263,7 @@ def _report(
     parts: dict[str, Any] = dict(
         mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu_lowest=lowest[0],
         theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=working, margin_percent=margin,
-        distance=told.distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
+        distance=distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
         complete=bool(eq.complete and (not rises or ("mu0" in turns and turns["mu0"].complete))),
         probability=odds, redesign=changes(study.at_full_slip() if faster else study, target) if needed else (),
         needed=needed, target=target, peak=peak, facts=so,
@@ -274,7 +274,7 @@ def _report(
     return Report(**parts, verdict=verdict(study, parts))
 
 
-def _chance(asked: _Asked, told: Questions, reached: BoxCertificate | None, n: int | None) -> Chance | None:
+def _chance(asked: _Asked, reached: BoxCertificate | None, n: int | None) -> Chance | None:
     """The probability, by samples and between its proved bounds; nothing is sampled where no brake jumps, by proof."""
     study = asked.study
     if not varied(study):
@@ -282,6 +282,6 @@ def _chance(asked: _Asked, told: Questions, reached: BoxCertificate | None, n: i
     proved = reached is not None and reached.outcome == "proved"
     if proved and not study.unbounded:
         return Chance(0.0, 0.0, 0.0, 1.0, 0, {}, (0.0, 0.0))
-    odds = told.chance(study, told.samples if n is None else n)
+    odds = chance(study, effort(study).samples if n is None else n)
     bounds = asked.known("bounds of the probability are", lambda: bracket(study))
     return odds if odds is None or bounds is None else replace(odds, proved=bounds)

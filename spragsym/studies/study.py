@@ -15,9 +15,9 @@ from ..design.dependence import Correlation, Dependence, dependence
 from ..errors import ParameterError
 from ..models.load import USUAL
 from ..names import hint
-from ..parameters import PhysicalParameters, Scales, as_number, physical_ranges
+from ..parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
 from . import brake_quantities
-from .brake_files import QUANTITY_UNITS, BrakeFile, allowed_range, physical, read_brake
+from .brake_files import OPTIONAL, BrakeFile, read_brake
 from .measurements import FrictionFit
 from .units import Measured, factor, read, shown_in
 
@@ -35,13 +35,15 @@ class Study:
 
     Parameters
     ----------
-    parameters : PhysicalParameters
-        Single numbers in SI.
+    parameters : PhysicalParameters or mapping of str to float
+        Single numbers in SI: of the article's model, or the quantities of ``model`` by name; V and d may be left out.
     tolerance : mapping, optional
         For each quantity that is known within limits only: how far it may be off, as a number in SI; its two ends, as a tuple; or
         text such as ``"15 %"``, ``"1 deg"`` or, for a standard deviation, ``"sd 5 %"``.
     correlation : mapping of pairs of names to float, optional
         Quantities that vary together, see :func:`spragsym.jump_probability`.
+    model : str, optional
+        Name or folder of the model.
 
     Attributes
     ----------
@@ -62,24 +64,19 @@ class Study:
     """
 
     def __init__(
-        self, parameters: PhysicalParameters, tolerance: Mapping[str, Any] | None = None, correlation: Correlation | None = None
-    ) -> None:
-        if not isinstance(parameters, PhysicalParameters):
-            raise ParameterError(
-                f"parameters = {type(parameters).__name__}(...): a study needs PhysicalParameters, in newtons and metres; "
-                "for dimensionless ones call jump_value, jump_margin, certify and jump_probability"
-            )
-        if parameters.shape:
-            raise ParameterError(f"parameters have the shape {parameters.shape}; a study is of one brake, so give single numbers")
-        given = {name: getattr(parameters, name) for name in QUANTITY_UNITS}
+        self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,
+        correlation: Correlation | None = None, *, model: str = USUAL,
+    ) -> None:  # fmt: skip
+        units, ranges = brake_quantities.quantity_units(model), brake_quantities.ranges(model)
+        given = _given(parameters, model, ranges)
         off = dict(tolerance or {})
         for name in off:
-            if given.get(name) is None:
-                raise ParameterError(f"tolerance of {name!r}: no such quantity{hint(name, QUANTITY_UNITS)}; leave it out")
+            if name not in given:
+                raise ParameterError(f"tolerance of {name!r}: no such quantity{hint(name, units)}; leave it out")
         self.quantities: Mapping[str, Measured] = {
-            name: _measured(name, value, off.get(name)) for name, value in given.items() if value is not None
+            name: _measured(name, given[name], off.get(name), units[name], ranges[name]) for name in units if name in given
         }
-        self.model, self.source, self.fit, self.correlation = USUAL, "", None, dict(correlation or {})
+        self.model, self.source, self.fit, self.correlation = model, "", None, dict(correlation or {})
         dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
 
     @classmethod
@@ -118,13 +115,6 @@ class Study:
         return tuple(name for name in self.tolerances if not self.quantities[name].cut)
 
     # ------------------------------------------------------------------------------------------------- the operating point
-
-    @cached_property
-    def parameters(self) -> PhysicalParameters:
-        """The values, of a range its middle."""
-        if self.model != "kang_nam":
-            raise ParameterError(f"model = {self.model!r} has other quantities than PhysicalParameters; use study.quantities")
-        return physical(self.quantities)
 
     @property
     def about(self) -> Mapping[str, Any]:
@@ -207,7 +197,7 @@ class Study:
     @property
     def si_units(self) -> Mapping[str, str]:
         """The SI unit of each quantity that the model takes."""
-        return QUANTITY_UNITS if self.model == "kang_nam" else brake_quantities.quantity_units(self.model)
+        return brake_quantities.quantity_units(self.model)
 
     def si(self, name: str) -> str:
         """The SI unit of a quantity."""
@@ -243,7 +233,7 @@ class Study:
         """
         from . import reports
 
-        safety = as_number("safety", safety, physical_ranges()["k"])
+        safety = as_number("safety", safety, POSITIVE)
         return reports.report(
             self, probability=probability, redesign=redesign, oscillation=oscillation, safety=safety, n=n, progress=progress
         )
@@ -258,14 +248,34 @@ class Study:
         return f"Study({', '.join(f'{name}={self.shown(name, one.value)}' for name, one in self.quantities.items())})"
 
 
-def _measured(name: str, value: float, off: Any) -> Measured:
-    si = QUANTITY_UNITS[name]
-    unit = PLAIN_UNITS[si]
-    allowed = physical_ranges()[name]
+def _given(parameters: Any, model: str, ranges: Mapping[str, Range]) -> dict[str, float]:
+    """Quantities in SI by name, checked."""
+    if isinstance(parameters, PhysicalParameters) and model == USUAL:
+        if parameters.shape:
+            raise ParameterError(f"parameters have the shape {parameters.shape}; a study is of one brake, so give single numbers")
+        both = ((name, getattr(parameters, name)) for name in ranges)
+        return {name: float(value) for name, value in both if value is not None}
+    if not isinstance(parameters, Mapping):
+        raise ParameterError(
+            f"parameters = {type(parameters).__name__}(...): a study needs PhysicalParameters, in newtons and metres, or with "
+            "model= a mapping; for dimensionless ones call jump_value, jump_margin, certify and jump_probability"
+        )
+    for name in parameters:
+        if name not in ranges:
+            remark = hint(name, ranges) or f"; it has {', '.join(ranges)}"
+            raise ParameterError(f"parameters: {name!r} is no quantity of {model}{remark}")
+    missing = [name for name in ranges if name not in parameters and name not in OPTIONAL]
+    if missing:
+        raise ParameterError(f"parameters are without {', '.join(missing)}; give them in SI units")
+    return {name: as_number(name, value, ranges[name]) for name, value in parameters.items()}
+
+
+def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Measured:
+    unit = PLAIN_UNITS.get(si, si)
     if off is None:
         low = high = value
     elif isinstance(off, str):
-        return replace(read(_around(value, off, si), si, allowed_range(name)), value=value, unit=unit)
+        return replace(read(_around(value, off, si), si, allowed), value=value, unit=unit)
     elif isinstance(off, tuple):
         if len(off) != 2:
             raise ParameterError(f"tolerance of {name} = {off!r}; give two ends, the smaller first")

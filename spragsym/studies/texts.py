@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 from ..models.load import USUAL
 from .facts import Facts
 from .fold_rows import fold_rows
+from .jump_verdicts import Chance
 from .jumps import AWAY
 from .oscillations import Oscillation
 from .states import State
 from .study import Study
-from .tolerances import Chance
 from .units import ENDS
 
 #: Sobol' indices whose 95 % interval is wider to either side are not told.

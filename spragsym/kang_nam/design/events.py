@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,21 +25,18 @@ from .jump_values import BLOCK, first_jumps, small
 _NEAR = 1e-9
 
 
-@dataclass(frozen=True)
-class Jumped:
-    """For many points whether the state has jumped; ``reasons`` says of which, by position in ``.flat``, that is not known."""
-
-    jumped: NDArray[np.bool_]
-    reasons: Mapping[int, str]
-
-
-def have_jumped(p: Parameters) -> Jumped:
-    """Whether the state of small deformation jumps at a friction up to that of each point: ``jump_value(p) <= p.mu0``.
+def have_jumped(p: Parameters) -> FloatArray:
+    """1 where the state of small deformation jumps at a friction up to that of the point, ``jump_value(p) <= p.mu0``, else 0.
 
     Parameters
     ----------
     p : Parameters
         Any shape.
+
+    Returns
+    -------
+    ndarray
+        Of the shape of the points; NaN where it is not known.
 
     Notes
     -----
@@ -50,14 +46,13 @@ def have_jumped(p: Parameters) -> Jumped:
     Examples
     --------
     >>> import numpy as np
-    >>> have_jumped(Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7])).jumped
-    array([False,  True,  True])
+    >>> have_jumped(Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7]))
+    array([0., 1., 1.])
     """
     p.require("theta0", "mu0")
     size = math.prod(p.shape)
     given = {name: np.broadcast_to(getattr(p, name), p.shape).reshape(-1) for name in NAMES}
-    jumped = np.zeros(size, dtype=np.bool_)
-    reasons: dict[int, str] = {}
+    out = np.zeros(size)
     for begin in range(0, size, BLOCK):
         part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
         yes, left = _decided(part)
@@ -65,13 +60,13 @@ def have_jumped(p: Parameters) -> Jumped:
             some = {name: column[left] for name, column in part.items()}
             found = first_jumps(Parameters(**some), "mu0", apart_from=some["mu0"])
             yes[left] = found.value <= some["mu0"]
-            reasons |= {begin + int(left[i]): reason for i, reason in found.reasons.items()}
-        jumped[begin : begin + BLOCK] = yes
-    return Jumped(jumped.reshape(p.shape), reasons)
+            yes[left[list(found.reasons)]] = np.nan
+        out[begin : begin + BLOCK] = yes
+    return out.reshape(p.shape)
 
 
-def _decided(given: Mapping[str, FloatArray]) -> tuple[NDArray[np.bool_], NDArray[np.intp]]:
-    """Which points have jumped, and those of which the signs do not tell."""
+def _decided(given: Mapping[str, FloatArray]) -> tuple[FloatArray, NDArray[np.intp]]:
+    """1 for points that have jumped, else 0, and those of which the signs do not tell."""
     bare = equilibria(Parameters(**{**given, "mu0": np.zeros_like(given["mu0"])}))
     full = equilibria(Parameters(**given))
     slot = small(bare)[:, None]
@@ -90,7 +85,7 @@ def _decided(given: Mapping[str, FloatArray]) -> tuple[NDArray[np.bool_], NDArra
     # Where it falls at the beginning the state moves the other way as the friction rises.
     clear &= signs.at_low < 0
     left = ~(clear & (signs.negative | signs.positive)) & (given["mu0"] > 0)
-    return clear & signs.positive, np.flatnonzero(left)
+    return np.where(clear & signs.positive, 1.0, 0.0), np.flatnonzero(left)
 
 
 def _place(theta: FloatArray) -> FloatArray:

@@ -65,7 +65,7 @@ def jumping(designs: Space, z: FloatArray) -> NDArray[np.bool_]:
     """Which designs jump at their own friction or below it."""
     p = designs.sets(z)
     assert isinstance(p, Parameters)
-    return have_jumped(p).jumped
+    return np.asarray(have_jumped(p) == 1)
 
 
 def _nothing_jumps_within(designs: Space, radius: float) -> bool:

@@ -113,7 +113,4 @@ def _has_jumped(values: dict[str, Any]) -> FloatArray:
         values["mu0"] = sliding_friction(
             *(values[name] for name in ("mu0", *BELT))
         )  # d V has no dimension, in SI as without units
-    found = have_jumped(Parameters(**dimensionless(values)))
-    result = np.where(found.jumped, 1.0, 0.0)
-    result[list(found.reasons)] = np.nan
-    return result
+    return have_jumped(Parameters(**dimensionless(values)))

@@ -1,4 +1,4 @@
-"""Corners between which all brakes within the tolerances lie, in the parameters of any model."""
+"""Corners between which all brakes within the tolerances lie, in the parameters of the model."""
 
 from __future__ import annotations
 

@@ -501,6 +501,32 @@ def of_model(model: str, rows: dict[str, str], file: Path) -> ss.Study:
     return ss.Study.from_file(file)
 
 
+@pytest.mark.parametrize(
+    ("model", "more", "rises"),
+    [
+        ("kang_nam", {"mu0": 0.45}, {"mu0", "V", "d"}),
+        ("stribeck", {"mu_s": 0.5, "mu_k": 0.3, "v_s": 0.1}, {"mu_s", "mu_k", "v_s", "d"}),  # less friction at more speed
+    ],
+)
+def test_quantities_with_which_friction_rises(model: str, more: dict[str, float], rises: set[str]) -> None:
+    """Only of these the lower ends of tolerances are left out; at random brakes more of one is never less friction."""
+    given = {"m": 0.35, "k": 180e3, "k_x": 9e3, "k_y": 0.0, "k_c": 1.5e6, "F_L": 420.0, "L_0": 0.038, "theta0": 0.9}
+    given |= {"V": 1.2, "d": 10.0, **more}
+    study = ss.Study(given, tolerance=dict.fromkeys(("k_c", "m", *rises, "V"), "10 %"), model=model)
+    found = friction.rising(study)
+    assert found == rises
+    rng = np.random.default_rng(8)
+    values = tolerances.values_at(study, rng.uniform(size=(500, len(tolerances.varied(study)))))
+    law = friction.law_of(study)
+    for name in study.about["friction"]["quantities"]:
+        most = {**values, name: np.full(500, study.quantities[name].high)}
+        less, more_of_it = (
+            brake_quantities.frictions(ss.load(model), brake_quantities.dimensionless(model, one)[0], law)
+            for one in (values, most)
+        )
+        assert (more_of_it >= less * (1 - 1e-14)).all() == (name in found)
+
+
 @pytest.mark.thorough
 def test_with_another_model_the_same_brakes_jump(tmp_path: Path) -> None:
     """At the same corners and points of the tolerances as by closed forms, with the belt's speed among them."""

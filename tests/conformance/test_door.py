@@ -19,6 +19,7 @@ import spragsym as ss
 from spragsym import door
 from spragsym.models.load import shipped
 from spragsym.parameters import NAMES
+from spragsym.studies import redesigns
 
 #: Questions that only closed forms answer so far.
 UNANSWERED = (
@@ -160,6 +161,32 @@ def test_two_ways_to_one_answer() -> None:
         ss.surface(ss.Parameters(theta0=0.7), method="search")
     with pytest.raises(ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"):
         ss.equilibria(p, method="guess")
+
+
+def test_what_has_jumped_has_two_witnesses() -> None:
+    """By the signs of one polynomial, and by tubes; both are what jump values say."""
+    rng = np.random.default_rng(3)
+    p = ss.Parameters.article(theta0=rng.uniform(0.5, 1.4, (8, 5)), mu0=rng.uniform(0.1, 0.9, (8, 5)))
+    closed, search = (p.model.have_jumped(p, method=method) for method in ("closed", "search"))
+    assert closed.shape == search.shape == p.shape
+    known = ~np.isnan(search)
+    assert known.mean() > 0.9
+    assert 0.1 < closed.mean() < 0.9
+    assert np.array_equal(closed[known], search[known])
+    assert np.array_equal(closed == 1, ss.jump_value(p) <= p.mu0)
+
+
+def test_a_design_is_one_of_its_model() -> None:
+    """Quantities with units stand for a set of the model, and for none of another."""
+    brake = {"m": 0.35, "k_c": 1.5e6, "L_0": 0.038, "theta0": 0.9, "mu0": 0.3, "F_L": 420.0, "k_x": 9e3, "k": 1.8e5, "k_y": 0.0}
+    designs = {name: redesigns.design(ss.Study(brake | more, model=name)) for name, more in (
+        ("kang_nam", {}), ("cubic_contact", {"k_3": 0.0}),
+    )}  # fmt: skip
+    margins = [ss.load(name).jump_margin(one, {"k": 2.7e4, "mu0": 0.05}) for name, one in designs.items()]
+    assert margins[0].distance == pytest.approx(margins[1].distance, rel=1e-6)
+    assert margins[0].change == pytest.approx(margins[1].change, rel=1e-4)
+    with pytest.raises(ss.ParameterTypeError, match="is no set of parameters of kang_nam"):
+        ss.load("kang_nam").jump_margin(designs["cubic_contact"], {"k": 2.7e4})
 
 
 @pytest.mark.thorough

@@ -56,6 +56,23 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
         assert state[key] == pytest.approx(unit * float(getattr(eq, coordinate["name"])[slot]), rel=1e-9)
 
 
+def test_a_study_is_the_same_from_python_and_from_a_file(tmp_path: Path) -> None:
+    for name in ("two_springs", "kang_nam"):
+        file, _, _ = a_brake(name, tmp_path)
+        read = ss.Study.from_file(file)
+        made = ss.Study(read.values, model=name)
+        assert made.dimensionless == read.dimensionless
+        assert list(made.quantities) == list(read.quantities)
+        less = {"oscillation": False, "probability": False, "redesign": False}
+        assert made.report(**less).states == read.report(**less).states
+    with pytest.raises(ss.ParameterError, match="'k_q' is no quantity of two_springs; it has m, k_c"):
+        ss.Study({**read.values, "k_q": 1.0}, model="two_springs")
+    with pytest.raises(ss.ParameterError, match="parameters are without theta0_2, k_2"):
+        ss.Study(read.values, model="two_springs")
+    with pytest.raises(ss.ParameterError, match="a study needs PhysicalParameters"):
+        ss.Study(ss.load("two_springs").Parameters(), model="two_springs")
+
+
 def test_two_springs_have_forces_lengths_and_directions(tmp_path: Path) -> None:
     """By hand: the tension of a spring is its stiffness times what it is longer than without load."""
     file, p, length = a_brake("two_springs", tmp_path)

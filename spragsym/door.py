@@ -41,8 +41,9 @@ INTERFACE = frozenset((
     "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
 #: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, whether one that is
-#: above the belt stays there, whether states have ended at their friction, and what is known to any number of digits.
-PARTS = frozenset(("integrate", "rest_index", "aloft", "have_jumped", "precise_equilibria", "precise_cusps"))
+#: above the belt stays there, which states lie on one branch, whether they have ended at their friction, and what is known to any
+#: number of digits.
+PARTS = frozenset(("integrate", "rest_index", "aloft", "linked", "have_jumped", "precise_equilibria", "precise_cusps"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import json
+import pickle
 
 import numpy as np
 import pytest
 
 import spragsym as ss
 from spragsym.cli import main
+from spragsym.models.load import shipped
+from tests.support import few
 
 plot = pytest.importorskip("matplotlib.figure")
 
 from spragsym import figures  # noqa: E402  needs matplotlib
-from spragsym.figures.models import label, window  # noqa: E402  needs matplotlib
+from spragsym.figures.labels import label, window  # noqa: E402  needs matplotlib
 
 BETWEEN = {"mu0": (0.0, 1.0)}
 
@@ -39,14 +42,46 @@ def test_the_bifurcation_set_on_given_axes(ax, found):
     assert np.allclose(lines[-1].get_ydata(), found.cusps.mu0)
 
 
-def test_equilibria_along_a_parameter(ax):
-    model = ss.load("kang_nam").search
-    dots = figures.draw_equilibria_of(model, model.Parameters(theta0=1.0, mu0=0.7), "theta0", "y", ax, n=20)
-    values = np.pi * (np.arange(20) + 0.5) / 20
-    known = ss.equilibria(ss.Parameters.article(mu0=0.7, theta0=values))
-    assert sum(line.get_xdata().size for line in dots) == known.count.sum()
-    assert np.allclose(np.sort(np.concatenate([line.get_ydata() for line in dots])), np.sort(known.y[~np.isnan(known.y)]))
-    assert {line.get_label() for line in dots} == {"stable", "divergent", "flutter"}  # what friction's slope lets grow
+@pytest.mark.parametrize("name", few(shipped(), "two_springs", "sprag_rod", "mode_coupling"))
+def test_curves_pass_through_all_equilibria(name, ax):
+    """At random values as many curves as there are states, near them and of their stability; two of them end on each fold."""
+    model = ss.load(name)
+    p = model.Parameters(**({"theta0": 0.7} if "theta0" in model.parameters else {}))
+    vary, first = model.axes[0], model.coordinates[0]
+    found = figures.branches(p, vary, n=120)
+    low, high = min(one.values[0] for one in found), max(one.values[-1] for one in found)
+    values = low + (high - low) * np.random.default_rng(2).uniform(0.02, 0.98, 40)
+    eq = model.equilibria(p.replace(**{vary: values}))
+    for i, value in enumerate(values):
+        passing = [one for one in found if one.values[0] <= value <= one.values[-1]]
+        assert len(passing) == eq.count[i]
+        for one in passing:
+            away = np.abs(getattr(eq, first)[i] - np.interp(value, one.values, one.states[first]))
+            slot = int(np.nanargmin(away))
+            assert away[slot] < 0.02
+            assert one.stability == eq.stability[i, slot]
+    turns = model.folds(p, vary, between={vary: (float(low), float(high))})
+    for value, state in zip(getattr(turns, vary), getattr(turns, first), strict=True):
+        ends = [(one.values[end], one.states[first][end]) for one in found for end in (0, -1)]
+        assert sum(at == pytest.approx(value, abs=1e-9) and place == pytest.approx(state, abs=1e-6) for at, place in ends) == 2
+    lines = figures.plot_equilibria(p, vary=vary, ax=ax, n=20)
+    assert lines == ax.get_lines()
+    assert ax.get_xlabel()
+
+
+def test_curves_by_search_are_those_of_closed_forms():
+    p = ss.Parameters.article(mu0=0.7)
+    closed = figures.branches(p, n=60)
+    search = figures.branches(ss.load("cubic_contact").Parameters(mu0=0.7, gamma=0.0), n=60)
+    assert len(closed) == len(search)
+    for one in closed:
+        assert any(
+            one.values.shape == other.values.shape
+            and np.allclose(one.values, other.values, atol=1e-9)
+            and np.allclose(one.x, other.x, atol=1e-6)
+            for other in search
+        )
+        assert pickle.loads(pickle.dumps(one)).x.tolist() == one.x.tolist()  # noqa: S301  # our own
 
 
 def test_onsets_are_the_closed_form_of_mode_coupling(ax):

@@ -120,7 +120,7 @@ def written(path: Path, part: str, make: Callable[[], Sheet]) -> None:
 def _draw(case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], cusps: Any, n: int) -> None:
     """The bifurcation set; by closed forms where the model has them for all of this plane."""
     from ..figures import bifurcation_figure, model_figure
-    from ..figures.models import window
+    from ..figures.labels import window
 
     p = case.set(*vary)
     closed = case.has_closed("bifurcation_set") and vary == case.model.axes and not ranges

@@ -146,7 +146,8 @@ def _map(model: Model, point: Mapping[str, Any], study: Study | None, asked: boo
     """The map of stability at a point of a model, and the command that prints its numbers; empty where nobody asks for it."""
     if not asked:
         return "", ""
-    from ..figures.models import draw_onset_curves_of, window
+    from ..figures.labels import window
+    from ..figures.models import draw_onset_curves_of
     from ..studies.pages import picture
 
     if len(model.axes) != 2:

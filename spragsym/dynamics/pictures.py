@@ -26,10 +26,10 @@ def axis_label(model: Any, name: str) -> str:
     """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its unit."""
     unit = model.quantities[name][0]
     written = rf"{symbol(model.coordinates[model.rates.index(name)])}'" if name in model.rates else symbol(name)
-    return f"${written}$" if unit in ("1", "rad") else f"${written}$ / ${_unit(unit)}$"
+    return f"${written}$" if unit in ("1", "rad") else f"${written}$ / ${in_letters(unit)}$"
 
 
-def _unit(scale: str) -> str:
+def in_letters(scale: str) -> str:
     """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, as mathematics writes it."""
     merged = re.sub(r"sqrt\((\w+)\)/sqrt\((\w+)\)", r"\\sqrt{\1/\2}", scale)
     return re.sub(r"(?<!\\)sqrt\((.+?)\)", r"\\sqrt{\1}", merged).replace("**", "^").replace("*", r"\,")

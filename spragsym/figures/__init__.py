@@ -25,7 +25,6 @@ from .extras import bifurcation_figure, figure_cusp_friction, figure_false_doubl
 from .files import FORMATS, write
 from .models import (
     draw_bifurcation_set_of,
-    draw_equilibria_of,
     draw_onset_curves_of,
     draw_onsets_of,
     model_figure,
@@ -72,7 +71,6 @@ __all__ = [
     "diagram_figure",
     "draw_bifurcation_set_of",
     "draw_branches",
-    "draw_equilibria_of",
     "draw_motion",
     "draw_onset_curves_of",
     "draw_onsets_of",

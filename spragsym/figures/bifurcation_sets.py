@@ -11,8 +11,7 @@ from matplotlib.axes import Axes
 from ..assumed import MU0_RANGE
 from ..kang_nam.catastrophe import bifurcation_set
 from ..kang_nam.catastrophe.flutter_points import FlutterBoundary, flutter_boundary
-from ..kang_nam.statics.solver import equilibria
-from ..parameters import FloatArray, Parameters
+from ..parameters import FloatArray, Parameters, ParameterSet
 from ..results.equilibria import Stability
 from . import surfaces
 from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
@@ -105,14 +104,17 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     )
 
 
-def draw_bifurcation_set(ax: Axes, p: Parameters, mu0: tuple[float, float] = MU0_RANGE) -> Table:
-    """Fold curves over (θ₀, μ₀), with the regions between them shaded and cusps marked."""
-    found = bifurcation_set(p)
-    columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": []}
-    angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
-    count = equilibria(p.replace(theta0=angles, mu0=frictions[:, None])).count
-    if (count == 3).any():
-        ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+def draw_bifurcation_set(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, n: int = 60) -> Table:
+    """Fold curves of any model over (θ₀, μ₀), on ``n`` lines if by search; by closed forms the regions between them shaded."""
+    model, columns = p.model, dict[str, list[FloatArray]](curve=[], theta0_deg=[], mu0=[])
+    if "bifurcation_set" in model.closed:
+        found = model.bifurcation_set(p)
+        angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
+        count = model.count(p.replace(theta0=angles, mu0=frictions[:, None]))
+        if (count == 3).any():
+            ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+    else:
+        found = model.bifurcation_set(p, ("theta0", "mu0"), n, between={"mu0": mu0})
     for number, curve in enumerate(found.curves):
         ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION)
         for name, values in zip(columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True):

@@ -3,47 +3,70 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from ..door import only_for
-from ..kang_nam.catastrophe import folds, quasi_static_path
-from ..parameters import Parameters
+from ..errors import ConvergenceError
+from ..parameters import ParameterSet
 from .bifurcation_sets import draw_bifurcation_set
-from .curves import branches, draw_branches, draw_path, mark_folds
+from .curves import branches, draw_branches, draw_path, folds_between, mark_folds
+from .labels import with_unit
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
 
-#: Friction up to which pictures go, at least.
-_TOP = 1.0
+#: Friction up to which pictures go, at least, and up to which folds are looked for.
+_TOP, _FAR = 1.0, 3.0
 
 
-@only_for(Parameters, "draw_bifurcation_set_of(model, found) draws the set")
 def draw_operating_point(
-    p: Parameters, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan"), ax: Axes | None = None
-) -> Any:
-    """The bifurcation set with the point where a brake works, the box of its tolerances, and the friction at which it jumps.
+    p: ParameterSet, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan"), ax: Axes | None = None, *,
+    n: int = 60,
+) -> Any:  # fmt: skip
+    """The bifurcation set of any model over inclination and friction, with a brake in it, see :func:`mark_brake`.
 
     Parameters
     ----------
-    p : Parameters
-        Scalars, with the friction that works.
-    theta0, mu0 : (float, float)
-        Ends of the tolerances, radians.
-    jump : float
-        Friction at which the state of small deformation jumps at θ₀, NaN if it never does.
+    p, theta0, mu0, jump
+        As for :func:`mark_brake`.
     ax : Axes, optional
+    n : int
+        Lines of either parameter on which a search looks for folds.
 
     Returns
     -------
     matplotlib line of the point
     """
     ax = own_axes(ax)
-    top = max(_TOP, 1.15 * mu0[1], 1.15 * jump if jump < 3 else 0.0)
-    draw_bifurcation_set(ax, p.replace(theta0=None, mu0=None), (0.0, top))
-    angle, friction = float(np.degrees(p.theta0)), float(p.mu0)
+    top = max(_TOP, 1.15 * mu0[1], 1.15 * jump if jump < _FAR else 0.0)
+    draw_bifurcation_set(ax, p, (0.0, top), n)
+    return mark_brake(ax, p, theta0, mu0, jump)
+
+
+def mark_brake(
+    ax: Axes, p: ParameterSet, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan")
+) -> Any:  # fmt: skip
+    """The point where a brake works in the plane of inclination and friction, the box of its tolerances, and where it jumps.
+
+    Parameters
+    ----------
+    ax : Axes
+        Of θ₀ in degrees and μ₀.
+    p : Parameters
+        Scalars, with the friction that works.
+    theta0, mu0 : (float, float)
+        Ends of the tolerances, radians.
+    jump : float
+        Friction at which the followed state jumps at θ₀, NaN if it never does, or is not to be shown.
+
+    Returns
+    -------
+    matplotlib line of the point
+    """
+    radians, friction = p.scalars("theta0", "mu0")
+    angle = float(np.degrees(radians))
     low, high = np.degrees(theta0)
     ax.add_patch(Rectangle((low, mu0[0]), high - low, mu0[1] - mu0[0], facecolor=SKY, edgecolor=BLUE, linewidth=0.8, alpha=0.6,
                            zorder=3))  # fmt: skip
@@ -54,23 +77,44 @@ def draw_operating_point(
     return point
 
 
-@only_for(Parameters, "draw_equilibria_of(model, p, vary, ends) draws the states")
 def draw_rising_friction(
-    p: Parameters, mu0: tuple[float, float], ax: Axes | None = None, *, length: float = 1.0, label: str = r"$x$ / $L_0$"
-) -> Any:
-    """The states over the friction, the one followed as it rises from 0, and the range of the friction shaded."""
-    ax = own_axes(ax)
-    turns = folds(p, "mu0")
-    top = max(_TOP, 1.15 * mu0[1], *(1.15 * value for value in turns.mu0.tolist() if value < 3))
-    draw_branches(branches(p, "mu0", 0.0, top), ax=ax, color=GREY, linewidth=0.8)
-    path = quasi_static_path(p, "mu0", np.linspace(0.0, top, 401))
-    artists = draw_path(path, ax=ax, color=VERMILION)
-    mark_folds(turns, ax=ax, high=top)
+    p: ParameterSet, mu0: tuple[float, float], ax: Axes | None = None, *, length: float = 1.0, label: str | None = None,
+    n: int = 200,
+) -> Any:  # fmt: skip
+    """The states of any model over the friction, the one followed as it rises from 0, and the range of the friction shaded.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars, of a model with mu0, which is not used.
+    mu0 : (float, float)
+        Ends of the friction's tolerance.
+    ax : Axes, optional
+    length : float
+        What one of the first coordinate is, in the unit that the axis shows.
+    label : str, optional
+        Of that axis.
+    n : int
+        Points of each piece.
+
+    Returns
+    -------
+    list of artists
+        Of the path.
+    """
+    ax, first = own_axes(ax), p.model.coordinates[0]
+    turns = folds_between(p, "mu0", 0.0, _FAR)
+    top = max(_TOP, 1.15 * mu0[1], *(1.15 * value for value in turns.mu0.tolist() if value < _FAR))
+    draw_branches(branches(p, "mu0", 0.0, top, damping=True, n=n), first, ax=ax, color=GREY, linewidth=0.8)
+    artists: list[Any] = []
+    with suppress(ConvergenceError):  # where branches can't be told apart there are the states alone
+        artists += draw_path(p.model.quasi_static_path(p, "mu0", np.linspace(0.0, top, 2 * n + 1)), first, ax=ax, color=VERMILION)
+    mark_folds(turns, first, ax=ax, high=top)
     ax.axvspan(*mu0, color=SKY, alpha=0.25, linewidth=0, zorder=0)
     if length != 1.0:
         ax.yaxis.set_major_formatter(lambda value, _: f"{value * length:g}")
         _round_ticks(ax, length)
-    ax.set(xlabel=r"friction $\mu$", ylabel=label, xlim=(0, top))
+    ax.set(xlabel=r"friction $\mu$", ylabel=with_unit(p.model, first) if label is None else label, xlim=(0, top))
     return artists
 
 

@@ -3,146 +3,173 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..door import only_for
-from ..kang_nam.catastrophe.flutter_points import flutter_onsets
-from ..kang_nam.catastrophe.fold_points import folds
-from ..kang_nam.statics.solver import equilibria
-from ..parameters import RANGES, FloatArray, Parameters
+from ..errors import SpragsymError
+from ..models import Model
+from ..parameters import FloatArray, ParameterSet
 from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Path
 from ..results.points import Points
+from .labels import is_angle, window, with_unit
 from .style import BLACK, LINES, Table, own_axes, styled
 
-#: Names of axes.
+#: Names of axes in the article's figures.
 LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\theta$ (deg)", "L": r"$L$"}
-#: Labels of axes in drawings without a caption: with the unit.
-_WITH_UNITS = {
-    "theta0": r"$\theta_0$ (deg)",
-    "mu0": r"$\mu_0$ (dimensionless)",
-    "kappa": r"$\kappa$ (dimensionless)",
-    "alpha": r"$\alpha$ (dimensionless)",
-    "sigma": r"$\sigma$ (dimensionless)",
-    "beta": r"$\beta$ (dimensionless)",
-    "x": r"$x_{\mathrm{eq}}$ (units of $L_0$)",
-    "y": r"$y_{\mathrm{eq}}$ (units of $L_0$)",
-    "theta": r"$\theta$ (deg)",
-    "L": r"$L$ (units of $L_0$)",
-}
-_ANGLES = ("theta0", "theta")
-_STATE = ("theta", "L", "x", "y")
 
 
 @dataclass(frozen=True)
 class Branch:
-    """A piece of an equilibrium curve of one stability, from end to end; angles in radians."""
+    """A piece of an equilibrium curve of one stability, from end to end; angles in radians.
 
+    ``states`` are the columns of :class:`spragsym.Equilibria` that say where a state is, by name, each an attribute too.
+    """
+
+    model: Model
     vary: str
     values: FloatArray
-    theta: FloatArray
-    L: FloatArray
-    x: FloatArray
-    y: FloatArray
+    states: Mapping[str, FloatArray]
     stability: Stability
 
+    def __getattr__(self, name: str) -> FloatArray:
+        if name == "states" or name not in self.states:  # the first while it is being unpickled
+            raise AttributeError(name)
+        return self.states[name]
+
     def shown(self, name: str) -> FloatArray:
-        """A coordinate or the parameter as an axis shows it: angles in degrees."""
-        value: FloatArray = self.values if name == self.vary else getattr(self, name)
-        return np.degrees(value) if name in _ANGLES else value
+        """A column or the parameter as an axis shows it: angles in degrees."""
+        value: FloatArray = self.values if name == self.vary else self.states[name]
+        return np.degrees(value) if is_angle(self.model, name) else value
 
 
-def name_axes(ax: Axes, vary: str, quantity: str) -> None:
+def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
     """Label axes that have no label yet."""
     if not ax.get_xlabel():
-        ax.set_xlabel(_WITH_UNITS[vary])
+        ax.set_xlabel(with_unit(model, vary))
     if not ax.get_ylabel():
-        ax.set_ylabel(_WITH_UNITS[quantity])
+        ax.set_ylabel(with_unit(model, quantity))
 
 
-@only_for(Parameters, "model.equilibria(p) along an axis has the states")
 def branches(
-    p: Parameters, vary: str = "theta0", low: float | None = None, high: float | None = None, *,
-    contact: bool = True, n: int = 200,
+    p: ParameterSet, vary: str | None = None, low: float | None = None, high: float | None = None, *,
+    contact: bool = True, damping: bool = False, n: int = 200,
 ) -> list[Branch]:  # fmt: skip
-    """All equilibrium curves as one parameter varies, complete: cut at every fold and flutter onset.
+    """All equilibrium curves of any model as one parameter varies, cut at folds, and where their stability changes.
 
     Parameters
     ----------
     p : Parameters
         Scalars; the parameter that varies is not used.
-    vary : str
-        Its name.
+    vary : str, optional
+        Its name; theta0 where there is one.
     low, high : float, optional
-        Its range; by default 0 < θ₀ < π, and 0 to 1 for another.
+        Its range; by default its own, and for one without an end up to 1, or twice the base value if that is more.
     contact : bool
         Steady sliding, or lift-off.
+    damping : bool
+        Stability with dampers and the slope of the friction law, or by (27), without them.
     n : int
         Points of each piece, denser towards its ends.
+
+    Notes
+    -----
+    Folds and onsets are solved for; between them equilibria are solved for at each point, and belong together where a tube joins
+    them, see :func:`spragsym.models.branches.links`. Where a curve leaves the contact it ends at the last of these points.
     """
-    allowed = RANGES[vary]
-    top = allowed.high if np.isfinite(allowed.high) else 1.0
-    inset = 1e-4 if allowed.open_low else 0.0
-    low = allowed.low + inset if low is None else low
-    high = top - inset if high is None else high
-    turns = folds(p, vary) if contact else None
+    model = p.model
+    vary = model.axes[0] if vary is None else vary
+    low, high = _range(model, vary, low, high)
+    turns = folds_between(p, vary, low, high) if contact else None
     found = []
-    for begin, end in itertools.pairwise(_cuts(p, vary, low, high, turns)):
+    for begin, end in itertools.pairwise(_cuts(p, vary, low, high, turns, damping)):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
-        values = begin + (end - begin) * share
-        eq = equilibria(p.replace(**{vary: values}), contact=contact)
-        for rank in range(int(eq.count.max())):
-            found += _pieces(vary, values, eq, rank, turns, (begin, end))
+        eq = model.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=contact)
+        for chain in _chains(eq, model.linked(p, vary, eq, turns)):
+            found += _pieces(model, vary, eq, chain, turns, (begin, end), damping)
     return found
 
 
-def _cuts(p: Parameters, vary: str, low: float, high: float, turns: Points | None) -> list[float]:
-    """The ends of the range, and between them the folds and the flutter onsets."""
-    inner: list[float] = [] if turns is None else getattr(turns, vary).tolist()
-    if turns is not None and vary == "theta0":
-        inner += flutter_onsets(p).theta0.tolist()
-    return [low, *sorted(value for value in inner if low < value < high), high]
+def _range(model: Model, vary: str, low: float | None, high: float | None) -> tuple[float, float]:
+    """Ends that are given, or those that are shown."""
+    allowed = model.Parameters.ranges[vary]
+    ends = window(model, (vary,), {})[vary]
+    inset = 1e-4 if allowed.open_low else 0.0
+    return ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
+
+
+def folds_between(p: ParameterSet, vary: str, low: float, high: float) -> Points:
+    """Folds along a parameter: all of closed forms, else those of the range."""
+    known = "folds" in p.model.closed
+    found: Points = p.model.folds(p, vary, **({} if known else {"between": {vary: (low, high)}}))
+    return found
+
+
+def _cuts(p: ParameterSet, vary: str, low: float, high: float, turns: Points | None, damping: bool) -> list[float]:
+    """The ends of the range, and between them the folds and the onsets of flutter, as far as these are known."""
+    inner: list[float] = []
+    if turns is not None:
+        inner += getattr(turns, vary).tolist()
+        with suppress(SpragsymError):
+            inner += getattr(p.model.flutter_onsets(p, vary, damping=damping), vary).tolist()
+    return [low, *sorted({value for value in inner if low < value < high}), high]
+
+
+def _chains(eq: Equilibria, pairs: Sequence[Mapping[int, int]]) -> list[tuple[int, list[int]]]:
+    """Curves as the place at which each begins, and its slots from there on."""
+    done: list[tuple[int, list[int]]] = []
+    open_: dict[int, tuple[int, list[int]]] = {}
+    for place, count in enumerate(eq.count.tolist()):
+        ahead = {} if place == 0 else {pairs[place - 1][slot]: chain for slot, chain in open_.items() if slot in pairs[place - 1]}
+        for slot in range(count):
+            ahead.setdefault(slot, (place, []))[1].append(slot)
+            done += [ahead[slot]] if len(ahead[slot][1]) == 1 else []
+        open_ = ahead
+    return done
 
 
 def _pieces(
-    vary: str, values: FloatArray, eq: Equilibria, rank: int, turns: Points | None, ends: tuple[float, float]
-) -> list[Branch]:
-    """Equilibria of one rank between two cuts, split by stability; at a fold the piece is extended to the exact point."""
-    there = np.flatnonzero(eq.count > rank)
-    states = {name: getattr(eq, name)[there, rank] for name in _STATE}
-    codes, along = eq.stability[there, rank], values[there]
-    starts = np.flatnonzero(np.diff(codes, prepend=-1))
+    model: Model, vary: str, eq: Equilibria, chain: tuple[int, list[int]], turns: Points | None, ends: tuple[float, float],
+    damping: bool,
+) -> list[Branch]:  # fmt: skip
+    """A curve between two cuts, split by stability; at a fold it is extended to the exact point."""
+    first, slots = chain
+    at = np.arange(first, first + len(slots)), np.array(slots)
+    states = {name: getattr(eq, name)[at] for name in eq.columns}
+    values = np.asarray(getattr(eq.parameters, vary))[at[0]]
+    kinds = [Stability[word.upper()] for word in eq.kind[at].tolist()] if damping else list(map(Stability, eq.stability[at]))
+    starts = [place for place, kind in enumerate(kinds) if place == 0 or kind != kinds[place - 1]]
     pieces = []
-    for start, stop in itertools.pairwise([*starts, codes.size]):
+    for start, stop in itertools.pairwise([*starts, len(kinds)]):
         # Where the stability changes within a branch, both pieces share a point, so that no gap shows.
-        reach = slice(start, min(stop + 1, codes.size))
-        shown = {name: state[reach] for name, state in states.items()}
-        pieces.append(Branch(vary, along[reach], **shown, stability=Stability(int(codes[start]))))
-    if turns is not None and pieces:
-        pieces[0] = _to_fold(pieces[0], eq, 0, rank, turns, ends[0])
-        pieces[-1] = _to_fold(pieces[-1], eq, -1, rank, turns, ends[1])
+        reach = slice(start, min(stop + 1, len(kinds)))
+        pieces.append(Branch(model, vary, values[reach], {name: state[reach] for name, state in states.items()}, kinds[start]))
+    if turns is not None and first == 0:
+        pieces[0] = _to_fold(pieces[0], eq, 0, slots[0], turns, ends[0])
+    if turns is not None and first + len(slots) == eq.count.size:
+        pieces[-1] = _to_fold(pieces[-1], eq, -1, slots[-1], turns, ends[1])
     return pieces
 
 
-def _to_fold(piece: Branch, eq: Equilibria, at: int, rank: int, turns: Points, end: float) -> Branch:
+def _to_fold(piece: Branch, eq: Equilibria, at: int, slot: int, turns: Points, end: float) -> Branch:
     """The piece, extended to the fold at its first or last point if its equilibrium is one of the two that meet there."""
     (here,) = np.nonzero(getattr(turns, turns.vary[0]) == end)
     if not here.size or eq.count[at] < 2:
         return piece
     fold = int(here[0])
-    pair = np.argsort(np.abs(eq.theta[at, : int(eq.count[at])] - turns.theta[fold]))[:2]
-    if rank not in pair:
+    away = [values[at, : int(eq.count[at])] - turns.coordinates[name][fold] for name, values in eq.coordinates.items()]
+    if slot not in np.argsort(np.hypot.reduce(away))[:2]:
         return piece
     place = 0 if at == 0 else piece.values.size
-    added = {name: np.insert(getattr(piece, name), place, getattr(turns, name)[fold]) for name in _STATE}
-    return Branch(piece.vary, np.insert(piece.values, place, end), **added, stability=piece.stability)
+    states = {name: np.insert(state, place, getattr(turns, name)[fold]) for name, state in piece.states.items()}
+    return replace(piece, values=np.insert(piece.values, place, end), states=states)
 
 
 @styled
@@ -177,8 +204,9 @@ def mark_folds(
     along = getattr(turns, turns.vary[0])
     inside = (low <= along) & (along <= high)
     x, y = along[inside], getattr(turns, quantity)[inside]
-    x = np.degrees(x) if turns.vary[0] in _ANGLES else x
-    y = np.degrees(y) if quantity in _ANGLES else y
+    model = turns.parameters.model
+    x = np.degrees(x) if is_angle(model, turns.vary[0]) else x
+    y = np.degrees(y) if is_angle(model, quantity) else y
     style: dict[str, Any] = {
         "linestyle": "none",
         "marker": "o",
@@ -189,26 +217,22 @@ def mark_folds(
     return own_axes(ax).plot(x, y, **(style | options))
 
 
-@only_for(Parameters, "draw_equilibria_of(model, p, vary, ends) draws the states")
 def plot_equilibria(
-    p: Parameters, quantity: str = "x", vary: str = "theta0", *,
-    low: float | None = None, high: float | None = None,
-    contact: bool = True, ax: Axes | None = None, color: str = BLACK, **options: Any,
+    p: ParameterSet, quantity: str | None = None, vary: str | None = None, *,
+    low: float | None = None, high: float | None = None, contact: bool = True, damping: bool = False,
+    ax: Axes | None = None, color: str = BLACK, n: int = 200, **options: Any,
 ) -> list[Line2D]:  # fmt: skip
-    """All equilibrium curves as a parameter varies, folds marked.
+    """All equilibrium curves of any model as a parameter varies, folds marked.
 
     Parameters
     ----------
     p : Parameters
         Scalars; the parameter that varies is not used.
-    quantity : {"x", "y", "theta", "L"}
-        What to show; angles in degrees.
-    vary : str
-        The parameter along the horizontal axis.
-    low, high : float, optional
-        Its range.
-    contact : bool
-        Steady sliding, or lift-off.
+    quantity : str, optional
+        What to show, a column of :class:`spragsym.Equilibria` that says where a state is, as x or theta; angles in degrees. By
+        default the first coordinate.
+    vary, low, high, contact, damping, n
+        As for :func:`branches`: the parameter along the horizontal axis.
     ax : matplotlib.axes.Axes, optional
         Where to draw; by default pyplot's current axes.
     color : str
@@ -228,18 +252,17 @@ def plot_equilibria(
     >>> from matplotlib.figure import Figure
     >>> len(plot_equilibria(ss.Parameters.article(), ax=Figure().add_subplot()))
     8
+    >>> len(plot_equilibria(ss.load("cubic_contact").Parameters(), "theta", ax=Figure().add_subplot(), n=20))
+    8
     """
     ax = own_axes(ax)
-    name_axes(ax, vary, quantity)
-    lines = draw_branches(branches(p, vary, low, high, contact=contact), quantity, ax=ax, color=color, **options)
+    vary, quantity = vary or p.model.axes[0], quantity or p.model.coordinates[0]
+    low, high = _range(p.model, vary, low, high)
+    name_axes(ax, p.model, vary, quantity)
+    curves = branches(p, vary, low, high, contact=contact, damping=damping, n=n)
+    lines = draw_branches(curves, quantity, ax=ax, color=color, **options)
     if contact:
-        ends = [line.get_xdata() for line in lines]
-        scale = np.radians if vary in _ANGLES else np.asarray
-        reach = (
-            float(scale(np.min([np.min(x) for x in ends]))),
-            float(scale(np.max([np.max(x) for x in ends]))),
-        )
-        lines += mark_folds(folds(p, vary), quantity, ax=ax, low=reach[0], high=reach[1], color=color)
+        lines += mark_folds(folds_between(p, vary, low, high), quantity, ax=ax, low=low, high=high, color=color)
     return lines
 
 
@@ -249,8 +272,8 @@ def table_of(curves: Sequence[Branch], **same: float) -> Table:
     columns: dict[str, Any] = {name: np.full(sum(c.values.size for c in curves), value) for name, value in same.items()}
     columns["branch"] = np.repeat(np.arange(len(curves)), [curve.values.size for curve in curves])
     columns["stability"] = np.repeat([c.stability.name.lower() for c in curves], [c.values.size for c in curves])
-    for name in (first.vary, *_STATE):
-        key = f"{name}_deg" if name in _ANGLES else name
+    for name in (first.vary, *first.states):
+        key = f"{name}_deg" if is_angle(first.model, name) else name
         columns[key] = np.concatenate([curve.shown(name) for curve in curves])
     return columns
 
@@ -279,7 +302,7 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
         ))  # fmt: skip
         head, begin = ([jump.value], [after]), stop
     pieces.append((np.concatenate([head[0], values[begin:]]), np.concatenate([head[1], states[begin:]])))
-    if path.vary in _ANGLES:
+    if is_angle(path.parameters.model, path.vary):
         pieces = [(np.degrees(value), state) for value, state in pieces]
     return pieces
 
@@ -296,7 +319,7 @@ def draw_path(
 ) -> list[Any]:
     """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on jumps."""
     ax = own_axes(ax)
-    name_axes(ax, path.vary, quantity)
+    name_axes(ax, path.parameters.model, path.vary, quantity)
     artists: list[Any] = []
     pieces = passages(path, quantity)
     style: dict[str, Any] = {"color": color, "linewidth": 1.1, "zorder": 2.2}

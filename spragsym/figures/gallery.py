@@ -12,7 +12,8 @@ from pathlib import Path
 from ..models import Model, load
 from ..models.load import shipped
 from .files import FORMATS
-from .models import Between, draw_onsets_of, model_figure
+from .labels import Between
+from .models import draw_onsets_of, model_figure
 from .style import SINGLE, Sheet, house_style, panels, styled
 
 #: What the gallery shows of a model: the plane and its ranges; ("hopf", …) and ("flutter", …) are onsets along the second one.

@@ -1,9 +1,19 @@
-"""What axes call the parameters and coordinates of a model."""
+"""What axes call the parameters and coordinates of a model, and which ranges they show."""
 
 from __future__ import annotations
 
-from ..dynamics.pictures import symbol
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..dynamics.pictures import in_letters, symbol
 from ..models import Model
+from ..results.points import Points
+
+#: Range of a parameter, by its name.
+Between = Mapping[str, tuple[float, float]]
+#: What is shown beyond the farthest cusp.
+ROOM = 1.25
 
 
 def label(model: Model, name: str) -> str:
@@ -12,5 +22,33 @@ def label(model: Model, name: str) -> str:
         return rf"$\dot{{{label(model, model.coordinates[model.rates.index(name)])[1:-1]}}}$"
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
     own = name in entries and entries[name]["quantity"] == name
-    written = entries[name]["symbol"] if own else symbol(name)
-    return f"${written}$ (deg)" if name in model.about["angles"] else f"${written}$"
+    letters = entries[name]["symbol"] if own else symbol(name)
+    return f"${letters}$ (deg)" if is_angle(model, name) else f"${letters}$"
+
+
+def with_unit(model: Model, name: str) -> str:
+    """The same with what the model measures it in."""
+    if is_angle(model, name):
+        return label(model, name)
+    scales = {entry["name"]: entry["scale"] for entry in model.about["coordinates"]}
+    scale = scales.get(name, "1" if name in model.parameters else model.about["scales"]["length"])
+    return f"{label(model, name)} ({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
+
+
+def is_angle(model: Model, name: str) -> bool:
+    """Whether a parameter, a coordinate or the direction of a spring is an angle."""
+    turning = {entry["name"] for entry in model.about["coordinates"] if entry["unit"] == "rad"}
+    own = {entry["name"] for entry in model.about["parameters"]}
+    return name in model.about["angles"] or name in turning or (name.partition("_")[0] == "theta" and name not in own)
+
+
+def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:
+    """Ranges to show: those given, the parameter's own, or one that has room for its base value, for 1 and for all cusps."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    out = dict(between)
+    for name in (name for name in vary if name in entries and name not in between):
+        entry = entries[name]
+        farthest = 0.0 if cusps is None else float(np.abs(getattr(cusps, name)).max(initial=0.0))
+        far = max(1.0, 2.0 * abs(entry["base"] or 0.0), ROOM * farthest)
+        out[name] = (-far if entry["low"] is None else entry["low"], far if entry["high"] is None else entry["high"])
+    return out

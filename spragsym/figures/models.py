@@ -1,8 +1,8 @@
-"""Figures of any model: where the number of its equilibria changes, equilibria along a parameter, where oscillation begins."""
+"""Figures of any model: where the number of its equilibria changes, and where oscillation begins."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -13,36 +13,9 @@ from ..models import Model
 from ..models.describe import units_of
 from ..models.hopf_curves import OnsetCurves
 from ..results.bifurcation_sets import BifurcationSet
-from ..results.equilibria import Stability
-from ..results.points import Points
-from .labels import label
+from .labels import Between, is_angle, label, window
 from .motion_pictures import draw_motion
-from .style import BLACK, BLUE, DOUBLE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled
-
-#: Range of a parameter, by its name.
-Between = Mapping[str, tuple[float, float]]
-#: Colours of equilibria, which lie too densely for dashes.
-COLOURS: Mapping[Stability, str] = {
-    Stability.STABLE: BLACK,
-    Stability.DIVERGENT: VERMILION,
-    Stability.FLUTTER: BLUE,
-}
-
-
-#: What is shown beyond the farthest cusp.
-ROOM = 1.25
-
-
-def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:
-    """Ranges to show: those given, the parameter's own, or one that has room for its base value, for 1 and for all cusps."""
-    entries = {entry["name"]: entry for entry in model.about["parameters"]}
-    out = dict(between)
-    for name in (name for name in vary if name in entries and name not in between):
-        entry = entries[name]
-        farthest = 0.0 if cusps is None else float(np.abs(getattr(cusps, name)).max(initial=0.0))
-        far = max(1.0, 2.0 * abs(entry["base"] or 0.0), ROOM * farthest)
-        out[name] = (-far if entry["low"] is None else entry["low"], far if entry["high"] is None else entry["high"])
-    return out
+from .style import BLACK, DOUBLE, GREEN, SINGLE, Sheet, own_axes, panels, styled
 
 
 @styled
@@ -66,7 +39,7 @@ def model_motion_figure(motion: Trajectory) -> Sheet:
 
 
 def _shown(model: Model, name: str, values: Any) -> Any:
-    return np.degrees(values) if name in model.about["angles"] else values
+    return np.degrees(values) if is_angle(model, name) else values
 
 
 def draw_bifurcation_set_of(model: Model, found: BifurcationSet, ax: Axes | None = None) -> list[Any]:
@@ -122,52 +95,6 @@ def draw_onset_curves_of(model: Model, found: OnsetCurves, ax: Axes | None = Non
         for text, place in zip(labels, zip(*places, strict=True), strict=True):
             artists.append(ax.annotate(text, place, (3, 3), textcoords="offset points", fontsize="x-small"))
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
-    return artists
-
-
-def draw_equilibria_of(
-    model: Model,
-    p: Any,
-    vary: str,
-    of: str | None = None,
-    ax: Axes | None = None,
-    *,
-    between: Between | None = None,
-    n: int = 300,
-) -> list[Any]:
-    """All equilibria in contact along a parameter, one dot each, coloured by what grows, dampers included; returns the artists.
-
-    Parameters
-    ----------
-    model : Model
-    p : Parameters
-        Of the model, scalars; the one that varies is not used.
-    vary : str
-        A parameter.
-    of : str, optional
-        A coordinate, by default the first one.
-    ax : Axes, optional
-    between : mapping, optional
-        Range of the parameter, as for ``model.folds``.
-    n : int
-        Values in it.
-    """
-    from ..models.points import ranges
-
-    ax, of = own_axes(ax), of or model.coordinates[0]
-    low, high = ranges(model, (vary,), between or {})[0]
-    values = low + (high - low) * (np.arange(n) + 0.5) / n
-    eq = model.search.equilibria(p.replace(**{vary: values}))
-    across = np.broadcast_to(_shown(model, vary, values)[:, None], eq.stability.shape)
-    artists: list[Any] = []
-    for kind, colour in COLOURS.items():
-        chosen = eq.kind == kind.name.lower()
-        if chosen.any():
-            up = _shown(model, of, getattr(eq, of)[chosen])
-            artists += ax.plot(across[chosen], up, ".", color=colour, markersize=1.8, label=kind.name.lower())
-    ax.set(xlabel=label(model, vary), ylabel=label(model, of))
-    if len(artists) > 1:
-        ax.legend(markerscale=4)
     return artists
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError
 from ..exact.interval_arrays import FloatArray
 from ..results.equilibria import Equilibria
+from ..results.points import Points
 from .balance import Balance
 from .equilibria import columns, equilibria
 from .points import given_column
@@ -24,8 +25,8 @@ from .stability import linearization
 from .tube_regions import Parts
 from .tubes import Tubes
 
-#: Times a step is halved, and steps beyond which nothing more is hoped for.
-HALVINGS, MANY = 40, 500
+#: Times a step is halved, and steps beyond which nothing more is hoped for; halvings for what is only drawn.
+HALVINGS, MANY, DRAWN = 40, 500, 3
 #: Values of the parameter at the beginning and the end of a step.
 Step: TypeAlias = tuple[float, float]
 
@@ -42,7 +43,24 @@ class Along:
 
     def equilibria(self, values: FloatArray) -> Equilibria:
         """All of them, at values of the parameter."""
-        return equilibria(self.balance.model, self.p.replace(**{self.vary: values}))
+        return equilibria(self.balance.model, self.p.replace(**{self.vary: values}), self.balance.contact)
+
+
+def linked(model: Any, p: Any, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:
+    """:func:`links` between neighbours of the values at which equilibria are known, as far as a few halvings tell.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars; ``vary`` is not used.
+    eq : Equilibria
+        Along ``vary``.
+    turns : Points, optional
+        Folds along it; None in lift-off, where there are none.
+    """
+    at, kinds = (np.empty(0), np.empty(0, dtype=str)) if turns is None else (getattr(turns, vary), turns.kind)
+    along = Along(Balance(model, eq.contact), p, vary, at, kinds)
+    return links(along, np.asarray(getattr(eq.parameters, vary)), eq, DRAWN)
 
 
 @dataclass(frozen=True)
@@ -53,17 +71,31 @@ class _States:
     signs: FloatArray
 
 
-def links(along: Along, stops: FloatArray, eq: Equilibria) -> list[dict[int, int]]:
-    """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one."""
+def links(along: Along, stops: FloatArray, eq: Equilibria, most: int | None = None) -> list[dict[int, int]]:
+    """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one.
+
+    Parameters
+    ----------
+    most : int, optional
+        Times that a step is halved at most; a step that is not known then has the pairs that tubes join, and no others.
+
+    Raises
+    ------
+    ConvergenceError
+        Where branches can't be told apart, without ``most``.
+    """
     states = {float(value): _states(along, eq, stop) for stop, value in enumerate(stops)}
     steps = list(itertools.pairwise(map(float, stops)))
     proved: dict[Step, dict[int, int]] = {}
     halved: dict[Step, float] = {}
     pending = steps
-    for _ in range(HALVINGS if steps else 0):
-        found = _by_tubes(along, pending, states)
-        proved |= found
-        failed = [step for step in pending if step not in found]
+    for halving in range(HALVINGS if steps else 0):
+        known, complete = _by_tubes(along, pending, states)
+        proved |= {step: known[step] for step in complete}
+        failed = [step for step in pending if step not in proved]
+        if failed and most is not None and (halving >= most or len(failed) > MANY):
+            proved |= {step: known[step] for step in failed}
+            failed = []
         if not failed:
             return [_joined(step, proved, halved) for step in steps]
         if len(failed) > MANY:
@@ -88,8 +120,10 @@ def _states(along: Along, eq: Equilibria, stop: int) -> _States:
     return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))))
 
 
-def _by_tubes(along: Along, steps: list[Step], states: Mapping[float, _States]) -> dict[Step, dict[int, int]]:
-    """Pairs of slots whose states a tube joins, of steps with all pairs known; over a fold those of states that go through."""
+def _by_tubes(
+    along: Along, steps: list[Step], states: Mapping[float, _States]
+) -> tuple[dict[Step, dict[int, int]], set[Step]]:  # fmt: skip
+    """Pairs of slots whose states a tube joins, over a fold those of states that go through; and steps of which all are known."""
     tubes, n, around = Tubes(along.balance, along.vary), along.balance.n, along.balance.around
     begun = [(k, slot) for k, (one, _) in enumerate(steps) for slot in range(states[one].q.shape[1])]
     pairs: list[dict[int, int]] = [{} for _ in steps]
@@ -110,11 +144,8 @@ def _by_tubes(along: Along, steps: list[Step], states: Mapping[float, _States]) 
         slots = np.flatnonzero((away <= there.room[:n, column, None]).all(axis=0))
         if slots.size == 1:
             pairs[k][slot] = int(slots[0])
-    done = {}
-    for step, known in zip(steps, pairs, strict=True):
-        if _complete(along, known, step, states[step[0]], states[step[1]]):
-            done[step] = known
-    return done
+    known = dict(zip(steps, pairs, strict=True))
+    return known, {step for step, one in known.items() if _complete(along, one, step, states[step[0]], states[step[1]])}
 
 
 def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, end: _States) -> bool:

@@ -413,6 +413,13 @@ class Model:
 
         return rest_index(self, p, x, y)
 
+    @part
+    def linked(self, p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:
+        """Equilibria at neighbouring values of a parameter on one branch: see :func:`spragsym.models.branches.linked`."""
+        from .branches import linked
+
+        return linked(self, p, vary, eq, turns)
+
     @question
     def have_jumped(self, p: ParameterSet) -> FloatArray:
         """1 where the state followed from no friction has ended at the μ₀ of p or below, else 0; NaN where that is not known."""

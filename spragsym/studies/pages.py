@@ -14,7 +14,6 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import SpragsymError
-from ..parameters import Parameters
 from .oscillations import first_unit
 from .reports import Report
 from .study import Study
@@ -23,7 +22,7 @@ from .texts import sections
 #: Lines on which onsets of oscillation are looked for.
 _ONSETS = 12
 #: Lines of a bifurcation set, and values along the friction.
-_LINES, _VALUES = 40, 240
+_LINES, _VALUES = 40, 80
 _STYLE = """
 body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:58rem;margin:2rem auto;padding:0 1rem}
 h1{font-size:1.5rem;margin-bottom:.3rem}h2{font-size:1.1rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}
@@ -89,7 +88,7 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         low, _, high = study.friction
         known = (value for value in report.folds["mu0"].mu0.tolist() if value < 3) if "mu0" in report.folds else ()
         top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
-        yield from closed_planes(study, report) if isinstance(p, Parameters) else planes(study, report, top)
+        yield from planes(study, report)
         yield from stability_map(study, p, (low, high), top)
     if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
         shares = report.probability.sobol
@@ -101,84 +100,61 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         yield from _of_motion(study, report)
 
 
-def closed_planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
-    """The brake in the plane of angle and friction, and its states as the friction rises, by closed forms."""
+def planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
+    """The brake in the plane of angle and friction, where there is an angle, and its states as the friction rises."""
     from ..figures import brakes
 
-    (low, _, high), angles, millimetre = study.friction, study.quantities["theta0"], 1e3 * study.scales.length
-    p, jump = study.at_work, math.nan if report.mu_jump is None else report.mu_jump
-    yield (
-        picture(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), jump, ax=ax)),
-        "Where the brake works (dot) and its tolerances (box). Shaded: three states of sliding; on the lines two of them meet. "
-        "Cross: the friction at which the state of small deformation jumps at this angle.",
-    )
-    yield (
-        picture(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=millimetre, label="x in mm")),
-        "The displacement along the belt as the friction rises from 0 (red, with its jumps); grey: all states, full where "
-        "stable. Shaded: the friction within its tolerances.",
-    )
-
-
-def planes(study: Study, report: Report, top: float) -> Iterator[tuple[str, str]]:
-    """The same by search: nothing of angles where the model has none."""
-    from ..figures import models as drawings
-    from ..figures.style import BLUE, SKY
-
-    p, (low, working, high) = study.at_work, study.friction
-    model = p.model
-
-    def along(ax: Any) -> None:
-        drawings.draw_equilibria_of(model, p, "mu0", ax=ax, between={"mu0": (0.0, top)}, n=_VALUES)
-        ax.axvspan(low, high, color=SKY, alpha=0.25, linewidth=0, zorder=0)
-        ax.plot([working] * 2, ax.get_ylim(), color=BLUE, linewidth=0.8)
-
-    if "theta0" in model.parameters:
+    (low, _, high), p, first = study.friction, study.at_work, study.about["coordinates"][0]
+    unit, size = ("mm", 1e3 * study.scales.length) if first["unit"] == "m" else ("deg", 180 / math.pi)
+    jump = math.nan if report.mu_jump is None else report.mu_jump
+    if "theta0" in p.model.parameters:
+        angles = study.quantities["theta0"]
+        shaded = (
+            "Shaded: three states of sliding; on the lines two of them meet."
+            if "count" in p.model.closed
+            else ("On the lines two states of sliding meet.")
+        )
         with suppress(SpragsymError):
-            turns = model.bifurcation_set(p, ("theta0", "mu0"), _LINES, between={"mu0": (0.0, top)})
             yield (
-                with_brake(study, p, (low, high), lambda ax: drawings.draw_bifurcation_set_of(model, turns, ax), report.mu_jump),
-                "Where the brake works (dot) and its tolerances (box). On the lines two states of sliding meet. Cross: "
-                "the friction at which the state of small deformation jumps at this angle.",
+                picture(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), jump, ax=ax, n=_LINES)),
+                f"Where the brake works (dot) and its tolerances (box). {shaded}"
+                + (
+                    " Cross: the friction at which the state of small deformation jumps at this angle." if jump < math.inf else ""
+                ),
             )
+    label = f"{first['name']} in {unit}"
     yield (
-        picture(along),
-        f"All states of sliding over the friction, {model.coordinates[0]} without units (one is "
-        f"{1e3 * study.scales.length:.4g} mm if it is a length); shaded: the friction within its tolerances, the line: the "
-        "one that works.",
+        picture(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=size, label=label, n=_VALUES)),
+        f"{_capital(first['meaning'])} as the friction rises from 0 (red, with its jumps); grey: all states, full where stable. "
+        "Shaded: the friction within its tolerances.",
     )
+
+
+def _capital(text: str) -> str:
+    """A sentence begins with a capital letter."""
+    return text[:1].upper() + text[1:].partition(",")[0]
 
 
 def stability_map(study: Study, p: Any, friction: tuple[float, float], top: float) -> Iterator[tuple[str, str]]:
     """Where oscillation sets in, over angle and friction up to ``top``; nothing where the belt or its law is not known."""
+    from ..figures import brakes
     from ..figures import models as drawings
 
     if "theta0" not in p.model.parameters or not study.moves:
         return
     with suppress(SpragsymError):
         onsets = p.model.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
+        angles = study.quantities["theta0"]
+
+        def draw(ax: Any) -> None:
+            drawings.draw_onset_curves_of(p.model, onsets, ax)
+            brakes.mark_brake(ax, p, (angles.low, angles.high), friction)
+
         yield (
-            with_brake(study, p, friction, lambda ax: drawings.draw_onset_curves_of(p.model, onsets, ax)),
+            picture(draw),
             "The map of stability. On the lines oscillation sets in: gently where they are full, with a knock where they are "
             "dashed; where they are dotted it is not known which.",
         )
-
-
-def with_brake(study: Study, p: Any, friction: tuple[float, float], draw: Callable[[Any], Any], jump: float | None = None) -> str:
-    """A picture over angle and friction, with the brake, its tolerances and the friction at which it jumps in it."""
-    from matplotlib.patches import Rectangle
-
-    from ..figures.style import BLACK, BLUE, SKY
-
-    def both(ax: Any) -> None:
-        draw(ax)
-        low, high = (float(np.degrees(end)) for end in (study.quantities["theta0"].low, study.quantities["theta0"].high))
-        size = high - low, friction[1] - friction[0]
-        ax.add_patch(Rectangle((low, friction[0]), *size, facecolor=SKY, edgecolor=BLUE, alpha=0.6))
-        ax.plot([float(np.degrees(p.theta0))], [float(p.mu0)], "o", color=BLUE, markersize=4.5, zorder=5)
-        if jump is not None and jump <= ax.get_ylim()[1]:
-            ax.plot([float(np.degrees(p.theta0))], [jump], "x", color=BLACK, markersize=5, zorder=5)
-
-    return picture(both)
 
 
 def _of_motion(study: Study, report: Report) -> Iterator[tuple[str, str]]:

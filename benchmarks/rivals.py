@@ -11,6 +11,7 @@ import scipy.optimize
 from numpy.typing import NDArray
 
 import spragsym as ss
+from spragsym.exact.companion_roots import eigenvalues
 from spragsym.generated.equilibrium import (
     contact_matrix,
     contact_quartic,
@@ -20,7 +21,6 @@ from spragsym.generated.equilibrium import (
     state,
     t_quartic,
 )
-from spragsym.kang_nam.catastrophe.companion_roots import eigenvalues
 from spragsym.parameters import NAMES
 
 Array: TypeAlias = NDArray[np.float64]

@@ -520,10 +520,7 @@ def test_quantities_with_which_friction_rises(model: str, more: dict[str, float]
     law = friction.law_of(study)
     for name in study.about["friction"]["quantities"]:
         most = {**values, name: np.full(500, study.quantities[name].high)}
-        less, more_of_it = (
-            brake_quantities.frictions(ss.load(model), brake_quantities.dimensionless(model, one)[0], law)
-            for one in (values, most)
-        )
+        less, more_of_it = (ss.load(model).friction(brake_quantities.dimensionless(model, one)[0], law) for one in (values, most))
         assert (more_of_it >= less * (1 - 1e-14)).all() == (name in found)
 
 
@@ -702,7 +699,7 @@ def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
     # the law at its largest, 9/8, where exp(−d V) is 1/4: inside of the range of V
     values = {name: one.high for name, one in study.quantities.items()} | {"V": math.log(4) / 10}
     p, _ = brake_quantities.dimensionless(study.model, values)
-    works = brake_quantities.friction(p.model, p, "friction_at_speed")
+    works = float(p.model.friction(p))
     assert works == pytest.approx(0.22 * 9 / 8)
     assert float(high.mu0) >= works
     # Most lies between the corners of the tolerances, and is bounded from above; least is at one, the slow end.

@@ -20,10 +20,7 @@ from ..dynamics import simulate
 from ..dynamics.regimes import Regime
 from ..generated import equilibrium as _equilibrium
 from ..generated import motion as _motion
-from ..kang_nam import catastrophe
-from ..kang_nam.catastrophe import flutter_points as flutter
-from ..kang_nam.catastrophe.paths import quasi_static_path
-from ..kang_nam.statics.solver import equilibria
+from ..models.load import USUAL, load
 from ..parameters import NAMES, FloatArray, Parameters
 from ..results import Jump
 from ..results.equilibria import Stability
@@ -33,6 +30,7 @@ from .ledger import Found, Value
 #: Largest friction of Figures 11 to 14.
 MU0_MAX = MU0_RANGE[1]
 
+_MODEL = load(USUAL)
 _article = Parameters.article
 #: θ₀ of grids, degrees.
 _GRID = np.linspace(0.1, 179.9, 900)
@@ -47,7 +45,8 @@ def _at(degrees: Any, **changes: Any) -> Parameters:
 
 
 def _jumps(p: Parameters, vary: str, values: FloatArray, start: str | int = "small") -> tuple[Jump, ...]:
-    return quasi_static_path(p, vary, values, start=start).jumps
+    jumps: tuple[Jump, ...] = _MODEL.quasi_static_path(p, vary, values, start=start).jumps
+    return jumps
 
 
 _RISING = np.radians(np.linspace(0.1, 179.9, 361))
@@ -57,16 +56,16 @@ _RISING = np.radians(np.linspace(0.1, 179.9, 361))
 
 
 def linear_critical() -> Found:
-    value = float(catastrophe.linear_critical_friction(_article()))
+    value = float(_MODEL.linear_critical_friction(_article()))
     return Found(0.005 < 0.58 - value <= 0.01, {"mu_cr": value, "0.58 - mu_cr": 0.58 - value})
 
 
 def linear_bounded() -> Found:
-    critical = float(catastrophe.linear_critical_friction(_article()))
+    critical = float(_MODEL.linear_critical_friction(_article()))
     frictions = critical * np.append(np.linspace(0.0, 0.999, 200), 1 - 1e-9)
-    model = catastrophe.linear_sprag(_at(_GRID, mu0=frictions[:, None]))
+    model = _MODEL.linear_sprag(_at(_GRID, mu0=frictions[:, None]))
     peak = minimize_scalar(
-        lambda angle: -float(catastrophe.linear_sprag(_article(theta0=angle)).x), bounds=(1.2, 1.5), method="bounded",
+        lambda angle: -float(_MODEL.linear_sprag(_article(theta0=angle)).x), bounds=(1.2, 1.5), method="bounded",
         options={"xatol": 1e-10},
     )  # fmt: skip
     holds = bool(np.isnan(model.poles).all() and (model.determinant > 0).all() and (model.y < 0).all())
@@ -74,16 +73,16 @@ def linear_bounded() -> Found:
 
 
 def linear_poles() -> Found:
-    poles = np.sort(catastrophe.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
-    outside = catastrophe.linear_sprag(_article(theta0=poles + np.array([-1e-9, 1e-9]), mu0=0.7))
+    poles = np.sort(_MODEL.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
+    outside = _MODEL.linear_sprag(_article(theta0=poles + np.array([-1e-9, 1e-9]), mu0=0.7))
     return Found(bool((-outside.y > 1e5).all()), {"poles_deg": _deg(poles)})
 
 
 def no_linear_sliding() -> Found:
-    low, high = np.sort(catastrophe.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
+    low, high = np.sort(_MODEL.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
     share = np.linspace(1e-6, 1 - 1e-6, 1001)
-    between = catastrophe.linear_sprag(_article(theta0=low + (high - low) * share, mu0=0.7))
-    outside = catastrophe.linear_sprag(_article(theta0=np.concatenate([low * share, high + (math.pi - high) * share]), mu0=0.7))
+    between = _MODEL.linear_sprag(_article(theta0=low + (high - low) * share, mu0=0.7))
+    outside = _MODEL.linear_sprag(_article(theta0=np.concatenate([low * share, high + (math.pi - high) * share]), mu0=0.7))
     holds = bool((between.y > 0).all() and (between.determinant < 0).all() and (outside.y < 0).all())
     return Found(holds, {"from_deg": float(_deg(low)), "to_deg": float(_deg(high))})
 
@@ -91,9 +90,9 @@ def no_linear_sliding() -> Found:
 def _linear_gap(angle: Any, mu0: float) -> FloatArray:
     """Relative distance of x between the two models, the nonlinear one at its smallest |x|, less a tenth."""
     p = _article(theta0=angle, mu0=mu0)
-    x = equilibria(p).x
+    x = _MODEL.equilibria(p).x
     near = np.take_along_axis(x, np.nanargmin(np.abs(x), axis=-1)[..., None], axis=-1)[..., 0]
-    gap: FloatArray = np.abs(catastrophe.linear_sprag(p).x - near) / np.abs(near) - 0.1
+    gap: FloatArray = np.abs(_MODEL.linear_sprag(p).x - near) / np.abs(near) - 0.1
     return gap
 
 
@@ -102,7 +101,7 @@ def linear_approximates() -> Found:
     holds = True
     for mu0 in (0.5, 0.7):
         gaps = _linear_gap(np.radians(_GRID), mu0)
-        fold = float(catastrophe.folds(_article(mu0=mu0)).theta0[0])
+        fold = float(_MODEL.folds(_article(mu0=mu0)).theta0[0])
         (changes,) = np.nonzero(np.diff(np.sign(gaps)))
         first, last = (np.radians(_GRID[[i, i + 1]]) for i in (changes[0], changes[-1]))
         ends = [float(brentq(_linear_gap, *pair, args=(mu0,), xtol=1e-14)) for pair in (first, last)]
@@ -126,7 +125,7 @@ def one_or_three() -> Found:
         {"sigma": 0.01},
         {"sigma": 1.0},
     ):
-        seen |= set(np.unique(equilibria(_at(_GRID, **changes, mu0=frictions)).count).tolist())
+        seen |= set(np.unique(_MODEL.equilibria(_at(_GRID, **changes, mu0=frictions)).count).tolist())
     ledger = json.loads(resources.files(_generated.__name__).joinpath("ledger.json").read_text(encoding="utf-8"))
     unproved = [step["claim"] for step in ledger["one_or_three"] if not step["holds"]]
     return Found(seen == {1, 3} and not unproved, {"counts": sorted(seen), "steps of the proof that fail": len(unproved)})
@@ -134,7 +133,7 @@ def one_or_three() -> Found:
 
 def bounded() -> Found:
     p = _at(_GRID, mu0=np.linspace(0.0, MU0_MAX, 41)[:, None])
-    eq = equilibria(p)
+    eq = _MODEL.equilibria(p)
     bound = (p.kappa + p.sigma * (1 - np.sin(p.theta0))) / (1 + p.beta + p.sigma)
     force = np.nanmax(-eq.y, axis=-1)
     largest = float((p.kappa + p.sigma) / (1 + p.beta + p.sigma))
@@ -146,14 +145,14 @@ def bounded() -> Found:
 
 
 def base_regions() -> Found:
-    turns = _deg(catastrophe.folds(_article()).theta0)
-    count = equilibria(_at(_GRID)).count
+    turns = _deg(_MODEL.folds(_article()).theta0)
+    count = _MODEL.equilibria(_at(_GRID)).count
     expected = np.where(np.less(_GRID, turns[0]) | np.greater(_GRID, turns[1]), 3, 1)
     return Found(bool((count == expected).all()), {"folds_deg": turns, "counts": [3, 1, 3]})
 
 
 def base_stability() -> Found:
-    eq = equilibria(_at(_GRID))
+    eq = _MODEL.equilibria(_at(_GRID))
     stable, divergent = Stability.STABLE, Stability.DIVERGENT
     three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
     one = (eq.stability[eq.count == 1][:, 0] == stable).all()
@@ -161,10 +160,10 @@ def base_stability() -> Found:
 
 
 def lift_off() -> Found:
-    eq = equilibria(_at(_GRID), contact=False)
+    eq = _MODEL.equilibria(_at(_GRID), contact=False)
     divergent = (eq.stability[:, 0] == Stability.DIVERGENT).all()
     holds = bool((eq.count == 1).all() and divergent and (eq.y[:, 0] >= 0).all())
-    at = equilibria(_at(49.0), contact=False)
+    at = _MODEL.equilibria(_at(49.0), contact=False)
     return Found(
         holds,
         {"count": 1, "stability": "divergent", "L at 49 deg": float(at.L[0]), "y at 49 deg": float(at.y[0])},
@@ -200,7 +199,7 @@ def jump_rising() -> Found:
 
 def no_jump_falling() -> Found:
     p = _article(mu0=0.7)
-    back = quasi_static_path(p, "theta0", _RISING[::-1], start="small")
+    back = _MODEL.quasi_static_path(p, "theta0", _RISING[::-1], start="small")
     other = _jumps(p, "theta0", _RISING[::-1], start="large")
     ends = sorted((int(np.argmin(back.x)), int(np.argmax(back.x))))
     rises = bool((np.diff(back.x[slice(*ends)]) > 0).all()) and back.values[ends[1]] < np.radians(2.0)
@@ -216,7 +215,7 @@ def no_jump_falling() -> Found:
 
 def must_jump() -> Found:
     p, values = _at(60.0), np.linspace(0.0, MU0_MAX, 201)
-    turns = catastrophe.folds(p, "mu0").mu0
+    turns = _MODEL.folds(p, "mu0").mu0
     up, down = _jumps(p, "mu0", values), _jumps(p, "mu0", values[::-1])
     holds = len(turns) == 2 and len(up) == 1 and len(down) == 1
     return Found(holds, {"folds passed each way": len(turns), "jumps": [len(up), len(down)]})
@@ -224,14 +223,14 @@ def must_jump() -> Found:
 
 @cache
 def _critical_value(name: str, bracket: tuple[float, float]) -> float:
-    return catastrophe.critical_value(_article(), name, bracket)
+    return float(_MODEL.critical_value(_article(), name, bracket))
 
 
 def family_row(name: str, value: float, bracket: tuple[float, float], jumps: bool) -> Callable[[], Found]:
     def compute() -> Found:
         p = _article(**{name: value})
         found = _jumps(p, "theta0", _RISING)
-        lowest, cusp = float(catastrophe.critical_friction(p)), float(catastrophe.cusp_friction(p))
+        lowest, cusp = float(_MODEL.critical_friction(p)), float(_MODEL.cusp_friction(p))
         critical = _critical_value(name, bracket)
         values: dict[str, Value] = {"mu_lowest": lowest, "mu_cusp": cusp, f"critical {name}": critical}
         if found:
@@ -246,13 +245,13 @@ def family_row(name: str, value: float, bracket: tuple[float, float], jumps: boo
 
 def flutter_alpha() -> Found:
     p = _article(alpha=0.7)
-    onsets = _deg(flutter.flutter_onsets(p).theta0)
+    onsets = _deg(_MODEL.flutter_onsets(p, damping=False).theta0)
     growth = minimize_scalar(
-        lambda angle: -float(np.nanmax(equilibria(p.replace(theta0=angle)).eigenvalues.real)),
+        lambda angle: -float(np.nanmax(_MODEL.equilibria(p.replace(theta0=angle)).eigenvalues.real)),
         bounds=(2.5, 2.8), method="bounded", options={"xatol": 1e-10},
     )  # fmt: skip
     fastest = float(_deg(growth.x))
-    inside = equilibria(p.replace(theta0=np.radians(np.linspace(onsets[0], onsets[-1], 101)[1:-1])))
+    inside = _MODEL.equilibria(p.replace(theta0=np.radians(np.linspace(onsets[0], onsets[-1], 101)[1:-1])))
     flutters = bool((inside.stability[:, 0] == Stability.FLUTTER).all() and (inside.count == 1).all())
     holds = len(onsets) == 2 and flutters and abs(fastest - 150) < 5
     # The place of a smooth maximum has half as many digits as the other numbers.
@@ -261,9 +260,9 @@ def flutter_alpha() -> Found:
 
 def flutter_sigma() -> Found:
     p = _article(sigma=1.0)
-    onsets = flutter.flutter_onsets(p)
+    onsets = _MODEL.flutter_onsets(p, damping=False)
     low, high = _deg(onsets.theta0)
-    eq = equilibria(p.replace(theta0=np.radians(_GRID)))
+    eq = _MODEL.equilibria(p.replace(theta0=np.radians(_GRID)))
     flutters = (eq.stability == Stability.FLUTTER).any(axis=-1)
     expected = np.less(_GRID, low) | np.greater(_GRID, high)
     upper = (eq.stability[expected, 2] == Stability.FLUTTER).all()
@@ -271,20 +270,20 @@ def flutter_sigma() -> Found:
 
 
 def sheets() -> Found:
-    eq = equilibria(_at(_GRID, mu0=np.linspace(0.0, MU0_MAX, 101)[:, None]))
+    eq = _MODEL.equilibria(_at(_GRID, mu0=np.linspace(0.0, MU0_MAX, 101)[:, None]))
     stable, divergent = Stability.STABLE, Stability.DIVERGENT
     three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
     one = (eq.stability[eq.count == 1][:, 0] == stable).all()
-    lowest = float(flutter.flutter_boundary(_article()).mu0.min())
+    lowest = float(_MODEL.flutter_boundary(_article()).mu0.min())
     holds = bool(three and one and lowest > MU0_MAX)
     return Found(holds, {"lowest mu0 with flutter": float(f"{lowest:.4g}")})
 
 
 def hopf() -> Found:
     p = _article(sigma=1.0)
-    lowest = float(flutter.flutter_boundary(p).mu0.min())
-    onset = flutter.flutter_onsets(p)
-    at = equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
+    lowest = float(_MODEL.flutter_boundary(p).mu0.min())
+    onset = _MODEL.flutter_onsets(p, damping=False)
+    at = _MODEL.equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
     frequencies = np.sort(at.eigenvalues[[0, 1], onset.branch].imag, axis=-1)[:, -2:]
     meet = bool((np.ptp(frequencies, axis=-1) < 2e-3).all())
     return Found(meet and lowest < 0.5, {
@@ -298,22 +297,22 @@ def hopf() -> Found:
 
 def separates() -> Found:
     counts = set()
-    for curve in catastrophe.bifurcation_set(_article()).curves:
+    for curve in _MODEL.bifurcation_set(_article()).curves:
         rows = (curve.mu0 > 0.01) & (curve.mu0 < MU0_MAX) & (np.abs(curve.mu0 - 0.2009) > 0.002)
         side = 1e-7 * np.array([-1.0, 1.0])[:, None]
-        count = equilibria(_article(theta0=curve.theta0[rows], mu0=curve.mu0[rows] + side)).count
+        count = _MODEL.equilibria(_article(theta0=curve.theta0[rows], mu0=curve.mu0[rows] + side)).count
         counts |= set(map(tuple, np.sort(count, axis=0).T.tolist()))
     return Found(counts == {(1, 3)}, {"equilibria on the two sides": [1, 3]})
 
 
 def cusp() -> Found:
     cusp = next(one for one in precise.cusps(dps=20) if 0 < one.theta0 < math.pi and one.mu0 > 0)
-    ends = _deg(catastrophe.folds(_article(mu0=0.0)).theta0)
+    ends = _deg(_MODEL.folds(_article(mu0=0.0)).theta0)
     angle = math.degrees(cusp.theta0)
     values: dict[str, Value] = {
         "theta0_deg": angle, "mu0": float(cusp.mu0), "two jumps for theta0_deg from, to": [float(ends[0]), angle],
     }  # fmt: skip
-    numbers = [catastrophe.folds(_at(angle), "mu0").mu0.size for angle in (ends[0] - 0.01, ends[0] + 0.01, 68.0, 68.03)]
+    numbers = [_MODEL.folds(_at(angle), "mu0").mu0.size for angle in (ends[0] - 0.01, ends[0] + 0.01, 68.0, 68.03)]
     return Found(cusp.versal and numbers == [1, 2, 2, 0], values)
 
 
@@ -326,10 +325,10 @@ def hysteresis() -> Found:
 
 def no_return() -> Found:
     values = np.linspace(0.0, MU0_MAX, 201)
-    up = quasi_static_path(_at(40.0), "mu0", values)
-    back = quasi_static_path(_at(40.0), "mu0", values[::-1], start="large")
+    up = _MODEL.quasi_static_path(_at(40.0), "mu0", values)
+    back = _MODEL.quasi_static_path(_at(40.0), "mu0", values[::-1], start="large")
     (jump,) = up.jumps
-    below = catastrophe.folds(_at(40.0), "mu0", negative_friction=True).mu0
+    below = _MODEL.folds(_at(40.0), "mu0", negative_friction=True).mu0
     holds = not back.jumps and abs(back.x[0] - up.x[-1]) < 1e-9 and back.x[-1] > 1 > up.x[0]
     return Found(holds, {
         "jump rising at mu0": jump.value, "x at mu0 = 0 before, after": [float(up.x[0]), float(back.x[-1])],
@@ -341,14 +340,14 @@ def no_return() -> Found:
 
 
 def friction_law() -> Found:
-    share = float(catastrophe.sliding_friction(1.0, V, D))
+    share = float(_MODEL.friction(_article(mu0=1.0, V=V, d=D)))
     return Found(0.99 < share < 1, {"friction at steady sliding over mu0": share})
 
 
 def limit_cycle() -> Found:
     p = _at(49.0)
     late = simulate(p, V=V, d=D, t_end=10000.0).after(8000.0)
-    eq = equilibria(p.replace(mu0=catastrophe.sliding_friction(p.mu0, V, D)))
+    eq = _MODEL.equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=V, d=D))))
     outcome = late.outcome(0.0)
     x, y = float(eq.x[0]), float(eq.y[0])
     growth = linearized_growth(p, x, y, V, D)
@@ -372,7 +371,7 @@ def linearized_growth(p: Parameters, x: float, y: float, V: float, d: float) -> 
 
 def amplitude_jump() -> Found:
     table = sensitivity(_at(np.arange(36.0, 48.5, 1.0)), [V], [D], refine=12)
-    fold = float(_deg(catastrophe.folds(_article()).theta0[0]))
+    fold = float(_deg(_MODEL.folds(_article()).theta0[0]))
     at, before, after = (float(np.ravel(value)[0]) for value in (_deg(table.theta0), table.before, table.after))
     return Found(
         after > 5 * before and abs(at - fold) < 5, {"theta0_deg": at, "before the fold by (deg)": float(f"{fold - at:.3g}")}
@@ -403,5 +402,5 @@ def reference_12() -> Found:
 
 def reference_10() -> Found:
     """A path at constant θ₀ does not appear in Figure 10, where the friction is constant and θ₀ is the axis."""
-    path = quasi_static_path(_at(60.0), "mu0", np.linspace(0.0, MU0_MAX, 11))
+    path = _MODEL.quasi_static_path(_at(60.0), "mu0", np.linspace(0.0, MU0_MAX, 11))
     return Found(path.vary == "mu0" and bool(np.ptp(path.values) > 0), {"what varies along a-a'": path.vary})

@@ -9,12 +9,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..assumed import MU0_RANGE
-from ..kang_nam.catastrophe import bifurcation_set
-from ..kang_nam.catastrophe.flutter_points import FlutterBoundary, flutter_boundary
 from ..parameters import FloatArray, Parameters, ParameterSet
 from ..results.equilibria import Stability
 from . import surfaces
-from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
+from .captions import BASE_TEXT, HIDDEN_TEXT, MODEL, PATHS_DEG, RANGE_TEXT
 from .curves import passages
 from .hidden import Cover
 from .space import draw_line, draw_surface, space_axes
@@ -84,7 +82,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     figure = Sheet(figsize=(DOUBLE, 3.3))
     space, plane = space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95), figure.add_axes((0.64, 0.16, 0.345, 0.74))
     p = Parameters.article(sigma=1.0)
-    onsets = flutter_boundary(p)
+    onsets = MODEL.flutter_boundary(p)
     cover, folded = draw_surface(space, p, detail)
     tables = {"a": folded, "a_flutter": draw_flutter(space, onsets, MU0_RANGE, cover)}
     tables["b"] = draw_bifurcation_set(plane, p)
@@ -138,12 +136,12 @@ def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one
     for place in three:
         write_along(ax, "3", *place, ha="center", fontsize=10)
     write_along(ax, "1", *one, ha="center", fontsize=10)
-    cusp = bifurcation_set(p).cusps
+    cusp = MODEL.bifurcation_set(p).cusps
     theta0, mu0 = float(np.degrees(cusp.theta0[0])), float(cusp.mu0[0])
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
 
 
-def draw_flutter(ax: Any, found: FlutterBoundary, mu0: tuple[float, float], cover: Cover | None = None) -> Table:
+def draw_flutter(ax: Any, found: Any, mu0: tuple[float, float], cover: Cover | None = None) -> Table:
     """Onsets of flutter over (θ₀, μ₀), or with a cover on the surface."""
     style: dict[str, Any] = {"color": GREEN, "linewidth": 1.2, "linestyle": LINES[Stability.FLUTTER], "zorder": 3}
     for number in np.unique(found.curve):

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from ..models.load import USUAL, load
 from ..parameters import ARTICLE
+
+#: The article's model.
+MODEL = load(USUAL)
 
 #: θ₀ of the paths a–a′ and b–b′.
 PATHS_DEG = {"a": 60.0, "b": 40.0}

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 
 from ..assumed import MU0_RANGE, D, V
 from ..door import only_for
+from ..exact.companion_roots import eigenvalues
 from ..generated import equilibrium as _equilibrium
-from ..kang_nam.catastrophe import bifurcation_set, critical_friction, critical_value, cusp_friction, folds
-from ..kang_nam.catastrophe.companion_roots import eigenvalues
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
 from .bifurcation_sets import draw_bifurcation_set
-from .captions import BASE_TEXT
+from .captions import BASE_TEXT, MODEL
 from .style import (
     BLACK,
     BLUE,
@@ -55,7 +54,7 @@ def bifurcation_figure(p: Parameters) -> Sheet:
         Scalars; of ``mu0``, if given, the figure shows the line.
     """
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    lowest = float(critical_friction(p.replace(theta0=None, mu0=None)))
+    lowest = float(MODEL.critical_friction(p.replace(theta0=None, mu0=None)))
     mu0 = None if p.mu0 is None else float(p.mu0)
     finite = [value for value in (lowest, mu0) if value is not None and np.isfinite(value)]
     table = draw_bifurcation_set(ax, p.replace(mu0=None), (0.0, max(1.0, 2.0 * max(finite, default=0.5))))
@@ -91,12 +90,12 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     (low, high), samples, bracket = _SAMPLES[name]
     values = np.linspace(low, high, n) if name == "beta" else np.geomspace(low, high, n)
     p, mu0 = Parameters.article(), ARTICLE["mu0"]
-    frictions = np.asarray(critical_friction(p.replace(**{name: values})))
-    cusps = np.asarray(cusp_friction(p.replace(**{name: values})))
+    frictions = np.asarray(MODEL.critical_friction(p.replace(**{name: values})))
+    cusps = np.asarray(MODEL.cusp_friction(p.replace(**{name: values})))
     ax.plot(values, frictions, color=BLACK)
     ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     for value in samples:
-        friction = float(critical_friction(p.replace(**{name: value})))
+        friction = float(MODEL.critical_friction(p.replace(**{name: value})))
         ax.plot(
             value,
             friction,
@@ -107,7 +106,7 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
             zorder=3,
             clip_on=False,
         )
-    critical = critical_value(p, name, bracket)
+    critical = MODEL.critical_value(p, name, bracket)
     ax.axvline(critical, color=VERMILION, linewidth=0.7, linestyle=":")
     if name == "beta":
         ax.set(ylim=(0, 0.9))
@@ -166,7 +165,7 @@ def figure_false_double_root() -> Sheet:
     """The quartic in L has a double root that is no fold; the quartic in t has none."""
     figure, (axes,) = panels(1, 2, DOUBLE, 2.6, sharey=True)
     p = Parameters.article()
-    true, false = np.degrees(folds(p).theta0), np.degrees(false_double_roots(p))
+    true, false = np.degrees(MODEL.folds(p).theta0), np.degrees(false_double_roots(p))
     near = [centre + side * np.geomspace(1e-8, 10, 150) for centre in (*true, *false) for side in (-1, 1)]
     angles = np.unique(np.concatenate([np.linspace(0.5, 179.5, 400), *near]))
     angles = angles[(angles > 0.1) & (angles < 179.9)]
@@ -208,7 +207,7 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
     p = Parameters.article()
     cells = _divided(p, step_deg, step_mu0, levels, workers)
     image = ax.pcolormesh(cells.angles, cells.frictions, cells.rms, cmap="cividis", vmin=0.0, rasterized=True)
-    found = bifurcation_set(p)
+    found = MODEL.bifurcation_set(p)
     for curve in found.curves:
         ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
         ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION, linewidth=1.2)
@@ -309,7 +308,7 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     speeds = V * 10.0 ** np.linspace(-0.5, 0.5, 5)
     jumps = sensitivity(coarse, speeds, creeps, refine=4, workers=workers)
     tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
-    axes[2].axhline(float(np.degrees(folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
+    axes[2].axhline(float(np.degrees(MODEL.folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
     return figure.describe(
         f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x
         over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =

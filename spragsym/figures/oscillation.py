@@ -18,12 +18,10 @@ from ..assumed import D, V
 from ..cycles import CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..cycles.maps import Kind
 from ..errors import ConvergenceError, ParameterError
-from ..kang_nam.catastrophe import bifurcation_set, folds, sliding_friction
-from ..kang_nam.statics.solver import equilibria
 from ..parameters import FloatArray, Parameters
 from ..results.bifurcation_sets import BifurcationSet
 from ..results.equilibria import Stability
-from .captions import BASE_TEXT
+from .captions import BASE_TEXT, MODEL
 from .labels import label
 from .style import (
     BLACK,
@@ -72,6 +70,11 @@ def found_cycles() -> dict[str, Any]:
     return found
 
 
+def _sliding() -> float:
+    """μ(V) of the article's values."""
+    return float(MODEL.friction(Parameters.article(V=V, d=D)))
+
+
 @styled
 def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
@@ -99,8 +102,8 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
         name: np.degrees(column).tolist() if name == "theta0_deg" else list(column)
         for name, column in zip(names, zip(*events, strict=True), strict=True)
     }
-    fold = float(np.degrees(folds(Parameters.article()).theta0[0]))
-    sliding = float(np.degrees(folds(Parameters.article(mu0=sliding_friction(0.5, V, D))).theta0[0]))
+    fold = float(np.degrees(MODEL.folds(Parameters.article()).theta0[0]))
+    sliding = float(np.degrees(MODEL.folds(Parameters.article(mu0=_sliding())).theta0[0]))
     fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
     rest = float(np.degrees(fate.value))
     for place, colour, style in ((rest, BLACK, "--"), (fold, GREY, ":"), (sliding, GREY, "-")):
@@ -152,11 +155,11 @@ def draw_stretches(
 
 def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
     """Equilibria at μ(V): |x| is their root mean square."""
-    friction = sliding_friction(0.5, V, D)
-    edges = np.degrees(folds(Parameters.article(mu0=friction)).theta0)
+    friction = _sliding()
+    edges = np.degrees(MODEL.folds(Parameters.article(mu0=friction)).theta0)
     near = np.concatenate([fold + side * np.geomspace(1e-7, 0.3, 40) for fold in edges for side in (-1, 1)])
     angles = np.unique(np.concatenate([np.linspace(*to_deg, 1201), near[(to_deg[0] <= near) & (near <= to_deg[1])]]))
-    found = equilibria(Parameters.article(theta0=np.radians(angles), mu0=friction))
+    found = MODEL.equilibria(Parameters.article(theta0=np.radians(angles), mu0=friction))
     size = np.abs(found.x)
     for kind, style in ((Stability.STABLE, "-"), (Stability.DIVERGENT, (0, (3.5, 1.6)))):
         for slot in range(size.shape[-1]):
@@ -237,10 +240,10 @@ def figure_cycles_plane(
         ax.plot(angles, friction, color=colour)
         write_along(ax, curve.label, *curve.place, color=colour)
         tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
-    tables["a_statics"] = _draw_statics(ax, bifurcation_set(Parameters.article()))
+    tables["a_statics"] = _draw_statics(ax, MODEL.bifurcation_set(Parameters.article()))
     decided, fates = [], []
     for mu0 in frictions:
-        fold = float(folds(Parameters.article(mu0=mu0)).theta0[0])
+        fold = float(MODEL.folds(Parameters.article(mu0=mu0)).theta0[0])
         low = fold - np.radians(9.0)
         with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
             fates.append(fate_boundary(Parameters.article(mu0=mu0), vary="theta0", bracket=(low, fold - 0.003), V=V, d=D).value)

@@ -6,12 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..assumed import MU0_RANGE
-from ..kang_nam.catastrophe import folds
-from ..kang_nam.catastrophe.paths import quasi_static_path
-from ..kang_nam.statics.solver import equilibria
 from ..parameters import FloatArray, Parameters
 from ..results import Path
-from .captions import BASE_TEXT, LINES_TEXT, PATHS_DEG, RANGE_TEXT
+from .captions import BASE_TEXT, LINES_TEXT, MODEL, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of
 from .linear import draw_linear, linear_curves
 from .style import BLUE, DOUBLE, GREY, SKY, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
@@ -26,7 +23,7 @@ def figure_6() -> Sheet:
     draw_branches(curves, ax=left, color=GREY, linewidth=0.8)
     up, back = both_ways(p, "theta0", np.radians(np.linspace(0.5, 179.5, 359)))
     _draw_both_ways(left, up, back, rising=(0.55,), falling=(0.35, 0.9))
-    mark_folds(folds(p), ax=left)
+    mark_folds(MODEL.folds(p), ax=left)
     write_along(left, r"$\theta_0$ rising", 40, 0.45, color=VERMILION)
     write_along(left, r"$\theta_0$ falling", 58, 1.5, color=BLUE)
     angle_axis(left)
@@ -66,7 +63,7 @@ def figure_13() -> Sheet:
         draw_branches(curves, ax=ax, color=GREY, linewidth=0.8)
         up, back = both_ways(p, "mu0", np.linspace(*MU0_RANGE, 401))
         _draw_both_ways(ax, up, back, rising=(0.5,), falling=(0.5,))
-        mark_folds(folds(p, "mu0"), ax=ax, high=MU0_RANGE[1])
+        mark_folds(MODEL.folds(p, "mu0"), ax=ax, high=MU0_RANGE[1])
         ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1))
         ax.set_title(rf"$\theta_0 = {angle:g}^\circ$", loc="right", color=GREY)
         tables |= {
@@ -87,8 +84,8 @@ def figure_13() -> Sheet:
 
 def both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path]:
     """The state of small deformation followed up, and the state where it ends followed back."""
-    up = quasi_static_path(p, vary, values)
-    back = quasi_static_path(p, vary, values[::-1], start=_slot_of(p.replace(**{vary: values[-1]}), up.x[-1]))
+    up = MODEL.quasi_static_path(p, vary, values)
+    back = MODEL.quasi_static_path(p, vary, values[::-1], start=_slot_of(p.replace(**{vary: values[-1]}), up.x[-1]))
     return up, back
 
 
@@ -99,7 +96,7 @@ def _draw_both_ways(ax: Axes, up: Path, back: Path, rising: tuple[float, ...], f
 
 
 def _slot_of(p: Parameters, x: float) -> int:
-    return int(np.nanargmin(np.abs(equilibria(p).x - x)))
+    return int(np.nanargmin(np.abs(MODEL.equilibria(p).x - x)))
 
 
 def table_of_path(path: Path, name: str) -> Table:

@@ -413,6 +413,15 @@ class Model:
 
         return rest_index(self, p, x, y)
 
+    def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
+        """The friction coefficient of steady sliding at the speed of the belt, or ``"friction_at_rest"``, which statics takes.
+
+        Of the shape of ``p``, of which angles that the law does not depend on may be missing; source: the law of the page.
+        """
+        of_law = self.about["friction"]["quantities"]
+        missing = {name: 1.0 for name in self.about["angles"] if name not in of_law and getattr(p, name) is None}
+        return np.asarray(getattr(self.statics, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float)
+
     @part
     def linked(self, p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:
         """Equilibria at neighbouring values of a parameter on one branch: see :func:`spragsym.models.branches.linked`."""

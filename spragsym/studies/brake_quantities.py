@@ -116,17 +116,7 @@ def balanced(name: str) -> tuple[str, ...]:
     return tuple(quantity for quantity in quantity_units(name) if quantity in found)
 
 
-def friction(model: Any, p: Any, law: str) -> float:
-    """μ by the model's own law: ``"friction_at_rest"`` as its statics takes it, ``"friction_at_speed"`` at that of the belt."""
-    return float(frictions(model, p, law))
-
-
-def frictions(model: Any, p: Any, law: str) -> Any:
-    """The same of many, of the shape of ``p``."""
-    return getattr(model.statics, law)(*model.arguments(p, "motion"))
-
-
 def share(model: Any, p: Any) -> Any:
     """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of the shape of ``p``."""
-    full, works = (np.asarray(frictions(model, p, law), dtype=float) for law in ("friction_at_rest", "friction_at_speed"))
+    full, works = (model.friction(p, law) for law in ("friction_at_rest", "friction_at_speed"))
     return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]

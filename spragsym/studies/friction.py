@@ -40,7 +40,7 @@ def law_of(study: Study) -> str:
 def drawn(study: Study) -> float:
     """The friction that works as drawn; 0 for a model without friction."""
     p = study.dimensionless
-    return brake_quantities.friction(p.model, p, law_of(study)) if p.model.about["friction"] else 0.0
+    return float(p.model.friction(p, law_of(study))) if p.model.about["friction"] else 0.0
 
 
 def share(study: Study) -> float:
@@ -54,7 +54,7 @@ def share(study: Study) -> float:
 def of_statics(study: Study, mu0: float) -> float:
     """The friction that statics takes with a value of μ₀."""
     p = study.dimensionless
-    return brake_quantities.friction(p.model, p.replace(mu0=mu0), "friction_at_rest") if mu0 < math.inf else mu0
+    return float(p.model.friction(p.replace(mu0=mu0), "friction_at_rest")) if mu0 < math.inf else mu0
 
 
 def working(study: Study) -> tuple[float, float, float]:
@@ -82,7 +82,7 @@ def _at_corners(study: Study) -> list[float]:
     ends = [(study.quantities[name].low, study.quantities[name].high) for name in names]
     rows = np.array(list(itertools.product(*ends)))
     p, _ = brake_quantities.dimensionless(study.model, {**study.values, **dict(zip(names, rows.T, strict=True))})
-    found: list[float] = np.atleast_1d(brake_quantities.frictions(model, p, law_of(study))).tolist()
+    found: list[float] = np.atleast_1d(model.friction(p, law_of(study))).tolist()
     return found
 
 

@@ -16,7 +16,7 @@ from ..errors import ConvergenceError
 from ..models.balance import Balance
 from ..names import hint
 from ..parameters import FloatArray
-from . import brake_quantities, friction
+from . import friction
 from .states import of_springs, place_in_units
 from .study import Study
 
@@ -85,7 +85,7 @@ def jump_peak(study: Study, mu0: float, jump: float, speed: float) -> JumpPeak |
     at = p.replace(mu0=1.0)
     if jump > study.friction[2]:
         at = at.replace(V=speed * scales.time / scales.length)
-    at = at.replace(mu0=jump / brake_quantities.friction(model, at, "friction_at_speed"))  # to which the law is proportional
+    at = at.replace(mu0=jump / float(model.friction(at)))  # to which the law is proportional
     held = int(np.abs(end - begin).argmax())
     start = _balanced(model, p.replace(mu0=mu0), begin + AWAY * (end - begin), held)
     for t_end in _T_END:

@@ -189,6 +189,17 @@ def test_a_design_is_one_of_its_model() -> None:
         ss.load("kang_nam").jump_margin(designs["cubic_contact"], {"k": 2.7e4})
 
 
+def test_friction_is_that_of_the_law_and_needs_no_angle() -> None:
+    p = ss.Parameters.article(mu0=[0.3, 0.5], V=0.2, d=4.0)
+    assert p.theta0 is None
+    assert p.model.friction(p) == pytest.approx(ss.sliding_friction(p.mu0, 0.2, 4.0), rel=1e-15)
+    assert p.model.friction(p, "friction_at_rest").tolist() == [0.3, 0.5]
+    q = ss.load("stick_slip").Parameters(V=0.3)
+    assert q.model.friction(q) == pytest.approx(2 * q.mu_s * 0.3 * q.v_s / (0.3**2 + q.v_s**2), rel=1e-14)
+    with pytest.raises(ss.ParameterError, match="mu0"):
+        p.model.friction(p.replace(mu0=None))
+
+
 @pytest.mark.thorough
 def test_the_friction_that_works_is_the_models_own_law(tmp_path: Path) -> None:
     """μ₀ tanh(d V), where the article's law would give μ₀ (1 − exp(−d V))."""

@@ -14,10 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from ...exact.companion_roots import by_power, eigenvalues, polished
 from ...exact.polynomials import evaluate
 from ...generated import stability as _stability
 from ...parameters import FloatArray
-from .companion_roots import by_power, eigenvalues, polished
 from .fixed_parameters import Fixed
 
 #: Flutter needs π/2 < θ < π. How close to both ends the sampled θ come.

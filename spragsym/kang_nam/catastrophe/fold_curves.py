@@ -14,9 +14,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from ...exact.companion_roots import eigenvalues, polished
 from ...generated import catastrophe as _catastrophe
 from ...parameters import FloatArray
-from .companion_roots import eigenvalues, polished
 from .fixed_parameters import Fixed
 from .fold_events import Stretch, fold_polynomial, stretches
 

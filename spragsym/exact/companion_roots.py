@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ...exact.polynomials import derivative, evaluate
-from ...parameters import FloatArray
+from .interval_arrays import FloatArray
+from .polynomials import derivative, evaluate
 
 
 def by_power(coefficients: FloatArray) -> tuple[FloatArray, ...]:

@@ -25,12 +25,10 @@ import functools
 import importlib
 import inspect
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from typing import Any, TypeVar, cast
+from typing import Any
 
 from .errors import ModelError, ParameterError, ParameterTypeError
 from .parameters import Parameters, ParameterSet, PhysicalParameters
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 #: Public functions that are asked of a model.
 INTERFACE = frozenset((
@@ -109,22 +107,6 @@ def public(closed: Callable[..., Any]) -> Callable[..., Any]:
         return getattr(model_of(first if first is not None else Parameters()), name)(*args, **options)
 
     return ask
-
-
-def only_for(kind: type[ParameterSet], instead: str) -> Callable[[F], F]:
-    """A function that is there for one model's parameters only, as a drawing that shows what closed forms give."""
-
-    def decorated(function: F) -> F:
-        @functools.wraps(function)
-        def checked(*args: Any, **options: Any) -> Any:
-            for p in sets_among((*args, *options.values())):
-                if not isinstance(p, kind):
-                    raise ModelError(f"{function.__name__} is not there yet for the model {model_of(p).name}; {instead}")
-            return function(*args, **options)
-
-        return cast(F, checked)
-
-    return decorated
 
 
 def model_of(p: ParameterSet) -> Any:

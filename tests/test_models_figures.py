@@ -33,7 +33,7 @@ def ax():
 
 
 def test_the_bifurcation_set_on_given_axes(ax, found):
-    lines = figures.draw_bifurcation_set_of(ss.load("kang_nam").search, found, ax)
+    lines = figures.draw_bifurcation_set(found, ax)
     assert len(lines) == len(found.curves) + 1
     assert all(line.axes is ax for line in lines)
     for line, curve in zip(lines, found.curves, strict=False):
@@ -86,8 +86,8 @@ def test_curves_by_search_are_those_of_closed_forms():
 
 def test_onsets_are_the_closed_form_of_mode_coupling(ax):
     model = ss.load("mode_coupling")
-    (dots,) = figures.draw_onsets_of(
-        model, model.Parameters(), ("sigma", "mu0"), ax, damping=False, between={"sigma": (0.1, 2.0), "mu0": (0.0, 5.0)}, n=5
+    (dots,) = figures.draw_onsets(
+        model.Parameters(), ("sigma", "mu0"), ax, damping=False, between={"sigma": (0.1, 2.0), "mu0": (0.0, 5.0)}, n=5
     )
     sigma, alpha, beta = dots.get_xdata(), model.base["alpha"], model.base["beta"]
     assert sigma.size == 5
@@ -96,9 +96,7 @@ def test_onsets_are_the_closed_form_of_mode_coupling(ax):
 
 def test_onsets_are_the_closed_form_of_stick_slip(ax):
     model = ss.load("stick_slip")
-    (dots,) = figures.draw_onsets_of(
-        model, model.Parameters(), ("V", "zeta"), ax, between={"V": (0.15, 1.0), "zeta": (0.0, 5.0)}, n=5
-    )
+    (dots,) = figures.draw_onsets(model.Parameters(), ("V", "zeta"), ax, between={"V": (0.15, 1.0), "zeta": (0.0, 5.0)}, n=5)
     V, mu_s, v_s = dots.get_xdata(), model.base["mu_s"], model.base["v_s"]
     assert V.size == 5
     assert np.allclose(dots.get_ydata(), 2 * mu_s * v_s * (V**2 - v_s**2) / (V**2 + v_s**2) ** 2, atol=1e-12)
@@ -157,3 +155,25 @@ def test_the_window_of_a_bifurcation_set_holds_every_cusp_that_was_found() -> No
         window(model, ("theta0", "mu0"), {})["mu0"][1] < cusps.mu0.max() < window(model, ("theta0", "mu0"), {}, cusps)["mu0"][1]
     )
     assert window(model, ("theta0", "mu0"), {"mu0": (0.0, 0.5)}, cusps)["mu0"] == (0.0, 0.5)
+
+
+def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path, monkeypatch):
+    """Of the article's model and of one that turns: a row for each coordinate, with its plane and its spectrum."""
+    seen = []
+    drawn = figures.motion_figure
+    monkeypatch.setattr(figures, "motion_figure", lambda *args: seen.append(drawn(*args)) or seen[-1])
+    for name, more in (("kang_nam", ""), ("sprag_rod", "")):
+        model = ss.load(name)
+        rows = [f'model = "{name}"']
+        units = {entry["name"]: entry["unit"] for entry in model.about["units"]}
+        units |= {entry["quantity"]: entry["quantity_unit"] for entry in model.about["parameters"]}
+        size = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "rad": 0.7, "N": 420.0, "1": 0.3, "m/s": 1.2, "s/m": 10.0}
+        rows += [f'{key} = "{size.get(unit, 0.01)!r} {unit if unit != "1" else ""}"' for key, unit in units.items()]
+        file = tmp_path / f"{name}.toml"
+        file.write_text("\n".join(["[brake]", *rows, more]), encoding="utf-8")
+        assert status(["simulate", "--data", str(file), "--t-end", "60", "--plot", str(tmp_path / f"{name}.svg")]) == 0
+    article, rod = seen
+    assert [ax.get_ylabel() for ax in article.axes[:2]] == ["$x$ (mm)", r"$\dot{x}$ (mm/s)"]
+    assert len(article.axes) == 3 * 2
+    assert len(rod.axes) == 3 * len(ss.load("sprag_rod").coordinates)
+    assert "(deg)" in rod.axes[0].get_ylabel()

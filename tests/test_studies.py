@@ -862,13 +862,22 @@ def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> N
     motion = ss.simulate(study.dimensionless, **belt, t_end=200.0)
     scales = study.scales
     figure = motion_figure(motion, 50.0, Units(1e3 * scales.length, scales.time, "mm"))
-    over_time, phase, spectrum = figure.axes
+    over_time, phase, spectrum, *of_y = figure.axes
     line = over_time.lines[0]
     assert line.get_xdata()[-1] == pytest.approx(200.0 * math.sqrt(0.35 / 1.5e6))
     assert line.get_ydata()[-1] == pytest.approx(38.0 * motion.x[-1])
     # The belt is the dotted line, at 1.2 m/s.
     assert phase.lines[1].get_ydata()[0] == pytest.approx(1200.0)
-    assert [axes.get_xlabel() for axes in figure.axes] == ["$t$ (s)", "$x$ (mm)", "frequency (Hz)"]
+    assert [axes.get_xlabel() for axes in figure.axes] == [
+        "$t$ (s)",
+        "$x$ (mm)",
+        "frequency (Hz)",
+        "$t$ (s)",
+        "$y$ (mm)",
+        "frequency (Hz)",
+    ]
+    assert of_y[0].lines[0].get_ydata()[-1] == pytest.approx(38.0 * motion.y[-1])
+    assert len(of_y[1].lines) == 1  # the belt moves along x
     assert spectrum.lines[0].get_xdata()[1] == pytest.approx(1 / (150.0 * math.sqrt(0.35 / 1.5e6)), rel=1e-6)
 
 

@@ -119,15 +119,12 @@ def written(path: Path, part: str, make: Callable[[], Sheet]) -> None:
 
 def _draw(case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], cusps: Any, n: int) -> None:
     """The bifurcation set; by closed forms where the model has them for all of this plane."""
-    from ..figures import bifurcation_figure, model_figure
+    from ..figures import bifurcation_figure
     from ..figures.labels import window
 
     p = case.set(*vary)
     closed = case.has_closed("bifurcation_set") and vary == case.model.axes and not ranges
 
-    def figure() -> Sheet:
-        if closed:
-            return bifurcation_figure(p)  # type: ignore[arg-type]  # of the model with closed forms
-        return model_figure(case.model.search, p, vary, between=window(case.model, vary, ranges, cusps), n=n)
-
-    written(path, f"drawing folds and cusps in the plane of {' and '.join(vary)}", figure)
+    between = None if closed else window(case.model, vary, ranges, cusps)
+    drawing = f"drawing folds and cusps in the plane of {' and '.join(vary)}"
+    written(path, drawing, lambda: bifurcation_figure(p, vary, between=between, n=n))

@@ -147,7 +147,7 @@ def _map(model: Model, point: Mapping[str, Any], study: Study | None, asked: boo
     if not asked:
         return "", ""
     from ..figures.labels import window
-    from ..figures.models import draw_onset_curves_of
+    from ..figures.planes import draw_onset_curves
     from ..studies.pages import picture
 
     if len(model.axes) != 2:
@@ -159,7 +159,7 @@ def _map(model: Model, point: Mapping[str, Any], study: Study | None, asked: boo
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
     spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.axes)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
-    return picture(lambda ax: draw_onset_curves_of(model, found, ax)), command
+    return picture(lambda ax: draw_onset_curves(found, ax)), command
 
 
 def _derived(model: Model) -> Derived:

@@ -134,15 +134,14 @@ def print_summary(summary: dict[str, Any], json_output: bool) -> None:
 
 
 def _draw(case: Case, tr: Trajectory, transient: float, path: Path) -> None:
-    from ..figures import FORMATS, model_motion_figure, motion_figure
+    from ..figures import FORMATS, motion_figure
     from ..figures.motion_pictures import Units
     from ..figures.style import house_style
 
-    kind, study, (title, size) = path.suffix[1:], case.units.study, case.units.place(case.model.coordinates[0])
-    units = None if study is None else Units(size, study.scales.time, title.rpartition("_")[2])
+    kind, study = path.suffix[1:], case.units.study
+    units = None if study is None else Units(1e3 * study.scales.length, study.scales.time, "mm")
     with house_style():
-        figure = motion_figure(tr, transient, units) if "prepare" in case.model.closed else model_motion_figure(tr)
-        figure.savefig(path, format=kind, metadata=FORMATS[kind])
+        motion_figure(tr, transient, units).savefig(path, format=kind, metadata=FORMATS[kind])
 
 
 @of_model(kind=Axis, start=True)

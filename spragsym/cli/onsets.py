@@ -60,7 +60,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
     if plot is not None:
         from ..figures import stability_figure
 
-        written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(case.model, found))
+        written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(found))
     curves = [{"criticality": curve.criticality.tolist(), **_columns(case, curve, along)} for curve in found.curves]
     points = _points(case, found, along)
     undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), list(found.points.remarks)

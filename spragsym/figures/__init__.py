@@ -21,19 +21,12 @@ from .brakes import draw_operating_point, draw_rising_friction, draw_shares
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
 from .diagrams import diagram_figure
 from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
-from .extras import bifurcation_figure, figure_cusp_friction, figure_false_double_root, figure_rms_map, figure_sensitivity
+from .extras import figure_cusp_friction, figure_false_double_root, figure_rms_map, figure_sensitivity
 from .files import FORMATS, write
-from .models import (
-    draw_bifurcation_set_of,
-    draw_onset_curves_of,
-    draw_onsets_of,
-    model_figure,
-    model_motion_figure,
-    stability_figure,
-)
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
 from .oscillation import branch_figure, fate_map_figure, figure_cycles, figure_cycles_plane
+from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, draw_onsets, stability_figure
 from .style import Sheet
 from .trajectories import figure_6, figure_13
 
@@ -69,11 +62,11 @@ __all__ = [
     "fate_map_figure",
     "branches",
     "diagram_figure",
-    "draw_bifurcation_set_of",
+    "draw_bifurcation_set",
     "draw_branches",
     "draw_motion",
-    "draw_onset_curves_of",
-    "draw_onsets_of",
+    "draw_onset_curves",
+    "draw_onsets",
     "draw_operating_point",
     "draw_path",
     "draw_phase",
@@ -81,9 +74,7 @@ __all__ = [
     "draw_shares",
     "draw_spectrum",
     "mark_folds",
-    "model_figure",
     "stability_figure",
-    "model_motion_figure",
     "motion_figure",
     "plot_equilibria",
     "write",

@@ -15,6 +15,7 @@ from . import surfaces
 from .captions import BASE_TEXT, HIDDEN_TEXT, MODEL, PATHS_DEG, RANGE_TEXT
 from .curves import passages
 from .hidden import Cover
+from .planes import draw_bifurcation_set, draw_regions
 from .space import draw_line, draw_surface, space_axes
 from .style import BLACK, DOUBLE, GREEN, GREY, LINES, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
 from .trajectories import both_ways, table_of_path
@@ -62,7 +63,7 @@ def figure_12() -> Sheet:
     """The bifurcation set."""
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
     p = Parameters.article()
-    table = draw_bifurcation_set(ax, p)
+    table = draw_plane(ax, p)
     label_regions(ax, p, [(20, 0.3), (155, 0.25)], (98, 0.6))
     for name, angle in PATHS_DEG.items():
         ax.axvline(angle, color=GREY, linewidth=0.6, linestyle=":")
@@ -85,7 +86,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     onsets = MODEL.flutter_boundary(p)
     cover, folded = draw_surface(space, p, detail)
     tables = {"a": folded, "a_flutter": draw_flutter(space, onsets, MU0_RANGE, cover)}
-    tables["b"] = draw_bifurcation_set(plane, p)
+    tables["b"] = draw_plane(plane, p)
     tables["b_flutter"] = draw_flutter(plane, onsets, MU0_RANGE)
     label_regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75))
     for x in (6, 157):
@@ -102,32 +103,20 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     )
 
 
-def draw_bifurcation_set(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, n: int = 60) -> Table:
+def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, n: int = 60) -> Table:
     """Fold curves of any model over (θ₀, μ₀), on ``n`` lines if by search; by closed forms the regions between them shaded."""
-    model, columns = p.model, dict[str, list[FloatArray]](curve=[], theta0_deg=[], mu0=[])
-    if "bifurcation_set" in model.closed:
-        found = model.bifurcation_set(p)
-        angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
-        count = model.count(p.replace(theta0=angles, mu0=frictions[:, None]))
-        if (count == 3).any():
-            ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
-    else:
-        found = model.bifurcation_set(p, ("theta0", "mu0"), n, between={"mu0": mu0})
-    for number, curve in enumerate(found.curves):
-        ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION)
-        for name, values in zip(columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True):
-            columns[name].append(values)
-    ax.plot(
-        np.degrees(found.cusps.theta0),
-        found.cusps.mu0,
-        linestyle="none",
-        marker="o",
-        markersize=3.6,
-        color=BLACK,
-        zorder=4,
-    )
+    model = p.model
+    closed = "bifurcation_set" in model.closed
+    found = model.bifurcation_set(p, model.axes, **({} if closed else {"n": n, "between": {"mu0": mu0}}))
+    if closed:
+        draw_regions(ax, p, mu0)
+    draw_bifurcation_set(found, ax, color=VERMILION)
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=mu0)
+    columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": []}
+    for number, curve in enumerate(found.curves):
+        for name, values in zip(columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True):
+            columns[name].append(values)
     return {name: np.concatenate([[], *values]) for name, values in columns.items()}
 
 

@@ -12,7 +12,7 @@ from matplotlib.patches import Rectangle
 
 from ..errors import ConvergenceError
 from ..parameters import ParameterSet
-from .bifurcation_sets import draw_bifurcation_set
+from .bifurcation_sets import draw_plane
 from .curves import branches, draw_branches, draw_path, folds_between, mark_folds
 from .labels import with_unit
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
@@ -41,7 +41,7 @@ def draw_operating_point(
     """
     ax = own_axes(ax)
     top = max(_TOP, 1.15 * mu0[1], 1.15 * jump if jump < _FAR else 0.0)
-    draw_bifurcation_set(ax, p, (0.0, top), n)
+    draw_plane(ax, p, (0.0, top), n)
     return mark_brake(ax, p, theta0, mu0, jump)
 
 

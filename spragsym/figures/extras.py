@@ -10,12 +10,10 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from ..assumed import MU0_RANGE, D, V
-from ..door import only_for
 from ..exact.companion_roots import eigenvalues
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
-from .bifurcation_sets import draw_bifurcation_set
 from .captions import BASE_TEXT, MODEL
 from .style import (
     BLACK,
@@ -41,32 +39,6 @@ _SAMPLES: dict[str, tuple[tuple[float, float], tuple[float, ...], tuple[float, f
     "kappa": ((1e-4, 1.0), (0.007,), (1e-4, 0.007)),
 }
 _TICKS = {"alpha": (0.1, 1.0, 10.0), "sigma": (0.1, 0.2, 0.5), "kappa": (0.01, 0.1, 0.5)}
-
-
-@only_for(Parameters, "model_figure(model, p, vary) draws states and set")
-@styled
-def bifurcation_figure(p: Parameters) -> Sheet:
-    """The bifurcation set of any κ, α, σ, β over inclination and friction.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars; of ``mu0``, if given, the figure shows the line.
-    """
-    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    lowest = float(MODEL.critical_friction(p.replace(theta0=None, mu0=None)))
-    mu0 = None if p.mu0 is None else float(p.mu0)
-    finite = [value for value in (lowest, mu0) if value is not None and np.isfinite(value)]
-    table = draw_bifurcation_set(ax, p.replace(mu0=None), (0.0, max(1.0, 2.0 * max(finite, default=0.5))))
-    if mu0 is not None:
-        ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
-    kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
-    return figure.describe(
-        f"""Bifurcation set over inclination and friction, κ = {kappa:g}, α = {alpha:g}, σ =
-        {sigma:g}, β = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots
-        are cusps.""",
-        a=table,
-    )
 
 
 @styled

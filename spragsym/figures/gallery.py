@@ -13,7 +13,7 @@ from ..models import Model, load
 from ..models.load import shipped
 from .files import FORMATS
 from .labels import Between
-from .models import draw_onsets_of, model_figure
+from .planes import bifurcation_figure, draw_onsets
 from .style import SINGLE, Sheet, house_style, panels, styled
 
 #: What the gallery shows of a model: the plane and its ranges; ("hopf", …) and ("flutter", …) are onsets along the second one.
@@ -32,9 +32,9 @@ def gallery_figure(model: Model) -> Sheet:
     kind, *vary, between = GALLERY.get(model.name, ("folds", "theta0", "mu0", {"mu0": (0.0, 1.0)}))
     p = model.Parameters(**dict.fromkeys(set(vary) & {"theta0"}, 1.0))
     if kind == "folds":
-        return model_figure(model, p, vary, between=between, n=n)
+        return bifurcation_figure(p, vary, between=between, n=n)
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    draw_onsets_of(model, p, vary, ax, damping=kind == "hopf", between=between, n=n)
+    draw_onsets(p, vary, ax, damping=kind == "hopf", between=between, n=n)
     return figure.describe(f"Onsets of flutter of {model.name}.")
 
 

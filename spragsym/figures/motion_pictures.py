@@ -1,4 +1,4 @@
-"""One motion: over time, in the plane of x and x′, and its spectrum."""
+"""One motion: over time, in the plane of a coordinate and its rate, and its spectrum."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from ..dynamics import Trajectory
 from ..dynamics.pictures import axis_label, course_over_time
 from ..errors import ParameterError
-from .style import BLUE, DOUBLE, GREY, Sheet, own_axes, panels, styled
+from .labels import label
+from .style import BLUE, DOUBLE, GREY, Sheet, Table, own_axes, panels, styled
 
 
 def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
@@ -38,13 +39,16 @@ def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = Non
     )
 
 
-def draw_phase(motion: Trajectory, ax: Axes | None = None, *, length: float = 1.0, speed: float = 1.0,
+def draw_phase(motion: Trajectory, ax: Axes | None = None, *, of: str | None = None, length: float = 1.0, speed: float = 1.0,
                labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
-    """x′ over x, the first coordinate, and the speed of the belt along it as a line; returns the curve."""
-    ax = own_axes(ax)
-    t = np.linspace(motion.t[0], motion.t[-1], 6000)
-    states, (name, *_), (rate, *_) = motion(t), motion.model.coordinates, motion.model.rates
-    x, vx = states[0], states[len(states) // 2]
+    """x′ over x, the first coordinate or another, and the speed of the belt along it as a line; returns the curve."""
+    ax, names = own_axes(ax), motion.model.coordinates
+    name = names[0] if of is None else of
+    if name not in names:
+        raise ParameterError(f"of = {of!r} is not one of {', '.join(names)}")
+    place = names.index(name)
+    rate, states = motion.model.rates[place], motion(np.linspace(motion.t[0], motion.t[-1], 6000))
+    x, vx = states[place], states[len(names) + place]
     (line,) = ax.plot(length * x, speed * vx, color=BLUE, linewidth=0.8)
     friction = motion.model.about["friction"]
     if friction is not None and friction["along"] == name and friction["belt"] is not None:
@@ -79,25 +83,53 @@ class Units:
 
 @styled
 def motion_figure(motion: Trajectory, transient: float = 0.0, units: Units | None = None) -> Sheet:
-    """x over time; what follows the transient in the plane of x and x′, and its spectrum; with ``units`` not dimensionless."""
-    figure, (axes,) = panels(1, 3, DOUBLE, 2.4)
-    late = motion.after(transient)
-    length, time = (1.0, 1.0) if units is None else (units.length, units.time)
-    over_time = phase = spectrum = None
-    V, d = motion.p.scalars("V", "d")
-    belt, after = f"belt speed V = {V:g}, steepness d = {d:g}", f"{transient:g}"
-    if units is not None:
-        x, t = f"$x$ ({units.length_name})", units.time_name
-        over_time, phase = (f"$t$ ({t})", x), (x, f"$x'$ ({units.length_name}/{t})")
-        spectrum = "frequency (Hz)" if t == "s" else f"frequency (1/{t})", f"amplitude of {x}"
-        belt, after = f"belt speed {V * length / time:.4g} {units.length_name}/{t}", f"{transient * time:.4g} {t}"
-    draw_motion(motion, ax=axes[0], length=length, time=time, labels=over_time)
-    draw_phase(late, ax=axes[1], length=length, speed=length / time, labels=phase)
-    draw_spectrum(late, ax=axes[2], length=length, frequency=1 / time, labels=spectrum)
-    found = late.spectrum(0.0)
+    """Each coordinate over time; what follows the transient in the plane of it and its rate, and its spectrum.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        Of any model.
+    transient : float
+        Time that the planes and spectra leave out.
+    units : Units, optional
+        Of the axes, which are dimensionless without.
+    """
+    model, late = motion.model, motion.after(transient)
+    figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))
+    tables: dict[str, Table] = {}
+    for row, (entry, rate) in enumerate(zip(model.about["coordinates"], model.rates, strict=True)):
+        name, turns = entry["name"], entry["unit"] == "rad"
+        size, time = (1.0, 1.0) if units is None else (180 / np.pi if turns else units.length, units.time)
+        over_time = phase = spectrum = None
+        if units is not None:
+            unit, t = "deg" if turns else units.length_name, units.time_name
+            here = f"{label(model, name).partition(' (')[0]} ({unit})"
+            over_time, phase = (f"$t$ ({t})", here), (here, f"{label(model, rate)} ({unit}/{t})")
+            spectrum = "frequency (Hz)" if t == "s" else f"frequency (1/{t})", f"amplitude of {here}"
+        draw_motion(motion, name, axes[row, 0], length=size, time=time, labels=over_time)
+        draw_phase(late, axes[row, 1], of=name, length=size, speed=size / time, labels=phase)
+        draw_spectrum(late, name, axes[row, 2], length=size, frequency=1 / time, labels=spectrum)
+        found = late.spectrum(0.0, of=name)
+        columns: tuple[Table, ...] = (
+            {"t": time * motion.t, name: size * getattr(motion, name)},
+            {name: size * getattr(late, name), rate: size / time * getattr(late, rate)},
+            {"frequency": found.frequency / time, "amplitude": size * found.amplitude},
+        )
+        tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
+    after = f"{transient:g}" if units is None else f"{transient * units.time:.4g} {units.time_name}"
     return figure.describe(
-        f"""A motion, {belt}. (a) Displacement along the belt over time. (b)
-        Speed over displacement and (c) spectrum, both after the time {after}. Dotted: the speed of the belt.""",
-        a={"t": time * motion.t, "x": length * motion.x}, b={"x": length * late.x, "vx": length / time * late.vx},
-        c={"frequency": found.frequency / time, "amplitude": length * found.amplitude},
-    )  # fmt: skip
+        f"""A motion of {model.name}, {_belt(motion, units)}. Left: each coordinate over time; middle and right, after the time
+        {after}: its rate over it, with the speed of the belt dotted, and its spectrum.""",
+        **tables,
+    )
+
+
+def _belt(motion: Trajectory, units: Units | None) -> str:
+    """What moves it, in words: its belt's speed, or all parameters of the motion."""
+    friction = motion.model.about["friction"]
+    if units is not None and friction is not None and friction["belt"] is not None:
+        speed = float(getattr(motion.p, friction["belt"])) * units.length / units.time
+        return f"belt speed {speed:.4g} {units.length_name}/{units.time_name}"
+    entries = [entry for entry in motion.model.about["parameters"] if entry["role"] == "motion"]
+    values = motion.p.scalars(*(entry["name"] for entry in entries))
+    return ", ".join(f"{entry['meaning']} {entry['name']} = {value:g}" for entry, value in zip(entries, values, strict=True))

@@ -138,7 +138,7 @@ def _capital(text: str) -> str:
 def stability_map(study: Study, p: Any, friction: tuple[float, float], top: float) -> Iterator[tuple[str, str]]:
     """Where oscillation sets in, over angle and friction up to ``top``; nothing where the belt or its law is not known."""
     from ..figures import brakes
-    from ..figures import models as drawings
+    from ..figures.planes import draw_onset_curves
 
     if "theta0" not in p.model.parameters or not study.moves:
         return
@@ -147,7 +147,7 @@ def stability_map(study: Study, p: Any, friction: tuple[float, float], top: floa
         angles = study.quantities["theta0"]
 
         def draw(ax: Any) -> None:
-            drawings.draw_onset_curves_of(p.model, onsets, ax)
+            draw_onset_curves(onsets, ax)
             brakes.mark_brake(ax, p, (angles.low, angles.high), friction)
 
         yield (

@@ -224,12 +224,6 @@ def test_the_friction_that_works_is_the_models_own_law(tmp_path: Path) -> None:
     assert report.mu_effective == pytest.approx(0.5 * math.tanh(0.5), rel=1e-14)
 
 
-def test_figures_of_closed_forms_are_not_drawn_for_another_model() -> None:
-    figures, p = pytest.importorskip("spragsym.figures"), a_set("two_springs")
-    with pytest.raises(ss.ModelError, match="bifurcation_figure is not there yet for the model two_springs; "):
-        figures.bifurcation_figure(p)
-
-
 def test_basins_and_sensitivity_are_those_of_the_model() -> None:
     p = ss.load("stick_slip").Parameters()
     found = ss.basin(p, x=[0.0, 1.0], vx=[0.0], t_end=200.0)

@@ -1,4 +1,4 @@
-"""Figures of any model: where the number of its equilibria changes, and where oscillation begins."""
+"""Planes of two parameters of any model: where the number of equilibria changes, and where oscillation begins."""
 
 from __future__ import annotations
 
@@ -8,62 +8,42 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..dynamics import Trajectory
 from ..models import Model
-from ..models.describe import units_of
 from ..models.hopf_curves import OnsetCurves
+from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
+from .captions import LETTERS
 from .labels import Between, is_angle, label, window
-from .motion_pictures import draw_motion
-from .style import BLACK, DOUBLE, GREEN, SINGLE, Sheet, own_axes, panels, styled
-
-
-@styled
-def model_motion_figure(motion: Trajectory) -> Sheet:
-    """Each coordinate of a motion of a model over time, as a figure.
-
-    Parameters
-    ----------
-    motion : Trajectory
-        Of ``model.simulate``.
-    """
-    model = motion.model
-    figure, axes = panels(len(model.coordinates), 1, DOUBLE, 1.8 * len(model.coordinates), sharex=True)
-    for name, ax in zip(model.coordinates, axes[:, 0], strict=True):
-        draw_motion(motion, name, ax, labels=("", label(model, name)))
-    axes[-1, 0].set(xlabel="$t$")
-    return figure.describe(
-        f"""A motion of {model.name}, in its units: {units_of(model.about)}.""",
-        **{letter: {"t": motion.t, name: getattr(motion, name)} for letter, name in zip("abcd", model.coordinates, strict=False)},
-    )
+from .style import BLACK, GREEN, SINGLE, Sheet, own_axes, panels, styled
 
 
 def _shown(model: Model, name: str, values: Any) -> Any:
     return np.degrees(values) if is_angle(model, name) else values
 
 
-def draw_bifurcation_set_of(model: Model, found: BifurcationSet, ax: Axes | None = None) -> list[Any]:
+def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK) -> list[Any]:
     """Curves of folds and cusps in the plane of two parameters; returns the artists.
 
     Parameters
     ----------
-    model : Model
     found : BifurcationSet
-        Of ``model.bifurcation_set``.
+        Of :func:`spragsym.bifurcation_set`.
     ax : Axes, optional
+    color : str
+        Of the curves.
     """
-    ax = own_axes(ax)
+    ax, model = own_axes(ax), found.cusps.parameters.model
     one, two = found.vary
     artists: list[Any] = []
     for curve in found.curves:
-        artists += ax.plot(_shown(model, one, getattr(curve, one)), _shown(model, two, getattr(curve, two)), color=BLACK)
+        artists += ax.plot(_shown(model, one, getattr(curve, one)), _shown(model, two, getattr(curve, two)), color=color)
     cusps = [_shown(model, name, getattr(found.cusps, name)) for name in found.vary]
     artists += ax.plot(*cusps, "o", color=BLACK, markersize=3.5)
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
 
 
-def draw_onset_curves_of(model: Model, found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
+def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     """Curves of Hopf points in the plane of two parameters, as maps of stability are printed; returns the artists.
 
     Full where the onset is gentle, dashed where it is dangerous, dotted where that is undecided; dots where that changes (GH),
@@ -71,12 +51,11 @@ def draw_onset_curves_of(model: Model, found: OnsetCurves, ax: Axes | None = Non
 
     Parameters
     ----------
-    model : Model
     found : OnsetCurves
-        Of ``model.onset_curves``.
+        Of :func:`spragsym.onset_curves`.
     ax : Axes, optional
     """
-    ax = own_axes(ax)
+    ax, model = own_axes(ax), found.points.parameters.model
     one, two = found.vary
     artists: list[Any] = []
     styles = {"gentle": "-", "dangerous": "--", "undecided": ":"}
@@ -98,28 +77,27 @@ def draw_onset_curves_of(model: Model, found: OnsetCurves, ax: Axes | None = Non
     return artists
 
 
-def draw_onsets_of(
-    model: Model, p: Any, vary: Sequence[str], ax: Axes | None = None, *, damping: bool | None = None,
+def draw_onsets(
+    p: ParameterSet, vary: Sequence[str], ax: Axes | None = None, *, damping: bool | None = None,
     between: Between | None = None, n: int = 60,
 ) -> list[Any]:  # fmt: skip
     """Onsets of flutter along the second parameter, on n lines of the first; returns the artists.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; those that vary are not used.
+        Of any model, scalars; those that vary are not used.
     vary : (str, str)
         Two parameters: across and up.
     ax : Axes, optional
     damping, between
-        As for ``model.flutter_onsets``.
+        As for :func:`spragsym.flutter_onsets`.
     n : int
         Lines.
     """
     from ..models.points import ranges
 
-    ax = own_axes(ax)
+    ax, model = own_axes(ax), p.model
     one, two = vary
     given = between or {}
     low, high = ranges(model, (one,), {one: given[one]} if one in given else {})[0]
@@ -136,17 +114,17 @@ def draw_onsets_of(
 
 
 @styled
-def stability_figure(model: Model, found: OnsetCurves) -> Sheet:
+def stability_figure(found: OnsetCurves) -> Sheet:
     """The map of stability in the plane of two parameters: where oscillation sets in, gently or dangerously, as a figure.
 
     Parameters
     ----------
-    model : Model
     found : OnsetCurves
-        Of ``model.onset_curves``.
+        Of :func:`spragsym.onset_curves`.
     """
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    draw_onset_curves_of(model, found, ax)
+    draw_onset_curves(found, ax)
+    model = found.points.parameters.model
     names = (*found.vary, *model.coordinates, "omega", "lyapunov", "lyapunov_error")
     columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
     number = np.concatenate([np.full(curve.omega.size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
@@ -158,30 +136,59 @@ def stability_figure(model: Model, found: OnsetCurves) -> Sheet:
     )
 
 
+def draw_regions(ax: Axes, p: ParameterSet, mu0: tuple[float, float]) -> None:
+    """Shade where there are three equilibria over (θ₀, μ₀), for a model whose closed forms count them at many points."""
+    angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
+    count = p.model.count(p.replace(theta0=angles, mu0=frictions[:, None]))
+    if (count == 3).any():
+        ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+
+
 @styled
-def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between | None = None, n: int = 60) -> Sheet:
-    """The bifurcation set of a model in the plane of two parameters, as a figure.
+def bifurcation_figure(
+    p: ParameterSet, vary: Sequence[str] | None = None, *, between: Between | None = None, n: int = 60
+) -> Sheet:  # fmt: skip
+    """The bifurcation set of any model in the plane of two parameters, as a figure.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; those that vary are not used.
-    vary : (str, str)
-        Two parameters: across and up.
+        Scalars; those that vary are not used.
+    vary : (str, str), optional
+        Two parameters: across and up; theta0 and mu0 unless told otherwise.
     between : mapping, optional
-        Their ranges, as for ``model.folds``.
+        Their ranges, as for :func:`spragsym.folds`.
     n : int
-        Lines of either parameter on which folds are looked for: a closed curve between two of them is not seen.
+        Lines of either parameter on which a search looks for folds: a closed curve between two of them is not seen.
     """
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    found = model.search.bifurcation_set(p, vary, n, between=window(model, vary, between or {}))
-    draw_bifurcation_set_of(model, found, ax)
-    names = (*found.vary, *model.coordinates)
+    model = p.model
+    vary = tuple(model.two(vary))
+    closed = "bifurcation_set" in model.closed and vary == model.axes and not between
+    options = {} if closed else {"n": n, "between": window(model, vary, between or {})}
+    found: BifurcationSet = model.bifurcation_set(p, vary, **options)
+    draw_bifurcation_set(found, ax)
+    shaded = ""
+    if closed:
+        lowest = float(model.critical_friction(p.replace(theta0=None, mu0=None)))
+        top = max(1.0, 2.0 * lowest) if np.isfinite(lowest) else 1.0
+        draw_regions(ax, p, (0.0, top))
+        ax.set(ylim=(0.0, top))
+        shaded = ", three in contact in the shaded regions and one elsewhere"
+    names = (*vary, *model.coordinates)
     columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
     number = np.concatenate([np.full(getattr(curve, vary[0]).size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
     open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
+    at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(*_fixed(p, vary), strict=True))
     return figure.describe(
-        f"""Bifurcation set of {model.name}: two equilibria in contact meet on the lines; dots are cusps.{open_boxes}""",
+        f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{shaded};
+        dots are cusps.{open_boxes}""",
         a={"curve": number, **columns},
     )
+
+
+def _fixed(p: ParameterSet, vary: Sequence[str]) -> tuple[list[str], tuple[float, ...]]:
+    """Parameters of the statics that do not vary, and their values."""
+    entries = p.model.about["parameters"]
+    names = [one["name"] for one in entries if one["role"] == "both" and one["name"] not in vary]
+    return names, p.scalars(*names)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
@@ -60,14 +60,26 @@ class Boxes:
 
     def by_side(self, changes: Mapping[str, FloatArray]) -> FloatArray:
         """Derivatives by each side in the middles, from those by each parameter: a unit changes all that depend on it."""
-        sides = 0.5 * (self.low + self.high)
-        p, factors = self.parameters(sides), self.parameters([1.0] * len(NAMES) + list(sides[len(NAMES) :]))
         out = np.zeros_like(self.low)
-        out[: len(NAMES)] = [changes[name] * factors[name] for name in NAMES]
-        for name, powers in self.powers.items():
-            for side, power in powers:
-                out[side] += changes[name] * p[name] * power / sides[side]
+        for side, name, slope in self._slopes():
+            out[side] += changes[name] * slope
         return out
+
+    def apart(self, changes: Mapping[str, FloatArray]) -> FloatArray:
+        """The same if nothing of it cancelled: sums of sizes."""
+        out = np.zeros_like(self.low)
+        for side, name, slope in self._slopes():
+            out[side] += np.abs(changes[name] * slope)
+        return out
+
+    def _slopes(self) -> Iterator[tuple[int, str, FloatArray]]:
+        """Each side with each parameter that depends on it, and the derivative of that in the middles."""
+        sides = 0.5 * (self.low + self.high)
+        p, factors = self.parameters(sides), self.parameters([np.ones_like(self.share)] * len(NAMES) + list(sides[len(NAMES) :]))
+        for side, name in enumerate(NAMES):
+            yield side, name, factors[name]
+            for unit, power in self.powers.get(name, ()):
+                yield unit, name, p[name] * power / sides[unit]
 
 
 @dataclass(frozen=True)

@@ -142,12 +142,17 @@ def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[
 
 def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
     """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
-    change = boxes.by_side(by_parameter(values, theta))
-    trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
-    slopes = -change / kernel.f_slope(np.cos(theta), np.sin(theta), *trig) * 0.5 * (boxes.high - boxes.low)
+    slopes = 0.5 * (boxes.high - boxes.low) * boxes.by_side(_motion(values, theta))
     slopes[_MU0] = 0.0
     line = Line(theta, slopes)
     return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
+
+
+def _motion(values: dict[str, FloatArray], theta: FloatArray) -> dict[str, FloatArray]:
+    """How an equilibrium moves with each parameter: dθ/dp by name."""
+    trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
+    slope = kernel.f_slope(np.cos(theta), np.sin(theta), *trig)
+    return {name: -change / slope for name, change in by_parameter(values, theta).items()}
 
 
 def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
@@ -159,16 +164,20 @@ def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
 def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
     result, weight = np.ones(boxes.share.size, dtype=np.bool_), np.zeros_like(boxes.low)
-    none = np.zeros(boxes.share.size)
+    none, half = np.zeros(boxes.share.size), 0.5 * (boxes.high - boxes.low)
     for line, friction, wanted in ((lowest, none, -1), (highest, boxes.high[_MU0], 1)):
         ground = at(boxes, line)
         others = _with_friction(ground, friction)
         value = _balance(ground, others)[0]
         inside = others[1] - others[3] * (ground.s0 - ground.s)
-        for quantity, sign in ((value, wanted), (inside, 1)):
-            open_ = quantity.sign() != sign
-            result &= ~open_
-            weight = np.maximum(weight, np.where(open_, np.abs(quantity.terms[:-1]), 0.0))
+        known = value.sign() == wanted, inside.sign() > 0
+        result &= known[0] & known[1]
+        # A direction that follows the state leaves what is of second order, in each of the parameters that a side changes.
+        second = half * boxes.apart(_motion(boxes.middle() | {"mu0": friction}, line.value))
+        second[_MU0] = 0.0
+        first = np.abs(inside.terms[:-1])
+        straight = known[0] & ~known[1] & (first.sum(axis=0) > inside.error)
+        weight = np.maximum(weight, np.where(straight, first / np.maximum(first.sum(axis=0), 1e-300), second**2))
     return result, weight
 
 

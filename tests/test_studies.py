@@ -502,6 +502,18 @@ def of_model(model: str, rows: dict[str, str], file: Path) -> ss.Study:
 
 
 @pytest.mark.parametrize(
+    "after", [{"F_L": 24.0}, {"k_x": 54.5e3}, {"theta0": math.radians(34.6)}, {"k": 24.7e3, "k_x": 10.4e3, "k_c": 1.47e6}]
+)
+def test_a_changed_brake_is_proved_in_few_boxes(after: dict[str, float], study: ss.Study) -> None:
+    """Where cuts go along sides on which nothing rests, twenty thousand are not enough; at samples nothing jumps."""
+    new = study.changed(after)
+    found = certificate(new, hasty=True)
+    assert found.outcome == "proved"
+    assert found.boxes < 1000
+    assert not jump_verdicts.jumping(new, tolerances.samples(new, 4096)).any()
+
+
+@pytest.mark.parametrize(
     ("model", "more", "rises"),
     [
         ("kang_nam", {"mu0": 0.45}, {"mu0", "V", "d"}),

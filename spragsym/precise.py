@@ -196,6 +196,7 @@ def cusps(
     """
     model = _model(p)
     vary = model.two(vary)
+    vary = model.axes if set(vary) == set(model.axes) else vary  # one plane, in either order
     given = _exactly(model, p, exact, unasked=vary)
     options = {} if between is None else {"between": between}
     found: CuspProof = model.precise_cusps(given, vary, as_digits(dps), arith, method=method, **options)
@@ -236,13 +237,15 @@ def _exactly(
             given[name] = Degrees(as_exact(f"{name}_deg", degrees, limits))
             continue
         value = exact.get(name)
-        if value is None and p is not None:
-            value = float(getattr(p, name))
+        own = None if p is None else getattr(p, name)
+        if value is None and own is not None:
+            value = float(own)
         elif value is None:
-            base = model.base.get(name)
+            base = model.base.get(name) if p is None else None
             if base is None:
                 degrees_too = f" (radians) or {name}_deg (degrees)" * (name in model.about["angles"])
-                raise ParameterError(f"give one of {name}{degrees_too}: it has no base value")
+                why = "it has no base value" if p is None else "it is missing from p"
+                raise ParameterError(f"give one of {name}{degrees_too}: {why}")
             value = repr(base)
         given[name] = as_exact(name, value, allowed)
     return given

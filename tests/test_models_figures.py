@@ -177,3 +177,26 @@ def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path
     assert len(article.axes) == 3 * 2
     assert len(rod.axes) == 3 * len(ss.load("sprag_rod").coordinates)
     assert "(deg)" in rod.axes[0].get_ylabel()
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ({"vary": "zork"}, "'zork' is not a parameter of kang_nam"),
+        ({"vary": "mu0", "low": 1.0, "high": 0.0}, "low = 1, high = 0: mu0 is in"),
+        ({"vary": "mu0", "low": -1.0}, "low = -1, high = 1: mu0 is in"),
+        ({"vary": "mu0", "low": 0.5, "high": 0.5}, "give a range in it"),
+        ({"quantity": "zork"}, "quantity = 'zork' is not one of theta, L, x, y"),
+    ],
+)
+def test_what_can_not_be_drawn_is_named(options, told, ax):
+    with pytest.raises(ss.ParameterError, match=told):
+        figures.plot_equilibria(ss.Parameters(theta0=0.9), **options, ax=ax)
+
+
+def test_a_marginal_state_keeps_its_type_without_dampers():
+    p = ss.load("pad_on_disc").Parameters(theta0=1.53)
+    found = figures.branches(p, "kappa", 0.001, 0.017, contact=False, damping=True, n=20)
+    assert {one.stability for one in found} <= set(ss.Stability)
+    with pytest.raises(ss.ParameterError, match="has not both theta0 and mu0"):
+        figures.draw_operating_point(ss.load("stick_slip").Parameters(), (0.5, 0.6), (0.3, 0.6))

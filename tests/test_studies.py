@@ -501,6 +501,17 @@ def of_model(model: str, rows: dict[str, str], file: Path) -> ss.Study:
     return ss.Study.from_file(file)
 
 
+def test_a_range_as_text_is_a_tolerance() -> None:
+    """As messages advise, with the value where it holds it, else with its middle."""
+    study = ss.Study(brake(), tolerance={"k_y": "[0, 1] N/mm", "k": "[200, 300] N/mm"})
+    assert (study.quantities["k_y"].low, study.quantities["k_y"].high, study.quantities["k_y"].value) == (0.0, 1000.0, 0.0)
+    assert study.quantities["k"].value == 250e3
+    still = ss.Study(brake(V=0.0), tolerance={"V": (0.0, 0.1), "mu0": (0.0, 0.9)})
+    assert still.friction[0] == 0.0
+    flat = ss.Study(brake(theta0=math.radians(0.5))).report(redesign=False, probability=False, oscillation=False)
+    assert not any("looks like radians" in text for text in flat.warnings)
+
+
 @pytest.mark.parametrize(
     "after", [{"F_L": 24.0}, {"k_x": 54.5e3}, {"theta0": math.radians(34.6)}, {"k": 24.7e3, "k_x": 10.4e3, "k_c": 1.47e6}]
 )

@@ -107,7 +107,7 @@ def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, 
     """Fold curves of any model over (θ₀, μ₀), on ``n`` lines if by search; by closed forms the regions between them shaded."""
     model = p.model
     closed = "bifurcation_set" in model.closed
-    found = model.bifurcation_set(p, model.axes, **({} if closed else {"n": n, "between": {"mu0": mu0}}))
+    found = model.bifurcation_set(p, model.two(None), **({} if closed else {"n": n, "between": {"mu0": mu0}}))
     if closed:
         draw_regions(ax, p, mu0)
     draw_bifurcation_set(found, ax, color=VERMILION)

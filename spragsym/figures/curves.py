@@ -12,10 +12,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..errors import SpragsymError
+from ..errors import ParameterError, SpragsymError
 from ..models import Model
 from ..parameters import FloatArray, ParameterSet
-from ..results.equilibria import Equilibria, Stability
+from ..results.equilibria import Equilibria, Stability, columns_of
 from ..results.paths import Path
 from ..results.points import Points
 from .labels import is_angle, window, with_unit
@@ -99,10 +99,15 @@ def branches(
 
 def _range(model: Model, vary: str, low: float | None, high: float | None) -> tuple[float, float]:
     """Ends that are given, or those that are shown."""
+    if vary not in model.parameters:
+        raise ParameterError(f"vary = {vary!r} is not a parameter of {model.name}; choose one of {', '.join(model.parameters)}")
     allowed = model.Parameters.ranges[vary]
     ends = window(model, (vary,), {})[vary]
     inset = 1e-4 if allowed.open_low else 0.0
-    return ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
+    low, high = ends[0] + inset if low is None else low, ends[1] - inset if high is None else high
+    if not allowed.low <= low < high <= allowed.high:
+        raise ParameterError(f"low = {low:g}, high = {high:g}: {vary} is in {allowed}; give a range in it, the smaller end first")
+    return low, high
 
 
 def folds_between(p: ParameterSet, vary: str, low: float, high: float) -> Points:
@@ -144,7 +149,10 @@ def _pieces(
     at = np.arange(first, first + len(slots)), np.array(slots)
     states = {name: getattr(eq, name)[at] for name in eq.columns}
     values = np.asarray(getattr(eq.parameters, vary))[at[0]]
-    kinds = [Stability[word.upper()] for word in eq.kind[at].tolist()] if damping else list(map(Stability, eq.stability[at]))
+    kinds = list(map(Stability, eq.stability[at]))
+    if damping:  # what is marginal keeps its type by (27)
+        words = Stability.__members__
+        kinds = [words.get(word.upper(), kind) for word, kind in zip(eq.kind[at].tolist(), kinds, strict=True)]
     starts = [place for place, kind in enumerate(kinds) if place == 0 or kind != kinds[place - 1]]
     pieces = []
     for start, stop in itertools.pairwise([*starts, len(kinds)]):
@@ -258,6 +266,8 @@ def plot_equilibria(
     ax = own_axes(ax)
     vary, quantity = vary or p.model.axes[0], quantity or p.model.coordinates[0]
     low, high = _range(p.model, vary, low, high)
+    if quantity not in columns_of(p.model):
+        raise ParameterError(f"quantity = {quantity!r} is not one of {', '.join(columns_of(p.model))}")
     name_axes(ax, p.model, vary, quantity)
     curves = branches(p, vary, low, high, contact=contact, damping=damping, n=n)
     lines = draw_branches(curves, quantity, ax=ax, color=color, **options)

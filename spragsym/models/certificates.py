@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..design.certificates import Certificate, Unit
+from ..design.certificates import Certificate, Unit, checked_units
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..results.equilibria import Stability
@@ -271,10 +271,12 @@ def certify(
     if claim in STATES:
         if vary is not None:
             raise ParameterError(f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out")
+        if units:
+            raise ParameterError(f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them")
         return certify_states(low, high, claim, max_boxes, refute)
     if claim != "no jump" or vary is None or begin is None:
         raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
-    box = Splitting(low, high, vary, begin, units)
+    box = Splitting(low, high, vary, begin, checked_units(units, low.model.parameters, low.model.about["angles"]))
     # What goes on to the upper end goes on to every value below.
     box.whole.low[-1] = box.whole.high[-1]
     volume = _volume(box.whole)[0]

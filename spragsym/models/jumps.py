@@ -109,7 +109,9 @@ def have_jumped(model: Any, p: Any) -> FloatArray:
     ndarray
         Of the shape of the points.
     """
-    found = Followed(model, p, "mu0", "up", 0.0, np.broadcast_to(p.mu0, p.shape)).ends(patient=False)
+    names = [name for name in model.parameters if getattr(p, name) is not None]
+    p = p.replace(**dict(zip(names, p.broadcast(*names), strict=True)))  # each of the shape of all, without mu0 too
+    found = Followed(model, p, "mu0", "up", 0.0, p.mu0).ends(patient=False)
     out = np.where(np.isnan(found.value), 0.0, 1.0)
     out.flat[list(found.reasons)] = np.nan
     return out

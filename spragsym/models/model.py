@@ -418,6 +418,10 @@ class Model:
 
         Of the shape of ``p``, of which angles that the law does not depend on may be missing; source: the law of the page.
         """
+        if law not in ("friction_at_speed", "friction_at_rest") or not self.about["friction"]:
+            raise ParameterError(
+                f"law = {law!r} of {self.name}: give friction_at_speed or friction_at_rest, where there is friction"
+            )
         of_law = self.about["friction"]["quantities"]
         missing = {name: 1.0 for name in self.about["angles"] if name not in of_law and getattr(p, name) is None}
         return np.asarray(getattr(self.statics, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float)
@@ -434,6 +438,7 @@ class Model:
         """1 where the state followed from no friction has ended at the μ₀ of p or below, else 0; NaN where that is not known."""
         from .jumps import have_jumped
 
+        self._rising(None, 0.0)
         return have_jumped(self, p)
 
     @question

@@ -114,7 +114,9 @@ def rising(study: Study) -> set[str]:
 def bounds(study: Study) -> tuple[float, float]:
     """Bounds of the friction that works for everything within the tolerances, by intervals."""
     law, low, high = _law_and_box(study)
-    return -_largest(law, low, high, -1.0), _largest(law, low, high, 1.0)
+    least = -_largest(law, low, high, -1.0)
+    # A law that is proportional to μ₀ does not drive.
+    return max(0.0, least) if study.about["friction"]["at_rest"] == "mu0" else least, _largest(law, low, high, 1.0)
 
 
 def _law_and_box(study: Study) -> tuple[BalanceInUnits, FloatArray, FloatArray]:

@@ -39,7 +39,8 @@ class Study:
         Single numbers in SI: of the article's model, or the quantities of ``model`` by name; V and d may be left out.
     tolerance : mapping, optional
         For each quantity that is known within limits only: how far it may be off, as a number in SI; its two ends, as a tuple; or
-        text such as ``"15 %"``, ``"1 deg"`` or, for a standard deviation, ``"sd 5 %"``.
+        text such as ``"15 %"``, ``"1 deg"``, ``"[150, 210] N/mm"`` or, for a standard deviation, ``"sd 5 %"``. Where two ends do
+        not hold the value their middle takes its place.
     correlation : mapping of pairs of names to float, optional
         Quantities that vary together, see :func:`spragsym.jump_probability`.
     model : str, optional
@@ -275,7 +276,10 @@ def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Mea
     if off is None:
         low = high = value
     elif isinstance(off, str):
-        return replace(read(_around(value, off, si), si, allowed), value=value, unit=unit)
+        if not off.lstrip().startswith("["):
+            return replace(read(_around(value, off, si), si, allowed), value=value, unit=unit)
+        ends = read(off, si, allowed)
+        return replace(ends, value=value if ends.low <= value <= ends.high else ends.value, unit=unit)
     elif isinstance(off, tuple):
         if len(off) != 2:
             raise ParameterError(f"tolerance of {name} = {off!r}; give two ends, the smaller first")

@@ -210,6 +210,7 @@ def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) ->
     for one, other in zip(within, search, strict=True):
         _are_one(one, other, Fraction(1, 10**49))
     assert closed.complete
+    assert precise.cusps(**given, dps=50, vary=("mu0", "theta0")) == closed
     assert search.complete == all(Fraction(value) == float(Fraction(value)) for value in ({"kappa": "0.007"} | given).values())
     assert set(search.region) == {"x", "y", "theta0", "mu0"}
 
@@ -285,6 +286,8 @@ def test_the_tangent_forces_of_a_cusp_vanish_by_differences() -> None:
         (lambda: precise.cusps(vary=("theta0", "theta0")), "two different parameters"),
         (lambda: precise.cusps(vary=("theta0", "gamma")), "gamma"),
         (lambda: precise.cusps(between={"kappa": (0, 1)}), "kappa"),
+        (lambda: precise.cusps(ss.load("two_springs").Parameters(), vary=("kappa", "mu0")), "theta0.*it is missing from p"),
+        (lambda: precise.equilibria(ss.Parameters()), "theta0.*it is missing from p"),
         (lambda: precise.cusps(a_set("two_springs"), method="closed"), "closed"),
         (lambda: precise.cusps(theta0=0.8), "theta0 is not asked: the answer is for all theta0"),
         (lambda: precise.cusps(theta0_deg=49), "theta0_deg is not asked: the answer is for all theta0"),

@@ -174,6 +174,10 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     assert 0.1 < closed.mean() < 0.9
     assert np.array_equal(closed[known], search[known])
     assert np.array_equal(closed == 1, ss.jump_value(p) <= p.mu0)
+    q = ss.load("cubic_contact").Parameters(theta0=0.9, mu0=[[0.0, 0.1], [0.3, 0.5]])
+    assert q.model.have_jumped(q).tolist() == (q.model.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
+    with pytest.raises(ss.ParameterError, match="stribeck has no mu0"):
+        ss.load("stribeck").have_jumped(a_set("stribeck"))
 
 
 def test_a_design_is_one_of_its_model() -> None:
@@ -198,6 +202,8 @@ def test_friction_is_that_of_the_law_and_needs_no_angle() -> None:
     assert q.model.friction(q) == pytest.approx(2 * q.mu_s * 0.3 * q.v_s / (0.3**2 + q.v_s**2), rel=1e-14)
     with pytest.raises(ss.ParameterError, match="mu0"):
         p.model.friction(p.replace(mu0=None))
+    with pytest.raises(ss.ParameterError, match="law = 'zork' of kang_nam"):
+        p.model.friction(p, "zork")
 
 
 @pytest.mark.thorough

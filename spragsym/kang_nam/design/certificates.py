@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...design.certificates import Certificate, Unit
+from ...design.certificates import Certificate, Unit, checked_units
 from ...errors import ParameterError
 from ...parameters import NAMES, FloatArray, Parameters
 from .cells import Boxes
@@ -66,7 +66,7 @@ def certify(
     if isinstance(max_boxes, bool) or not isinstance(max_boxes, int | np.integer) or max_boxes < 1:
         raise ParameterError(f"max_boxes = {max_boxes!r} is not a number of boxes; give an integer of 1 or more")
     chosen = CLAIMS[claim]
-    pending = _whole(low, high, chosen, units or {})
+    pending = _whole(low, high, chosen, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
     seen, open_share = 0, 0.0
     while pending.share.size:
         batch, rest = (
@@ -112,8 +112,9 @@ def _whole(low: Parameters, high: Parameters, chosen: Claim, units: Mapping[str,
 
 
 def _whole_number(name: str, power: float) -> int:
-    if int(power) != power or name in ("theta0", "mu0"):
-        raise ParameterError(f"units: {name} has the power {power:g} of one; give whole numbers, and none for theta0 and mu0")
+    if int(power) != power or name == "mu0":
+        raise ParameterError(f"units: {name} has the power {power:g} of one; closed forms take whole numbers, and none for mu0; "
+                             "method='search' takes others")  # fmt: skip
     return int(power)
 
 

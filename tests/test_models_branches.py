@@ -92,6 +92,8 @@ def test_an_angle_after_a_turn_is_the_same_state() -> None:
     eq = along.equilibria(stops)
     begin, end = (_states(along, eq, stop) for stop in (0, 1))
     later = replace(end, q=end.q + 2 * np.pi)
-    (pairs,) = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later}).values()
+    known, complete = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later})
+    (pairs,) = known.values()
+    assert complete == set(known)
     assert pairs == {slot: slot for slot in range(int(eq.count[0]))}
     assert len(pairs) == 3

@@ -230,7 +230,9 @@ def test_the_motion_of_a_model_is_drawn(tmp_path: Path, capsys: pytest.CaptureFi
     pytest.importorskip("matplotlib")
     words = ("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20")
     assert command(*words, "--plot", str(tmp_path / "motion.svg")) == 0
-    assert (tmp_path / "motion.svg").read_text(encoding="utf-8").count('<g id="axes_') == 3
+    assert (tmp_path / "motion.svg").read_text(encoding="utf-8").count(
+        '<g id="axes_'
+    ) == 3 * 3  # coordinates: over time, plane, spectrum
     capsys.readouterr()
     assert command(*words, "--plot", str(tmp_path / "motion.doc")) == 2
     assert "the ending must be .pdf, .png or .svg" in capsys.readouterr().err

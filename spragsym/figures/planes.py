@@ -14,7 +14,7 @@ from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, is_angle, label, window
-from .style import BLACK, GREEN, SINGLE, Sheet, own_axes, panels, styled
+from .style import BLACK, GREEN, SINGLE, VERMILION, Sheet, angle_axis, own_axes, panels, styled
 
 
 def _shown(model: Model, name: str, values: Any) -> Any:
@@ -167,13 +167,14 @@ def bifurcation_figure(
     closed = "bifurcation_set" in model.closed and vary == model.axes and not between
     options = {} if closed else {"n": n, "between": window(model, vary, between or {})}
     found: BifurcationSet = model.bifurcation_set(p, vary, **options)
-    draw_bifurcation_set(found, ax)
+    draw_bifurcation_set(found, ax, color=VERMILION if closed else BLACK)
     shaded = ""
     if closed:
         lowest = float(model.critical_friction(p.replace(theta0=None, mu0=None)))
         top = max(1.0, 2.0 * lowest) if np.isfinite(lowest) else 1.0
         draw_regions(ax, p, (0.0, top))
-        ax.set(ylim=(0.0, top))
+        angle_axis(ax)
+        ax.set(xlabel=label(model, vary[0]), ylim=(0.0, top))
         shaded = ", three in contact in the shaded regions and one elsewhere"
     names = (*vary, *model.coordinates)
     columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}

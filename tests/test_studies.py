@@ -508,8 +508,6 @@ def test_a_range_as_text_is_a_tolerance() -> None:
     assert study.quantities["k"].value == 250e3
     still = ss.Study(brake(V=0.0), tolerance={"V": (0.0, 0.1), "mu0": (0.0, 0.9)})
     assert still.friction[0] == 0.0
-    flat = ss.Study(brake(theta0=math.radians(0.5))).report(redesign=False, probability=False, oscillation=False)
-    assert not any("looks like radians" in text for text in flat.warnings)
 
 
 @pytest.mark.parametrize(

@@ -150,7 +150,7 @@ def _units(study: Study) -> Iterator[str]:
     if "V" in study.quantities and abs(study.values["V"]) > FAST:
         speed = study.values["V"]
         yield f"V = {study.shown('V', speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"
-    angle = study.quantities.get("theta0") if study.source else None  # from Python it is in radians
+    angle = study.quantities.get("theta0")
     if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
         yield (
             f"theta0 = {study.shown('theta0', angle.value)} looks like radians; write "

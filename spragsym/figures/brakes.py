@@ -13,7 +13,7 @@ from matplotlib.patches import Rectangle
 from ..errors import ConvergenceError
 from ..parameters import ParameterSet
 from .bifurcation_sets import draw_plane
-from .curves import branches, draw_branches, draw_path, folds_between, mark_folds
+from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
 from .labels import with_unit
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
 
@@ -103,9 +103,9 @@ def draw_rising_friction(
         Of the path.
     """
     ax, first = own_axes(ax), p.model.coordinates[0]
-    turns = folds_between(p, "mu0", 0.0, _FAR)
+    turns = folds_between(p, "mu0", 0.0, max(_FAR, 1.15 * mu0[1]))
     top = max(_TOP, 1.15 * mu0[1], *(1.15 * value for value in turns.mu0.tolist() if value < _FAR))
-    draw_branches(branches(p, "mu0", 0.0, top, damping=True, n=n), first, ax=ax, color=GREY, linewidth=0.8)
+    draw_branches(curves_between(p, "mu0", (0.0, top), turns, True, n), first, ax=ax, color=GREY, linewidth=0.8)
     artists: list[Any] = []
     with suppress(ConvergenceError):  # where branches can't be told apart there are the states alone
         artists += draw_path(p.model.quasi_static_path(p, "mu0", np.linspace(0.0, top, 2 * n + 1)), first, ax=ax, color=VERMILION)

@@ -86,12 +86,18 @@ def branches(
     model = p.model
     vary = model.axes[0] if vary is None else vary
     low, high = _range(model, vary, low, high)
-    turns = folds_between(p, vary, low, high) if contact else None
-    found = []
-    for begin, end in itertools.pairwise(_cuts(p, vary, low, high, turns, damping)):
+    return curves_between(p, vary, (low, high), folds_between(p, vary, low, high) if contact else None, damping, n)
+
+
+def curves_between(
+    p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
+) -> list[Branch]:  # fmt: skip
+    """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds."""
+    model, found = p.model, list[Branch]()
+    for begin, end in itertools.pairwise(_cuts(p, vary, *ends, turns, damping)):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
-        eq = model.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=contact)
+        eq = model.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
         for chain in _chains(eq, model.linked(p, vary, eq, turns)):
             found += _pieces(model, vary, eq, chain, turns, (begin, end), damping)
     return found
@@ -99,8 +105,7 @@ def branches(
 
 def _range(model: Model, vary: str, low: float | None, high: float | None) -> tuple[float, float]:
     """Ends that are given, or those that are shown."""
-    if vary not in model.parameters:
-        raise ParameterError(f"vary = {vary!r} is not a parameter of {model.name}; choose one of {', '.join(model.parameters)}")
+    model.require_parameter(vary)
     allowed = model.Parameters.ranges[vary]
     ends = window(model, (vary,), {})[vary]
     inset = 1e-4 if allowed.open_low else 0.0
@@ -269,10 +274,10 @@ def plot_equilibria(
     if quantity not in columns_of(p.model):
         raise ParameterError(f"quantity = {quantity!r} is not one of {', '.join(columns_of(p.model))}")
     name_axes(ax, p.model, vary, quantity)
-    curves = branches(p, vary, low, high, contact=contact, damping=damping, n=n)
-    lines = draw_branches(curves, quantity, ax=ax, color=color, **options)
-    if contact:
-        lines += mark_folds(folds_between(p, vary, low, high), quantity, ax=ax, low=low, high=high, color=color)
+    turns = folds_between(p, vary, low, high) if contact else None
+    lines = draw_branches(curves_between(p, vary, (low, high), turns, damping, n), quantity, ax=ax, color=color, **options)
+    if turns is not None:
+        lines += mark_folds(turns, quantity, ax=ax, low=low, high=high, color=color)
     return lines
 
 

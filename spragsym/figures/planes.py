@@ -14,11 +14,18 @@ from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, is_angle, label, window
-from .style import BLACK, GREEN, SINGLE, VERMILION, Sheet, angle_axis, own_axes, panels, styled
+from .style import BLACK, GREEN, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
 
 
 def _shown(model: Model, name: str, values: Any) -> Any:
     return np.degrees(values) if is_angle(model, name) else values
+
+
+def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
+    """Columns of curves, one after the other, and their numbers."""
+    columns = {name: np.concatenate([getattr(curve, name) for curve in curves] or [np.empty(0)]) for name in names}
+    number = np.concatenate([np.full(getattr(curve, names[0]).size, k) for k, curve in enumerate(curves)] or [np.empty(0)])
+    return {"curve": number, **columns}
 
 
 def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK) -> list[Any]:
@@ -126,13 +133,11 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     draw_onset_curves(found, ax)
     model = found.points.parameters.model
     names = (*found.vary, *model.coordinates, "omega", "lyapunov", "lyapunov_error")
-    columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
-    number = np.concatenate([np.full(curve.omega.size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
     open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     return figure.describe(
         f"""Onsets of oscillation of {model.name}, gentle on full lines and dangerous on dashed ones, undecided on dotted ones.
         Dots: the kind changes (GH); squares: curves end on folds (BT, ZH) or cross (HH).{open_boxes}""",
-        a={"curve": number, **columns},
+        a=_table(found.curves, names),
     )
 
 
@@ -177,14 +182,12 @@ def bifurcation_figure(
         ax.set(xlabel=label(model, vary[0]), ylim=(0.0, top))
         shaded = ", three in contact in the shaded regions and one elsewhere"
     names = (*vary, *model.coordinates)
-    columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
-    number = np.concatenate([np.full(getattr(curve, vary[0]).size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
     open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(*_fixed(p, vary), strict=True))
     return figure.describe(
         f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{shaded};
         dots are cusps.{open_boxes}""",
-        a={"curve": number, **columns},
+        a=_table(found.curves, names),
     )
 
 

@@ -637,12 +637,16 @@ class Model:
                 f"{self.name} has no mu0; give vary, the parameter that rises, one of {', '.join(self.parameters)}"
             )
         name = vary or "mu0"
-        if name not in self.parameters:
-            raise ParameterError(f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}")
+        self.require_parameter(name)
         allowed = self.Parameters.ranges[name]
         if begin is None and not allowed.contains(allowed.low):
             raise ParameterError(f"{name} has no least value in {allowed}; give begin, from where it rises")
         return name, allowed.low if begin is None else begin
+
+    def require_parameter(self, name: str) -> None:
+        """An error unless what varies is a parameter of the model."""
+        if name not in self.parameters:
+            raise ParameterError(f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}")
 
     def two(self, vary: Sequence[str] | None) -> Sequence[str]:
         """The two parameters that vary: theta0 and mu0 unless told otherwise."""
@@ -653,10 +657,7 @@ class Model:
         if isinstance(vary, str) or not isinstance(vary, Sequence) or len(vary) != 2 or vary[0] == vary[1]:
             raise ParameterError(f"vary = {vary!r}; give two different parameters")
         for name in vary:
-            if name not in self.parameters:
-                raise ParameterError(
-                    f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}"
-                )
+            self.require_parameter(name)
         return vary
 
     def __repr__(self) -> str:

@@ -63,8 +63,7 @@ def jump_probability(
     probability is the product of that of their sides.
     """
     variables = _variables(model, distribution)
-    if vary not in variables:
-        raise ParameterError(f"vary = {vary!r} is not a parameter of {model.name}; choose one of {', '.join(model.parameters)}")
+    model.require_parameter(vary)
     base = model.Parameters(**{name: one for name, one in variables.items() if isinstance(one, float)})
     event = partial(_ends, base, vary, begin)
     found = estimated(

@@ -43,7 +43,7 @@ def scale_of(unit: str, bases: Mapping[str, tuple[float, str]]) -> float:
     powers = exponents(unit, {name: base for name, (_, base) in bases.items()})
     result = 1.0
     for name, (value, _) in bases.items():
-        result = result * value ** powers[name]
+        result = result * value ** powers[name] if powers[name] else result  # exactly 1 for an angle or a number
     return result
 
 
@@ -82,7 +82,7 @@ def groups(name: str, values: Mapping[str, Any]) -> dict[str, Any]:
     for entry in about(name)["parameters"]:
         quantity, unit = entry["quantity"], entry["quantity_unit"]
         if quantity in values:
-            given[entry["name"]] = values[quantity] / (1.0 if unit in ("1", "rad") else scale_of(unit, units))
+            given[entry["name"]] = values[quantity] / scale_of(unit, units)
     return given
 
 
@@ -96,7 +96,7 @@ def ranges(name: str, values: Mapping[str, Any] | None = None) -> dict[str, Rang
     units = None if values is None else bases(name, values)
     for entry in model.about["parameters"]:
         allowed, unit = model.Parameters.ranges[entry["name"]], entry["quantity_unit"]
-        scale = 1.0 if units is None or unit in ("1", "rad") else scale_of(unit, units)
+        scale = 1.0 if units is None else scale_of(unit, units)
         found[entry["quantity"]] = replace(allowed, low=scale * allowed.low, high=scale * allowed.high)
     return found
 
@@ -110,8 +110,7 @@ def balanced(name: str) -> tuple[str, ...]:
     found: set[str] = set()
     for entry in model.about["parameters"]:
         if taken & {entry["name"], *model.about["angles"].get(entry["name"], ())}:
-            unit = entry["quantity_unit"]
-            powers = {} if unit in ("1", "rad") else exponents(unit, kinds)
+            powers = exponents(entry["quantity_unit"], kinds)
             found |= {entry["quantity"], *(base for base, power in powers.items() if power)}
     return tuple(quantity for quantity in quantity_units(name) if quantity in found)
 

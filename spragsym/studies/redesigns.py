@@ -107,6 +107,7 @@ class _Search:
         self.names = tuple(name for name in brake_quantities.balanced(study.model) if name != "mu0")
         self.scale = {name: self._scale(name) for name in self.names}
         self.allowed = brake_quantities.ranges(study.model, study.values)
+        self.corners = corners(study)
 
     def _scale(self, name: str) -> float:
         study = self.study
@@ -131,7 +132,7 @@ class _Search:
 
     def _kept(self, changed: Mapping[str, FloatArray]) -> int | None:
         """The first design that jumps at the target at the earliest, and at no corner of its tolerances."""
-        shares, left = corners(self.study), np.flatnonzero(self._reaches(changed))
+        shares, left = self.corners, np.flatnonzero(self._reaches(changed))
         for begin in range(0, left.size, _AT_ONCE):
             some = left[begin : begin + _AT_ONCE]
             designs = [self.study.changed({name: float(values[i]) for name, values in changed.items()}) for i in some]

@@ -26,11 +26,10 @@ def corners(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
         name, unit, allowed = entry["name"], entry["quantity_unit"], model.Parameters.ranges[entry["name"]]
         if entry["quantity"] not in study.quantities:
             continue
-        given, pure = study.quantities[entry["quantity"]], unit in ("1", "rad")
-        for base, power in ({} if pure else brake_quantities.exponents(unit, kinds)).items():
+        given, of = study.quantities[entry["quantity"]], brake_quantities.exponents(unit, kinds)
+        for base, power in of.items():
             powers[base] |= {name: -power} if power else {}
-        scale = 1.0 if pure else brake_quantities.scale_of(unit, bases)
-        ends = outward(given.low, given.high, scale, 0.0 if pure else ROUNDED)
+        ends = outward(given.low, given.high, brake_quantities.scale_of(unit, bases), ROUNDED if any(of.values()) else 0.0)
         low[name], high[name] = max(ends[0], allowed.low), min(ends[1], allowed.high)
     units = {}
     for base, of in powers.items():
@@ -45,9 +44,7 @@ def sides(study: Study) -> dict[str, tuple[str, float]]:
     bases = brake_quantities.bases(study.model, study.values)
     found = {f"{base}/{base}_0": (base, study.values[base]) for base in bases}
     for entry in study.about["parameters"]:
-        unit = entry["quantity_unit"]
-        scale = 1.0 if unit in ("1", "rad") else brake_quantities.scale_of(unit, bases)
-        found[entry["name"]] = entry["quantity"], scale
+        found[entry["name"]] = entry["quantity"], brake_quantities.scale_of(entry["quantity_unit"], bases)
     return found
 
 

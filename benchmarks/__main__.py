@@ -16,18 +16,18 @@ from pathlib import Path
 
 #: Name → module and title.
 _SECTIONS = {
-    "equilibria": ("bench_equilibria", "Equilibria: speed"),
-    "accuracy": ("bench_accuracy", "Equilibria: accuracy beside speed"),
-    "counts": ("validate_equilibria", "Equilibria: a million adversarial points"),
-    "c": ("bench_c", "The C target"),
-    "languages": ("bench_languages", "JavaScript and MATLAB"),
-    "models": ("bench_models", "Models from pages beside the closed forms"),
-    "catastrophe": ("bench_catastrophe", "The bifurcation set"),
-    "folds": ("validate_folds", "The bifurcation set against maps of counts"),
-    "dynamics": ("bench_dynamics", "Motion in time"),
-    "regimes": ("validate_regimes", "What motions come to, judged early and late"),
-    "codegen": ("bench_codegen", "Generated code against other generators"),
-    "scale": ("bench_scale", "How cost grows, and start-up"),
+    "equilibria": ("benchmarks.bench_equilibria", "Equilibria: speed"),
+    "accuracy": ("benchmarks.bench_accuracy", "Equilibria: accuracy beside speed"),
+    "counts": ("validation.equilibria", "Equilibria: a million adversarial points"),
+    "c": ("benchmarks.bench_c", "The C target"),
+    "languages": ("benchmarks.bench_languages", "JavaScript and MATLAB"),
+    "models": ("benchmarks.bench_models", "Models from pages beside the closed forms"),
+    "catastrophe": ("benchmarks.bench_catastrophe", "The bifurcation set"),
+    "folds": ("validation.folds", "The bifurcation set against maps of counts"),
+    "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
+    "regimes": ("validation.regimes", "What motions come to, judged early and late"),
+    "codegen": ("benchmarks.bench_codegen", "Generated code against other generators"),
+    "scale": ("benchmarks.bench_scale", "How cost grows, and start-up"),
 }
 #: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to measure.
 _QUICK = {
@@ -58,12 +58,12 @@ def main() -> int:
         print(f"# {title}", flush=True)
         # A process of its own for each, so that none meets what another imported, compiled or allocated.
         size = [_QUICK[name]] if options.quick and name in _QUICK else []
-        command = [sys.executable, "-m", f"benchmarks.{module}", *size]
+        command = [sys.executable, "-m", module, *size]
         run = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
         print(run.stdout, flush=True)
         failed += run.returncode != 0
         day = datetime.date.today().isoformat()
-        found[title] = f"## {title}\n\n`python -m benchmarks.{module}`, {day}\n\n{_demoted(run.stdout)}\n"
+        found[title] = f"## {title}\n\n`python -m {module}`, {day}\n\n{_demoted(run.stdout)}\n"
     if options.write:
         parts = [_header(), *(found[title] for _, title in _SECTIONS.values() if title in found)]
         options.write.write_text("\n".join(parts), encoding="utf-8")
@@ -91,7 +91,7 @@ def _header() -> str:
     return (
         "# Performance\n\n"
         "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n"
-        "`python -m benchmarks.bench_before REV` times the solvers beside those of another commit.\n\n"
+        "`python -m benchmarks.bench_before REV` times what is asked of this tree beside another commit.\n\n"
         f"{_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}; "
         f"{', '.join(versions)}.\n"
     )

@@ -14,11 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 import spragsym as ss
-from benchmarks import c_target, rivals
-from benchmarks.families import FAMILIES
+from benchmarks import rivals
 from benchmarks.timing import on_backend
 from spragsym.kang_nam.statics import adaptive_precision, compiled
 from spragsym.parameters import NAMES
+from tests.oracles import c_target
+from tests.oracles.families import FAMILIES
 
 Array = NDArray[np.float64]
 _HARD = ("random", "near folds", "cusp wedge", "false double root", "right angle", "light preload")

@@ -10,8 +10,7 @@ import time
 import numpy as np
 
 from spragsym.exact import boxes, certified_roots
-
-from .box_problems import PROBLEMS, Problem
+from tests.oracles.box_problems import PROBLEMS, Problem
 
 
 def measure(problem: Problem) -> str:

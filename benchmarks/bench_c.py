@@ -19,10 +19,11 @@ from functools import partial
 import numpy as np
 
 import spragsym as ss
-from benchmarks import c_target, rivals
-from benchmarks.families import FAMILIES, random
+from benchmarks import rivals
 from benchmarks.timing import best_in_turn, on_backend
 from spragsym.kang_nam.statics import compiled
+from tests.oracles import c_target
+from tests.oracles.families import FAMILIES, random
 
 _REPEATS = 7
 _EIGVALS = "numpy.linalg.eigvals, batched, L-quartic, roots only"

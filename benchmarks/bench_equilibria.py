@@ -18,12 +18,13 @@ from typing import NamedTuple
 import numpy as np
 
 import spragsym as ss
-from benchmarks import c_target, rivals
-from benchmarks.families import random
+from benchmarks import rivals
 from benchmarks.timing import best_in_turn, in_process, on_backend, seconds
 from spragsym.kang_nam.statics import compiled, kernel
 from spragsym.kang_nam.statics.solver import BLOCK
 from spragsym.parameters import NAMES
+from tests.oracles import c_target
+from tests.oracles.families import random
 
 _EIGVALS = "batched numpy.linalg.eigvals, L-quartic"
 _LOOP = "numpy.roots in a loop, L-quartic"
@@ -112,7 +113,7 @@ def roots_and_counts(p: ss.Parameters) -> np.ndarray:
 
 _FIRST = """
 import time, numpy as np, spragsym as ss
-from benchmarks.families import random
+from tests.oracles.families import random
 p = random(np.random.default_rng(1), {n})
 ss.set_backend({backend!r}, {threads})
 for _ in range(2):

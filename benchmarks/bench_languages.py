@@ -18,9 +18,9 @@ from functools import cache, partial
 import numpy as np
 
 import spragsym as ss
-from benchmarks import c_target, languages
-from benchmarks.families import FAMILIES, random
 from benchmarks.timing import best, on_backend
+from tests.oracles import c_target, languages
+from tests.oracles.families import FAMILIES, random
 
 _WAYS: dict[str, tuple[str | None, Callable[[ss.Parameters, bool], languages.Found]]] = {
     "JavaScript, node": (languages.NODE, languages.in_node),

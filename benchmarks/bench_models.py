@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-
-from .families import FAMILIES
+from tests.oracles.families import FAMILIES
 
 #: Points of random parameters, unless a number is given, and then of one side of a grid.
 POINTS, SIDE = 2000, 317

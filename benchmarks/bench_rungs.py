@@ -16,11 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import spragsym as ss
-from benchmarks.families import FAMILIES
-from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.kang_nam.statics import adaptive_precision, block, compiled
 from spragsym.parameters import NAMES
 from spragsym.results import state_columns
+from tests.oracles.families import FAMILIES
+from validation.equilibria import worst_errors, wrong_counts
 
 Values = list[NDArray[np.float64]]
 

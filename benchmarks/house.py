@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 #: What is written by hand; ``generated/`` is not, and links to these count once.
-FOLDERS = ("derive", "spragsym", "tests", "benchmarks")
+FOLDERS = ("derive", "spragsym", "tests", "benchmarks", "validation")
 
 
 @dataclass(frozen=True)

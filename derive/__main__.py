@@ -14,7 +14,7 @@ try:
 except ModuleNotFoundError:
     sys.exit("derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'")
 
-from . import folder, pages
+from . import export, folder, pages
 from .emit import write
 
 try:
@@ -39,6 +39,8 @@ T = TypeVar("T")
 
 #: Where everything is written unless told otherwise.
 DEFAULT = Path(__file__).parent.parent / "generated"
+#: The page that functions without a model mean.
+ARTICLE = "kang_nam"
 
 
 def readable() -> None:
@@ -113,6 +115,8 @@ def shipped_models() -> dict[str, str]:
     for path in pages.shipped():
         model = pages.read(path)
         files |= {f"models/{model.name}/{name}": text for name, text in folder.render(model, write.header(), shared).items()}
+        if model.name == ARTICLE:  # its page of the explorer is written without SymPy
+            files |= {f"javascript/{name}": text for name, text in export.for_the_browser(model, write.header()).items()}
     return files
 
 

@@ -10,7 +10,20 @@ from typing import Any
 
 import sympy as sp
 
-from . import equations, laws, linearization, mechanics, motion, pages, balance_rows, physical_checks, statics, symmetry, units
+from . import (
+    drawing,
+    equations,
+    laws,
+    linearization,
+    mechanics,
+    motion,
+    pages,
+    balance_rows,
+    physical_checks,
+    statics,
+    symmetry,
+    units,
+)
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -114,6 +127,7 @@ def description(model: Model) -> dict[str, Any]:
         "name": model.name,
         "summary": model.page.summary,
         "drawing": model.docstring,
+        "drawn": drawing.is_drawn(model.page),
         "source": model.digest,
         "units": [{"name": str(unit.symbol), "unit": unit.unit, "meaning": unit.meaning} for unit in model.page.units],
         "coordinates": [
@@ -164,10 +178,18 @@ def description(model: Model) -> dict[str, Any]:
             "turned": [str(symbol) for symbol in mirror.centres], "zero": mirror.zero,
             "upright": [place for place, line in enumerate(it.lines) if mirror.turns(line)],
         },
+        "ties": [_ties(it, place) for place in range(min(2, len(it.coordinates)))],
         "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],
         "symmetric": balance_rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
+
+
+def _ties(it: Mechanics, place: int) -> list[str]:
+    """Stiffnesses of the springs that tie a coordinate to the ground: parameters, or ``"1"`` for what is a unit of the model."""
+    names = {str(datum.symbol): datum.becomes for datum in it.parameters}
+    ties = (spring for spring in it.page.springs if str(spring.along) == str(it.coordinates[place]))
+    return [names.get(name, "1") for spring in ties for name in sorted(map(str, spring.stiffness.free_symbols))]
 
 
 def _of_law(sliding: Friction) -> list[str]:

@@ -7,20 +7,26 @@ import { fileURLToPath } from "node:url";
 const HERE = dirname(fileURLToPath(import.meta.url));
 const OUT = process.argv[2] ?? join(HERE, "..", "spragsym", "explorer", "assets");
 
-const { metafile } = await build({
-  absWorkingDir: HERE,
-  entryPoints: { explorer: "src/main.js", model: "src/models/main.js", worker: "src/worker.js", style: "src/style.css" },
-  outdir: OUT,
-  bundle: true,
-  minify: true,
-  format: "iife",
-  globalName: "explorer", // of all: each has a page or a thread of its own
-  target: "es2022",
-  charset: "utf8",
-  legalComments: "none", // the licences are in the page in full
-  logLevel: "warning",
-  metafile: true,
-});
+/** Bundles: that of any model, and what closed forms add. The last part of a name is what its exports are called on a page. */
+const BUNDLES = { explorer: "src/main.js", style: "src/style.css", "kang_nam/closed_forms": "src/kang_nam/closed_forms.js", "kang_nam/worker": "src/kang_nam/worker.js" };
+const inputs = new Set();
+for (const [name, source] of Object.entries(BUNDLES)) {
+  const { metafile } = await build({
+    absWorkingDir: HERE,
+    entryPoints: { [name]: source },
+    outdir: OUT,
+    bundle: true,
+    minify: true,
+    format: "iife",
+    globalName: name.split("/").at(-1),
+    target: "es2022",
+    charset: "utf8",
+    legalComments: "none", // the licences are in the page in full
+    logLevel: "warning",
+    metafile: true,
+  });
+  Object.keys(metafile.inputs).forEach((path) => inputs.add(path));
+}
 
 /** The licence of a library that is bundled, with its name and version. */
 async function licence(name) {
@@ -36,6 +42,6 @@ function fromReadme(text) {
   return text.slice(text.search(/^#+\s*licen[cs]e/im)).split("\n").slice(1).join("\n");
 }
 
-const bundled = Object.keys(metafile.inputs).map((path) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(path)?.[1]).filter(Boolean);
+const bundled = [...inputs].map((path) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(path)?.[1]).filter(Boolean);
 const licences = await Promise.all([...new Set(bundled)].sort().map(licence));
 await writeFile(join(OUT, "licences.txt"), licences.join("\n" + "-".repeat(80) + "\n\n"));

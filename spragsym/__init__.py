@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import importlib as _importlib
 import importlib.util as _util
-import inspect as _inspect
 import pathlib as _pathlib
 import re as _re
 import sys as _sys
+import types as _types
 from typing import Any as _Any
 
 _HERE = _pathlib.Path(__file__).resolve().parent  # a link to this folder, from wherever, leads to its checkout
@@ -62,7 +62,7 @@ def __getattr__(name: str) -> _Any:
 
 def _at_the_door(value: _Any) -> _Any:
     """A public function that is asked of the model of its parameters; whatever else as it is."""
-    if not _inspect.isfunction(value):
+    if not isinstance(value, _types.FunctionType):
         return value
     door = _importlib.import_module(".door", __name__)
     return door.public(value) if value.__name__ in door.INTERFACE else value

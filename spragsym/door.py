@@ -39,9 +39,9 @@ INTERFACE = frozenset((
     "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
 #: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, whether one that is
-#: above the belt stays there, which states lie on one branch, whether they have ended at their friction, and what is known to any
-#: number of digits.
-PARTS = frozenset(("integrate", "rest_index", "aloft", "linked", "have_jumped", "precise_equilibria", "precise_cusps"))
+#: above the belt stays there, which states lie on one branch, whether they have ended at their friction, what is known to any
+#: number of digits, and points that show what the model does.
+PARTS = frozenset(("cases", "integrate", "rest_index", "aloft", "linked", "have_jumped", "precise_equilibria", "precise_cusps"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 
@@ -62,7 +62,9 @@ def question(general: Callable[..., Any]) -> Callable[..., Any]:
             if alone or not answered or _takes(closed, along, only, model, args, options):
                 return closed(*args, **options)
         if method == "closed":
-            raise ModelError(f"{model.name} has no closed form for this {name}; leave method out, or give method='search'")
+            raise ModelError(
+                f"{model.name} answers {name} with these arguments by no closed form; leave method out, or give method='search'"
+            )
         return general(model.search if method == "search" else model, *args, **options)
 
     return ask

@@ -35,7 +35,7 @@ if os.environ.get("HYPOTHESIS_PROFILE") != "search" and hasattr(providers, "_get
 
 #: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
 LONGEST = (
-    "test_cli", "test_c99", "test_cycles", "test_explorer_models", "test_models_statics", "test_studies", "test_failures",
+    "test_cli", "test_c99", "test_cycles", "test_explorer_pages", "test_models_statics", "test_studies", "test_failures",
     "test_figures", "test_explorer", "test_pages", "test_design", "test_sweeps", "test_javascript", "test_check",
     "test_generated", "test_dynamics", "test_catastrophe", "test_models_degenerate", "test_claims", "test_packaging",
     "test_documents", "test_matlab", "test_certificates_kernel", "test_certificates_theorem", "test_regimes",
@@ -82,7 +82,7 @@ def checked(once: Once, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
 @pytest.fixture(scope="session")
 def c_library(once: Once) -> ctypes.CDLL:
     """The C target, without optimization: compiled fastest, and the same bits."""
-    from benchmarks import c_target
+    from tests.oracles import c_target
 
     compiler = c_target.compiler()
     if compiler is None:
@@ -93,7 +93,7 @@ def c_library(once: Once) -> ctypes.CDLL:
 @pytest.fixture(params=["integers", "Arb"])
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics: the package's and Arb's."""
-    return Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
+    return Balls() if request.param == "integers" else pytest.importorskip("tests.oracles.arb").Arb()
 
 
 # ----------------------------------------------------------------------------------------- processes that tests start

@@ -19,10 +19,10 @@ import pytest
 
 import spragsym as ss
 import spragsym.generated as generated_package
-from benchmarks.validate_folds import random_fixed
 from spragsym.dynamics import integrators
 from spragsym.exact import intervals
 from spragsym.kang_nam.catastrophe import flutter_proofs
+from validation.folds import random_fixed
 
 #: For what other systems do in another way: signals to other processes, shells, links that anyone may make.
 needs_posix = pytest.mark.skipif(os.name != "posix", reason="signals, shells and links of POSIX")

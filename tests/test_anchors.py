@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.model_references import turned_spring
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.balance import Balance
 from spragsym.models.regions import region
 from spragsym.models.remarks import of_boxes
 from tests.conftest import Once
+from tests.oracles.model_references import turned_spring
 from tests.support import few
 from tests.test_documents import ROOT
 

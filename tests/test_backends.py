@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.families import EXTREMES, FAMILIES
-from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.kang_nam.statics import adaptive_precision, backends, compiled, kernel, solver
+from tests.oracles.families import EXTREMES, FAMILIES
+from validation.equilibria import worst_errors, wrong_counts
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
 

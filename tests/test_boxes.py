@@ -9,10 +9,10 @@ from math import isqrt
 import numpy as np
 import pytest
 
-from benchmarks.box_problems import PROBLEMS, Problem
 from spragsym.exact import boxes, certified_roots, contractors
 from spragsym.exact.interval_arrays import Intervals, stacked
 from spragsym.exact.parameter_tree import tree
+from tests.oracles.box_problems import PROBLEMS, Problem
 
 NONE = np.zeros((0, 1))
 

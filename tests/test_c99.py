@@ -21,12 +21,12 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import spragsym as ss
-from benchmarks import languages
-from benchmarks.families import EXTREMES, FAMILIES
 from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
 from spragsym.generated import equilibrium, motion, stability
 from spragsym.kang_nam.statics import adaptive_precision, kernel
+from tests.oracles import languages
+from tests.oracles.families import EXTREMES, FAMILIES
 from tests.support import lowest_sets
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"

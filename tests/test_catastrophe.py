@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.validate_folds import count_map_mismatches, random_fixed
-from benchmarks.validate_paths import check, random_path
 from spragsym.exact import polynomials
 from spragsym.parameters import NAMES
 from tests.support import few
+from validation.folds import count_map_mismatches, random_fixed
+from validation.paths import check, random_path
 
 BASE = ss.Parameters.article()
 #: Left fold and cusp as AUTO-07p prints them, right fold by Newton's method at 40 digits (stated by peers, degrees).
@@ -207,7 +207,7 @@ def _times(one: tuple[Fraction, ...], other: tuple[Fraction, ...]) -> tuple[Frac
 
 def test_another_interval_arithmetic_gives_the_same_folds() -> None:
     pytest.importorskip("flint")
-    from benchmarks.arb import Arb
+    from tests.oracles.arb import Arb
 
     arith = Arb()
     for vary in ("theta0", "beta"):

@@ -8,7 +8,6 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from benchmarks.validate_flutter import random_set
 from spragsym.exact import intervals
 from spragsym.exact.descartes import Root
 from spragsym.exact.polynomials import Undecided
@@ -16,6 +15,7 @@ from spragsym.generated import stability
 from spragsym.kang_nam.catastrophe import flutter_proofs
 from spragsym.kang_nam.statics import adaptive_precision
 from tests.support import exact_onsets, middle_of
+from validation.flutter import random_set
 
 
 def _with_roots(*roots: Fraction) -> tuple[int, ...]:

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import reference
-from benchmarks.families import FAMILIES
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
 from spragsym.kang_nam.catastrophe import fold_proofs
 from spragsym.kang_nam.statics import adaptive_precision, kernel
 from spragsym.parameters import NAMES
+from tests.oracles import reference
+from tests.oracles.families import FAMILIES
 from tests.support import as_fraction
 
 NUMBERS = ("theta", "L", "x", "y")

@@ -11,7 +11,6 @@ import mpmath
 import pytest
 
 import spragsym as ss
-from benchmarks import reference
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
@@ -21,6 +20,7 @@ from spragsym.kang_nam.catastrophe.fold_enclosures import Point
 from spragsym.kang_nam.statics import adaptive_precision
 from spragsym.parameters import NAMES
 from spragsym.parameters.ranges import Range
+from tests.oracles import reference
 
 # ----------------------------------------------------------------------------------------------------- precise
 

@@ -14,14 +14,14 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import reference
-from benchmarks.families import FAMILIES
-from benchmarks.validate_equilibria import worst_errors
 from spragsym.generated import kernel
 from spragsym.kang_nam.statics import adaptive_precision, block, compiled, solver
 from spragsym.kang_nam.statics.double_double import DoubleDouble
 from spragsym.parameters import NAMES
 from spragsym.results import state_columns
+from tests.oracles import reference
+from tests.oracles.families import FAMILIES
+from validation.equilibria import worst_errors
 
 
 @pytest.fixture(autouse=True)

@@ -15,12 +15,12 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import validate_criticality
 from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.normal_forms import BALLS, _pair, _Side, normal_form
 from tests.support import few, needs_a_quick_integrator
 from tests.test_documents import DOCS, OPTIONS, assert_shown, commands, fenced, run
+from validation import criticality as validate_criticality
 
 
 def onsets_of(name: str, vary: str, **values: float) -> Any:

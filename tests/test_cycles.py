@@ -19,7 +19,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import bench_auto, validate_basins, validate_branches, validate_cycles, validate_fates, validate_verdicts
+from benchmarks import bench_auto
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
@@ -30,6 +30,11 @@ from spragsym.dynamics.field import Border, Field
 from spragsym.dynamics.flows import carrier
 from spragsym.exact.decimals import exactly
 from spragsym.generated import motion
+from validation import basins as validate_basins
+from validation import branches as validate_branches
+from validation import cycles as validate_cycles
+from validation import fates as validate_fates
+from validation import verdicts as validate_verdicts
 
 #: The article's model, as cycles take it.
 SPRAG = ss.load("kang_nam").field

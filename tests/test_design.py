@@ -14,7 +14,6 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from benchmarks import families
 from spragsym.design import sampling
 from spragsym.errors import SweepError
 from spragsym.exact import affine, bernstein
@@ -27,6 +26,7 @@ from spragsym.kang_nam.design import jump_values
 from spragsym.kang_nam.design.cells import Boxes
 from spragsym.kang_nam.design.claims import CLAIMS
 from spragsym.kang_nam.design.events import have_jumped
+from tests.oracles import families
 from tests.support import few
 
 BASE = ss.Parameters.article()

@@ -310,12 +310,22 @@ def test_the_performance_page_is_written(tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 def test_a_commit_before_can_be_compared_with(tmp_path: Path) -> None:
-    """Against itself: the same answers, and a time for each solver."""
+    """Against itself: the same answers, and a time for each solver and question."""
     if not (ROOT / ".git").exists():
         pytest.skip("not a clone")
     text = run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
-    assert re.search(r"^\| numpy \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE)
-    assert re.search(r"^\| numpy \| 0 \| 0 \| 0\.0e\+00 \|", text, re.MULTILINE)
+    assert re.search(r"^\| equilibria, numpy \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE)
+    assert re.search(r"^\| equilibria, numpy \| 0 \| 0 \| 0\.0e\+00 \|", text, re.MULTILINE)
+    for question in (
+        "count, numpy",
+        "folds along theta0",
+        "cusps",
+        "jump_value along mu0",
+        "simulate",
+        "rms_sweep",
+        "import spragsym",
+    ):
+        assert re.search(rf"^\| {question} \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE), question
 
 
 def test_what_the_glossary_names_is_there() -> None:

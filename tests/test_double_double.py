@@ -12,8 +12,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.families import FAMILIES
-from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.derive.emit import language
 from spragsym.derive.emit.write import SOURCES
 from spragsym.generated import double_double as dd
@@ -22,6 +20,8 @@ from spragsym.kang_nam.statics import adaptive_precision, backends, block, compi
 from spragsym.kang_nam.statics.double_double import DoubleDouble, cosine_and_sine
 from spragsym.parameters import NAMES
 from spragsym.results import state_columns
+from tests.oracles.families import FAMILIES
+from validation.equilibria import worst_errors, wrong_counts
 
 #: The unit in which the bounds of single operations are known.
 UNIT = Fraction(1, 2**106)

@@ -11,9 +11,11 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from hypothesis import given, strategies
 
 from spragsym.derive import __main__ as command
 from spragsym.derive.emit import write
+from spragsym.derive.emit.targets.c99 import layout
 from spragsym.derive.emit.targets.python import algebra as python
 from spragsym.derive.kang_nam import article, check, elimination, emission, stability, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
@@ -270,3 +272,14 @@ def test_usage_is_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
 def test_users_import_no_sympy() -> None:
     code = "import spragsym, spragsym.generated.equilibrium, sys; sys.exit('sympy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0
+
+
+@given(strategies.text())
+def test_a_comment_of_c_ends_where_it_ends(words: str) -> None:
+    said = layout.comment(words)
+    assert said.isascii()
+    assert said.count("*/") == said.count("/*") == 1
+
+
+def test_signs_keep_their_meaning() -> None:
+    assert layout.plain("γ ≠ λ₂ Ω̃ ½ 45° Müller ά") == "gamma != lambda2 Omega~ [vulgar fraction one half] 45 degrees Muller alpha"

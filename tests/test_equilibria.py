@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import reference
-from benchmarks.families import FAMILIES, random
-from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.exact import intervals
 from spragsym.generated.equilibrium import f_coefficients
 from spragsym.kang_nam.statics import adaptive_precision, compiled, kernel, solver
 from spragsym.results.precise_states import PreciseEquilibrium
+from tests.oracles import reference
+from tests.oracles.families import FAMILIES, random
 from tests.support import as_fraction
+from validation.equilibria import worst_errors, wrong_counts
 
 FOLD_DEG = 44.5593177025653  # left fold at base values, by three continuation codes (peers)
 
@@ -158,7 +158,7 @@ def test_both_interval_arithmetics_agree(name: str) -> None:
     arith: intervals.Arithmetic = intervals.Balls()
     if name == "Arb":
         pytest.importorskip("flint")
-        from benchmarks.arb import Arb
+        from tests.oracles.arb import Arb
 
         arith = Arb()
     for degrees in ("30", "44.5593177025652", "44.5593177025654", "90", "155.05941878978"):

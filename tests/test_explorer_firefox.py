@@ -42,7 +42,7 @@ def test_a_fold_crossed_in_both_directions_and_none_around_the_cusp(explorer: Ex
     explorer.drag((30, 0.5), (fold - 2, 0.5))
     assert "jump" not in explorer.says()
     explorer.drag((fold - 2, 0.5), (fold + 2, 0.5))
-    said = re.search(r"crossed the fold at θ₀ = ([\d.]+)°", explorer.says())
+    said = re.search(r"state ended at θ₀ = ([\d.]+)°", explorer.says())
     assert said is not None
     assert float(said[1]) == pytest.approx(fold, abs=0.3)  # a pixel of friction moves it
     explorer.drag((fold + 2, 0.5), (30, 0.5))

@@ -1,12 +1,11 @@
-"""Pages of other models: states and motion against Python's, a state that jumps, links, keys, units, and no error."""
+"""Pages of models that have no solver in JavaScript: a state that jumps, links, keys, units, and no error."""
 
 from __future__ import annotations
 
 import json
 import math
 import re
-from collections.abc import Callable, Iterator
-from functools import cache
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,29 +13,20 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-import spragsym as ss
-from spragsym.cli.explore import explore
-from tests.explorer_pages import Explorer, chromium
-
 pytest.importorskip("sympy", reason="SymPy is not installed: pages of models are derived")
 
-#: Three coordinates, one coordinate; two springs, and a law of contact with a root.
-MODELS = ("trolley", "stick_slip", "two_springs", "hertz_contact")
+import spragsym as ss
+from spragsym.cli.explore import explore
+from spragsym.derive.folder import write_page
+from tests.explorer_pages import Explorer, chromium
 
 
 @pytest.fixture(scope="module")
-def page_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
-    """The address of a model's page, which is made when a test asks first."""
-    folder = tmp_path_factory.mktemp("models")
-
-    @cache
-    def address(name: str) -> str:
-        out = folder / f"{name}.html"
-        done = CliRunner().invoke(explore, ["--model", name, "--out", str(out), "--no-open"])
-        assert done.exit_code == 0, done.output
-        return out.as_uri()
-
-    return address
+def url(tmp_path_factory: pytest.TempPathFactory) -> str:
+    out = tmp_path_factory.mktemp("models") / "trolley.html"
+    done = CliRunner().invoke(explore, ["--model", "trolley", "--out", str(out), "--no-open"])
+    assert done.exit_code == 0, done.output
+    return out.as_uri()
 
 
 @pytest.fixture(scope="module")
@@ -46,55 +36,12 @@ def browser() -> Iterator[Any]:
 
 
 @pytest.fixture
-def opened(browser: Any, page_of: Callable[[str], str], request: pytest.FixtureRequest) -> Iterator[tuple[Explorer, Any]]:
-    name = getattr(request, "param", "trolley")
-    explorer = Explorer(browser.new_page(), page_of(name))
+def opened(browser: Any, url: str) -> Iterator[tuple[Explorer, Any]]:
+    explorer = Explorer(browser.new_page(), url)
     explorer.open()
-    yield explorer, ss.load(name)
+    yield explorer, ss.load("trolley")
     assert explorer.errors == []
     explorer.page.close()
-
-
-def points(model: Any, n: int) -> list[dict[str, float]]:
-    """Random points about the base values."""
-    rng = np.random.default_rng(len(model.name))
-    found = []
-    for _ in range(n):
-        values = {name: value * rng.uniform(0.7, 1.3) for name, value in model.base.items()}
-        found.append(values | {name: rng.uniform(0.3, 2.8) for name in model.parameters if name not in values})
-    return found
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("opened", MODELS, indirect=True)
-def test_states_are_those_that_python_proves(opened: tuple[Explorer, Any]) -> None:
-    explorer, model = opened
-    for point in points(model, 3):
-        for contact in (True, False) if model.about["contact"]["unilateral"] else (True,):
-            eq = model.equilibria(model.Parameters(**point), contact=contact)
-            count = int(eq.count)
-            found = explorer.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": contact})
-            assert found["status"] == "searched"
-            assert found["count"] == count
-            proved = np.array([eq.coordinates[name][:count] for name in model.coordinates])
-            for row, there in zip(np.argsort(proved[0]), found["states"], strict=True):
-                assert [there[name] for name in model.coordinates] == pytest.approx(proved[:, row], abs=1e-9)
-                assert there["stability"] == ss.Stability(int(eq.stability[row])).name.lower()
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("opened", MODELS, indirect=True)
-def test_the_motion_is_pythons(opened: tuple[Explorer, Any]) -> None:
-    """From rest, over lift-offs and overtakings, by steps that are cut at kinks; errors of order h^4."""
-    explorer, model = opened
-    (point,) = points(model, 1)
-    start = [0.05] + [0.0] * (2 * len(model.coordinates) - 1)
-    tr = model.simulate(model.Parameters(**point), start=start, t_end=30.0)
-    end = explorer.page.evaluate(
-        "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 3000; i++) s = m.step(s, 0.01); return s; }",
-        [point, start],
-    )
-    assert end == pytest.approx(tr.state[:, -1], abs=2e-6)
 
 
 @pytest.mark.thorough
@@ -152,6 +99,51 @@ def test_the_motion_is_drawn_and_stopped(opened: tuple[Explorer, Any]) -> None:
     page.wait_for_function("x => document.querySelector('#mass').getAttribute('x') !== x", arg=before)
     page.click("#still")
     assert page.is_disabled("#still")
+
+
+CLASH = '''"""A mass whose parameters are called as parts of the page are, and say what is no HTML."""
+from spragsym.derive.model import Page, tanh
+page = Page("A mass on a belt.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+N_0 = page.unit("N_0", "N", "normal force")
+link = page.parameter("link", "1", 'friction <img src=x onerror="window.harmed = 1"> of "it"', ">= 0", 0.5)
+phase = page.parameter("phase", "m/s", "belt speed", ">= 0", 0.5)
+pace = page.parameter("pace", "s/m", "steepness", "> 0", 10.0)
+F = page.parameter("F", "N", "push", "real", 0.1, becomes="tilt_deg")
+x = page.coordinate("x", "m", "along the belt")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.spring(k, along=x)
+page.force(F, along=x)
+page.normal_force(N_0)
+page.friction(x, phase, lambda v: link * tanh(pace * v))
+'''
+
+
+def test_a_page_of_anybody_is_text_and_its_names_are_its_own(browser: Any, tmp_path: Path) -> None:
+    """Meanings with markup and quotes, parameters called as elements and as an angle of a link; a folder with a space."""
+    folder, out = tmp_path / "my pages", tmp_path / "clash.html"
+    (tmp_path / "clash.py").write_text(CLASH, encoding="utf-8")
+    write_page(tmp_path / "clash.py", folder)
+    done = CliRunner().invoke(explore, ["--model", str(folder), "--out", str(out), "--no-open"])
+    assert done.exit_code == 0, done.exception
+    explorer = Explorer(browser.new_page(), out.as_uri())
+    explorer.open()
+    page = explorer.page
+    assert page.evaluate("[window.harmed, document.querySelectorAll('#parameters img').length]") == [None, 0]
+    assert page.locator("#parameters span").first.inner_text() == 'friction <img src=x onerror="window.harmed = 1"> of "it"'
+    assert page.locator("#phase .u-over").count() == 1
+    assert "units of" in page.inner_text("#pace_says")
+    assert page.inner_text("#proof").startswith(f"spragsym equilibria --model '{folder}'")
+    page.fill("#parameters #tilt_deg", "0.2")
+    page.click("button:has-text('Copy a link')")
+    before, hash = page.inner_text("#states"), page.evaluate("location.hash")
+    explorer.open("tilt_deg=0.3")
+    assert page.inner_text("#states") != before
+    explorer.open(hash[1:])
+    assert page.inner_text("#states") == before
+    assert explorer.errors == []
+    page.close()
 
 
 def test_a_brake_of_another_model_begins_at_its_data(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
@@ -20,7 +21,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import attack_sweeps as attack
 from spragsym.dynamics import integrators
 from spragsym.errors import DamageWarning, StoreError, SweepError
 from spragsym.files import locks, storage
@@ -28,6 +28,7 @@ from spragsym.files.journal import journal, path_of
 from spragsym.files.storage import read
 from spragsym.sweeps import rms_sweep
 from tests.support import needs_posix
+from validation import sweeps as attack
 
 pytest.importorskip("xarray")
 P, SHORT = attack.P, attack.SHORT
@@ -297,6 +298,37 @@ def test_a_second_process_is_refused_and_told_who_is_first(tmp_path: Path, begin
     assert said.count("\n") == 1
 
 
+def test_who_is_first_is_told_where_a_lock_hides_the_first_byte(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on Windows."""
+
+    class Locked(FileIO):
+        def readall(self) -> bytes:
+            if not self.tell():
+                raise PermissionError(13, "Permission denied", str(self.name))
+            return super().readall() or b""
+
+    path_open: Any = Path.open
+
+    def opened(path: Path, *mode: str, **options: Any) -> Any:
+        return Locked(path) if path.suffix == ".partial" else path_open(path, *mode, **options)
+
+    with journal(tmp_path / "rms.csv", "another sweep", 2), monkeypatch.context() as windows:
+        windows.setattr(Path, "open", opened)
+        with pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"):
+            rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
+
+
+@pytest.mark.parametrize("number", [errno.ENOLCK, errno.EOPNOTSUPP, errno.ENOSYS])
+def test_a_file_system_without_locks_is_warned_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int) -> None:
+    def lock(descriptor: int, blocking: bool) -> bool:
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(locks, "lock_descriptor", lock)
+    with pytest.warns(UserWarning, match="lies on a file system without locks .* start one only"):
+        storage.write_text(tmp_path / "rms.csv", "written\n")
+    assert storage.read_text(tmp_path / "rms.csv") == "written\n"
+
+
 def test_a_killed_process_holds_nothing(tmp_path: Path, begin: Begin, recorded: attack.Recorded) -> None:
     path = tmp_path / "rms.csv"
     code = (
@@ -400,7 +432,7 @@ def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: 
     rms_sweep(P, **SHORT, store=whole, workers=recorded)
     code = (
         "import sys, resource; resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]),) * 2)\n"
-        "from benchmarks.attack_sweeps import *\n"
+        "from validation.sweeps import *\n"
         "try: rms_sweep(P, **SHORT, store=sys.argv[2])\n"
         "except StoreError as error: sys.exit(str(error))"
     )

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.validate_flutter import compare, random_set
 from spragsym.exact import intervals
 from spragsym.generated import stability
 from spragsym.kang_nam.statics import kernel
 from tests.support import exact_onsets, middle_of
+from validation.flutter import compare, random_set
 
 #: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.
 NEXT_TO_90 = ss.Parameters.article(mu0=1.3, alpha=1.3, sigma=0.32)
@@ -54,7 +54,7 @@ def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
 ])  # fmt: skip
 @pytest.mark.parametrize("arb", [False, True])
 def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arb: bool) -> None:
-    arith = pytest.importorskip("benchmarks.arb").Arb() if arb else intervals.arithmetic()
+    arith = pytest.importorskip("tests.oracles.arb").Arb() if arb else intervals.arithmetic()
     found = ss.flutter_onsets(p, arith=arith, damping=False)
     assert len(found) >= 1
     assert (found.mu0 == float(p.mu0)).all()

@@ -15,10 +15,10 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import languages
-from benchmarks.languages import NODE, STABILITY, answers, values
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
+from tests.oracles import languages
+from tests.oracles.languages import NODE, STABILITY, answers, values
 from tests.support import few, generated, lowest_sets
 from tests.test_documents import ROOT, fenced
 

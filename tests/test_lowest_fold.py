@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import validate_lowest
-from benchmarks.validate_folds import random_fixed
 from spragsym.derive.kang_nam import lowest_fold as derived
 from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
+from validation import lowest as validate_lowest
+from validation.folds import random_fixed
 
 BASE = ss.Parameters.article(theta0=None, mu0=None)
 #: Found by a scan of random sets: the cusp lies 3.7 % above the lowest fold.

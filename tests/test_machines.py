@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.machines import MACHINES, PROGRAM, ROOT, SOURCES, Machine, points
+from tests.oracles.machines import MACHINES, PROGRAM, ROOT, SOURCES, Machine, points
 from tests.support import few
 
 #: Headers for Windows, which a cross-compiler brings along.

@@ -14,11 +14,11 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import languages
-from benchmarks.languages import OCTAVE, octave
 from spragsym.cli import cli
 from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
 from spragsym.parameters import NAMES
+from tests.oracles import languages
+from tests.oracles.languages import OCTAVE, octave
 from tests.support import generated, lowest_sets
 from tests.test_documents import ROOT, fenced
 

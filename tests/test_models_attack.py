@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.attack_emission import compare
-from benchmarks.attack_models import equilibria, load
-from benchmarks.attack_motions import field
-from benchmarks.attack_references import DRAWN
+from tests.oracles.forces_by_hand import DRAWN
+from validation.by_hand import equilibria, load
+from validation.emission import compare
+from validation.motions_by_hand import field
 
 #: Springs as stiff as these left errors up to 7e-8 on states that were proved.
 STIFF = {

@@ -124,7 +124,7 @@ def test_a_mass_that_almost_hangs_on_a_circle(kappa):
 
 
 def test_a_circle_that_many_digits_leave_open():
-    # The one point of 10⁵ of benchmarks.families that was left undecided.
+    # The one point of 10⁵ of tests.oracles.families that was left undecided.
     values = {
         "theta0": 2.6739550310885836, "mu0": 0.0, "kappa": 0.19734271659075414, "alpha": 0.002747021913709797,
         "sigma": 2.9289279863232807, "beta": 0.0,

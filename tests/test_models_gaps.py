@@ -1,6 +1,6 @@
 """Pages whose gap is an expression: nothing on the other side of the contact's border is listed, whatever it is.
 
-The campaign is benchmarks/validate_gaps.py; here a few of its sets, and what becomes of a state that lies on the border itself.
+The campaign is validation/gaps.py; here a few of its sets, and what becomes of a state that lies on the border itself.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import validate_gaps
-from benchmarks.gap_pages import HANDS
 from spragsym.models.paths import first_end
 from tests.conftest import Once
+from tests.oracles.gap_pages import HANDS
 from tests.support import few
+from validation import gaps as validate_gaps
 
 pytest.importorskip("sympy")
 

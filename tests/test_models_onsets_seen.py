@@ -11,11 +11,11 @@ from click.testing import CliRunner
 from scipy.optimize import brentq
 
 import spragsym as ss
-from benchmarks import validate_gaps
 from spragsym.cli import cli
 from spragsym.models import points, stability
 from tests.conftest import Once
 from tests.support import model_of
+from validation import gaps as validate_gaps
 
 PAD = '''r"""A pad."""
 from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import families, validate_models
 from spragsym.models import cusps, points
 from spragsym.models.balance import Balance
 from spragsym.models.bifurcation_conditions import Cusp
+from tests.oracles import families
 from tests.support import few
+from validation import models as validate_models
 
 STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 

@@ -11,10 +11,10 @@ import pytest
 from scipy import optimize
 
 import spragsym as ss
-from benchmarks.validate_criticality import accelerations
 from spragsym.models.balance import Balance
 from spragsym.models.stability import linearization
 from tests.support import model_of
+from validation.criticality import accelerations
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
 SETS = (

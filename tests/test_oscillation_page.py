@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks import validate_oscillation as page
+from validation import oscillation as page
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
 

@@ -17,8 +17,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.families import cusp_wedge
-from benchmarks.validate_precise import points, worst_shares
 from spragsym import precise
 from spragsym.cli import cli as command_line
 from spragsym.exact import adaptive_bits
@@ -27,6 +25,8 @@ from spragsym.kang_nam import digits
 from spragsym.kang_nam.catastrophe import cusp_proofs
 from spragsym.kang_nam.statics import adaptive_precision, compiled
 from spragsym.results.precise_states import PreciseCusp
+from tests.oracles.families import cusp_wedge
+from validation.precise import points, worst_shares
 
 ARITH = Balls()
 

@@ -13,7 +13,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from benchmarks import validate_regimes
 from spragsym.dynamics import with_compiled
 from spragsym.dynamics.classify import classify
 from spragsym.dynamics.flows import Onward
@@ -24,6 +23,7 @@ from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion
 from spragsym.kang_nam.statics import solver
 from spragsym.sweeps import basin, rms_sweep
+from validation import regimes as validate_regimes
 
 BELT = {"V": 0.5, "d": 10.0}
 SLOW = ss.Parameters.article(theta0=np.radians(42))
@@ -201,7 +201,7 @@ def test_a_cycle_that_is_only_passed_is_not_approached() -> None:
 
 @needs_heyoka
 def test_a_motion_that_turns_slowly_beside_a_cycle_does_not_approach_it() -> None:
-    """Found by ``python -m benchmarks.validate_regimes 1500 2``: 0.04 of its extent away, and nearing at the cycle's rate.
+    """Found by ``python -m validation.regimes 1500 2``: 0.04 of its extent away, and nearing at the cycle's rate.
 
     The multipliers turn the motion round to where the return map leads it off by 8 times what it lacked.
     """
@@ -218,7 +218,7 @@ def test_a_motion_that_turns_slowly_beside_a_cycle_does_not_approach_it() -> Non
 @needs_heyoka
 @pytest.mark.parametrize("t_end", [8000.0, 20_000.0])
 def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) -> None:
-    """Found by ``python -m benchmarks.validate_regimes 6000 1``: differences over too long a step called it unstable.
+    """Found by ``python -m validation.regimes 6000 1``: differences over too long a step called it unstable.
 
     That it attracts is seen: from 2000 to 20000 what is left of the motion falls from 6e-3 to 1e-10.
     """
@@ -318,7 +318,7 @@ def test_lift_off_is_for_good_in_a_well_of_the_energy() -> None:
 
 @needs_heyoka
 def test_what_is_said_of_random_motions_holds_later() -> None:
-    """Of thousands: ``python -m benchmarks.validate_regimes``."""
+    """Of thousands: ``python -m validation.regimes``."""
     found = validate_regimes.compared(validate_regimes.random_motions(np.random.default_rng(3), 60), late_end=8000.0)
     told = [one for one in found if one.late is not None]
     assert len(told) >= 3

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import validate_reports
 from spragsym.cli import main
 from spragsym.design.design_space import PHYSICAL, dimensionless
 from spragsym.kang_nam.design.events import have_jumped
@@ -19,6 +18,7 @@ from spragsym.models.varying_units import BalanceInUnits
 from spragsym.studies import brake_quantities, friction, jump_verdicts, tolerances
 from spragsym.studies.jump_verdicts import certificate
 from tests.support import few
+from validation import reports as validate_reports
 
 BRAKE = """[brake]
 m = "0.35 kg"
@@ -35,8 +35,9 @@ d = "10 s/m"
 model = "kang_nam"
 """
 KEYS = [
-    "mu_jump", "theta0_jump_deg", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective", "margin_percent",
-    "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation", "certificate",
+    "mu_jump", "theta0_jump_deg", "mu0_jump", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective",
+    "margin_percent", "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation",
+    "certificate",
     "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump", "verdict", "folds",
 ]  # fmt: skip
 
@@ -298,6 +299,24 @@ def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: s
     assert report.verdict in text
     assert "src=" not in text
     assert "http" not in text.replace("http://www.w3.org", "")
+
+
+def test_no_text_of_a_page_is_taken_for_html(report: ss.Report) -> None:
+    pytest.importorskip("jinja2")
+    from dataclasses import replace
+
+    from spragsym.studies import pages
+
+    odd = "<b>&\"'"
+    study = ss.Study(brake())
+    study.source = odd
+    report = replace(report, verdict=odd, warnings=(odd,))
+    text = pages.document(study, report, [("<svg></svg>", odd)], [(odd, [(odd, odd)]), ("nothing", iter(()))])
+    assert odd not in text
+    assert text.count("&lt;b&gt;&amp;&#34;&#39;") == 8  # twice in the title
+    assert text.count("<svg></svg>") == 1
+    assert "nothing" not in text
+    assert text.endswith("</html>\n")
 
 
 def test_without_a_belt_no_map_says_where_oscillation_sets_in(tmp_path: Path) -> None:

@@ -259,7 +259,7 @@ COMMAND = [sys.executable, "-m", "spragsym", "sweep", *GRID, "-o"]
 
 @pytest.mark.thorough
 def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: Callable[..., subprocess.Popen[bytes]]) -> None:
-    """At fifty random moments: ``python -m benchmarks.attack_sweeps``."""
+    """At fifty random moments: ``python -m validation.sweeps``."""
     path, whole = tmp_path / "rms.nc", tmp_path / "whole.nc"
     CliRunner().invoke(sweep_command, [*GRID, "-o", str(whole)], catch_exceptions=False)
     process = begin([*COMMAND, str(path)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -8,7 +8,6 @@ import itertools
 import json
 import math
 import shutil
-import subprocess
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -28,7 +27,6 @@ from spragsym.exact.polynomials import Undecided
 from spragsym.models.balance import Balance
 from spragsym.models.precise import ball
 from tests.conftest import Once
-from tests.support import results_of_c, with_angles
 from tests.test_documents import ROOT
 
 pytest.importorskip("sympy")
@@ -366,54 +364,6 @@ def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model
 
 
 # ---------------------------------------------------------------------------------------------- other languages, older folders
-
-
-@pytest.fixture(scope="module")
-def numbers(model: Any) -> dict[str, list[float]]:
-    """Arguments of functions: one turned by 170 degrees, the other way round."""
-    p = model.Parameters(theta0=0.7)
-    place, moving = [1.55, 1.2], [float(value) for value in model.arguments(p, "motion")]
-    return {
-        "rhs": [*place, 0.1, -0.2, *moving],
-        "regime_rhs": [*place, 0.1, -0.2, *moving, 0.0, 1.0, 1.0, -1.0],
-        "regime_jacobian": [*place, 0.1, -0.2, *moving, 0.0, 1.0, 1.0, 1.0],
-        "turning_borders": [*place, 0.1, -0.2, *moving, 1.0],
-        "energy": [*place, 0.1, -0.2, *moving, 0.0],
-    }
-
-
-@pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
-def test_c_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp_path: Path) -> None:
-    from spragsym.derive import export
-
-    for name, text in export.export(PAGE, "soft", "c").items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    calls, want = [], []
-    for function, given in numbers.items():
-        result = np.array(getattr(model.motion, function)(*given), dtype=float).ravel()
-        want += result.tolist()
-        calls.append((function, with_angles(model, getattr(model.motion, function), given), result.size))
-    got = results_of_c(tmp_path, "soft", calls)
-    np.testing.assert_allclose(got, want, rtol=1e-13, atol=1e-15)
-
-
-@pytest.mark.skipif(shutil.which("node") is None, reason="there is no node")
-def test_javascript_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp_path: Path) -> None:
-    from spragsym.derive import export
-
-    files = export.export(PAGE, "soft", "javascript")
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    (module,) = [name for name in files if name.endswith(".mjs") and "example" not in name]
-    calls = ", ".join(f"it.algebra.{function}({', '.join(map(repr, given))})" for function, given in numbers.items())
-    (tmp_path / "try.mjs").write_text(
-        f'import * as it from "./{module}";\nconsole.log(JSON.stringify([{calls}].flat(9)));\n', encoding="utf-8"
-    )
-    shown = subprocess.run(["node", "try.mjs"], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=60).stdout
-    want = [np.array(getattr(model.motion, function)(*given), dtype=float).ravel() for function, given in numbers.items()]
-    np.testing.assert_allclose(json.loads(shown), np.concatenate(want), rtol=1e-13, atol=1e-15)
 
 
 def test_a_folder_of_the_old_approximation_is_refused(model: Any, tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 import FFT from "fft.js";
 import uPlot from "uplot";
 import { colours } from "./colours.js";
+import { symbolOf } from "./symbols.js";
 
 /** Samples that are kept, and the fewest that give a spectrum. */
 const SAMPLES = 2048;
@@ -13,12 +14,14 @@ const STROKES = ["accent", "flutter", "divergent", "ink"];
 const LINES = [{ width: 2 }, { width: 1.5, dash: [6, 4] }, { width: 1.5, dash: [2, 3] }, { width: 1, dash: [10, 3, 2, 3] }];
 
 /**
- * `names` are the coordinates, whose rates follow them in a state; `units` turn what is drawn into units of a reader's own: factors
- * and names of a length and of a time.
+ * `coordinates` are those of a state, whose rates follow them; `units` turn what is drawn into units of a reader's own: factors
+ * and names of a length and of a time. An angle stays in radians.
  */
-export function createCharts({ trace, phase, spectrum }, names, units = { length: [1, ""], time: [1, ""] }) {
-  const n = names.length;
-  const [long, length_name] = units.length;
+export function createCharts({ trace, phase, spectrum }, coordinates, units = { length: [1, ""], time: [1, ""] }) {
+  const n = coordinates.length;
+  const names = coordinates.map(({ name }) => symbolOf(name));
+  const factors = coordinates.map(({ angle }) => (angle ? 1 : units.length[0]));
+  const length_name = coordinates[0].angle ? units.length[1] && "rad" : units.length[1];
   const [lasting, time_name] = units.time;
   const named = (text, unit) => (unit ? `${text} in ${unit}` : text);
   let colour = colours();
@@ -143,8 +146,8 @@ export function createCharts({ trace, phase, spectrum }, names, units = { length
 
   return {
     add(t, state, { contact, side }) {
-      history.q.forEach((column, i) => column.push(long * state[i]));
-      const row = { t: lasting * t, v: (long / lasting) * state[n], off: !contact, ahead: side < 0 };
+      history.q.forEach((column, i) => column.push(factors[i] * state[i]));
+      const row = { t: lasting * t, v: (factors[0] / lasting) * state[n], off: !contact, ahead: side < 0 };
       Object.entries(row).forEach(([name, value]) => history[name].push(value));
       if (history.v.length > SAMPLES) {
         [...history.q, history.t, history.v, history.off, history.ahead].forEach((column) => column.shift());

@@ -3,8 +3,8 @@
 import { degrees, parsed, radians, typed, written } from "./numbers.js";
 
 /** A parameter is `{ name, symbol, meaning, angle, low, high }`: the slider spans low to high, in degrees where it is an angle. */
-const inward = ({ angle }, value) => (angle ? radians(value) : value);
-const outward = ({ angle }, value) => (angle ? degrees(value) : value);
+export const inward = ({ angle }, value) => (angle ? radians(value) : value);
+export const outward = ({ angle }, value) => (angle ? degrees(value) : value);
 export const idOf = ({ name, angle }) => (angle ? `${name}_deg` : name);
 
 /** What is wrong with a number, or an empty text. */
@@ -33,10 +33,13 @@ export function createInputs(box, store, fields, RANGES, beside = () => "") {
     const id = idOf(field);
     const line = document.createElement("div");
     line.className = "parameter";
-    line.innerHTML = `<label for="${id}"><b>${symbol}</b> <span>${meaning}${field.angle ? ", degrees" : ""}</span> <i id="${id}_beside"></i></label>
+    line.innerHTML = `<label for="${id}"><b></b> <span></span> <i></i></label>
       <input id="${id}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-describedby="${id}_error">
-      <input id="${id}_slider" type="range" min="${low}" max="${high}" step="any" aria-label="${meaning}">
+      <input id="${id}_slider" type="range" min="${low}" max="${high}" step="any">
       <p class="error" id="${id}_error" role="alert"></p>`;
+    line.querySelector("b").textContent = symbol; // what a page says is text, and no HTML
+    line.querySelector("span").textContent = meaning + (field.angle ? ", degrees" : "");
+    line.querySelector("input[type=range]").setAttribute("aria-label", meaning);
     box.append(line);
     const [number, slider, error, aside] = ["input[type=text]", "input[type=range]", ".error", "i"].map((what) => line.querySelector(what));
     let taken = ""; // the text that was last taken up: leaving the field does not take it up again

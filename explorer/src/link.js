@@ -10,13 +10,14 @@ export function linked(values, angles) {
 }
 
 /** What a link says of `names`, or null: names that are unknown or no numbers are left out, and so is what is out of its range. */
-export function unlinked(hash, names, RANGES) {
+export function unlinked(hash, names, RANGES, angles) {
   const said = new URLSearchParams(hash.replace(/^#/, ""));
   const found = {};
   for (const [name, text] of said) {
     const value = parsed(text);
     if (Number.isFinite(value)) {
-      found[name.endsWith("_deg") ? name.slice(0, -4) : name] = name.endsWith("_deg") ? radians(value) : value;
+      const angle = angles.find((one) => name === `${one}_deg`);
+      found[angle ?? name] = angle ? radians(value) : value;
     }
   }
   const allowed = Object.fromEntries(names.filter((name) => Object.hasOwn(found, name) && inside(found[name], RANGES[name])).map((name) => [name, found[name]]));

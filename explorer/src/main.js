@@ -1,247 +1,315 @@
-// The page: parts made, and told of changes. `start` is called by the page with everything that the exported module offers.
+// The page of a model: parts made, and told of changes. `start` is called by the page with the model's exported algebra, and with
+// what its closed forms bring, if it has any.
 
-import { createAsking } from "./asking.js";
+import { createAlong } from "./along.js";
+import { balanceAt } from "./balance.js";
 import { whenColoursChange } from "./colours.js";
-import { forces } from "./forces.js";
+import { createCounts } from "./counts.js";
+import { fieldOf } from "./field.js";
 import { besides, createInputs } from "./inputs.js";
 import { copied, linked, unlinked } from "./link.js";
 import { createMechanism } from "./mechanism.js";
-import { radians } from "./numbers.js";
+import { degrees, radians } from "./numbers.js";
 import { createPanel } from "./panel.js";
-import { createPlane, lowestFold } from "./plane.js";
-import { createSpace } from "./space.js";
-import { createStates, story, undecided } from "./states.js";
+import { createPlane } from "./plane.js";
+import { searched } from "./searched.js";
+import { spanOf } from "./spans.js";
+import { counted, createStates, story } from "./states.js";
 import { createStore, current } from "./store.js";
-import { WAYS, walk } from "./walks.js";
-import { worded } from "./words.js";
+import { symbolOf } from "./symbols.js";
 
-const $ = (id) => document.getElementById(id);
-const still = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+/** A part of the page; inputs of parameters have names of their own, which may be the same. */
+const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
+const quick = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 /** How long the drawing of a jump takes, milliseconds. */
 const FLIGHT = 450;
-/** What the parameters mean, and what their sliders span; a number may be anything that is allowed. */
-const FIELDS = [
-  ["theta0", "θ₀", "inclination of the spring", 0.5, 179.5],
-  ["mu0", "μ₀", "friction coefficient", 0, 1],
-  ["kappa", "κ", "preload", 0.001, 0.05],
-  ["alpha", "α", "stiffness along the belt", 0, 1],
-  ["sigma", "σ", "stiffness of the inclined spring", 0.02, 1],
-  ["beta", "β", "stiffness across the belt", 0, 3],
-].map(([name, symbol, meaning, low, high]) => ({ name, symbol, meaning, low, high, angle: name === "theta0" }));
+/** An angle of a spring is an anchor's if their directions agree to this. */
+const SAME = 1e-9;
+/** What an anchor keeps from the ends of a half turn. */
+const EDGE = 1e-4;
 
-export function start(solver) {
-  const data = JSON.parse($("data").textContent);
-  window.spragsym = Object.freeze({ equilibria: ({ contact = true, ...point }) => solver.equilibria(point, { contact }) });
-  const store = createStore(solver);
-  const drive = { ...data.drive };
-  const ask = createAsking(solver);
-  const anchor = (theta0) => store.move({ theta0: Math.min(Math.PI - 1e-4, Math.max(1e-4, theta0)) });
-  const mechanism = createMechanism($("mechanism"), { anchor, mass: thrown });
-  const plane = createPlane($("plane"), store);
-  const space = createSpace($("space"), store);
-  const inputs = createInputs($("parameters"), store, FIELDS, solver.RANGES, besides(data.units));
-  const table = createStates($("states"), store, solver.algebra, drive, data.units ?? undefined);
-  const assumed = [["V", "speed of the belt"], ["d", "steepness of the friction law"]]
-    .map(([id, meaning]) => ({ id, symbol: id, meaning, value: drive[id], range: solver.RANGES[id] }));
-  const panel = createPanel(["x", "y"], assumed, data.units ?? undefined, {
-    beside: besides(data.units),
-    field: (numbers) => fieldOf(solver.motion, store.get().point, numbers),
-    state: () => { const state = current(store.get()); return state && [state.x, state.y]; },
-    frame: moved,
-    rest: () => { mechanism.roll(0); if (store.get()) { rest(store.get()); } },
-    begun: (numbers) => { flight = null; Object.assign(drive, numbers); remember(); },
-  });
-  ["V", "d"].forEach((name) => ($(name).onchange = () => { const said = panel.numbersOf(); if (said) { Object.assign(drive, said); remember(); if (store.get()) { table(); say(store.get()); } } }));
+export function start({ algebra, closed = null }) {
+  const { model: about, presets, units } = JSON.parse($("data").textContent);
+  const fields = about.parameters.map((entry) => ({ ...entry, symbol: symbolOf(entry.name) }));
+  const named = (name) => fields.find((field) => field.name === name);
+  const ranges = Object.fromEntries(fields.map(({ name, range }) => [name, range]));
+  const at = (point) => balanceAt(algebra, about, point);
+  const names = about.coordinates.map(({ name }) => name);
+  const rest = names.map(() => 0);
+  const count = at(presets[0].point).vectors(rest).length;
+  const spans = Object.fromEntries(fields.map(({ name, angle, low, high }) => [name, (angle ? radians(1) : 1) * (high - low)]));
+  const source = closed ? closed.source(at) : searched(at, about, spans);
+  const store = createStore(source);
+  const inputs = createInputs($("parameters"), store, fields, ranges, besides(units));
+  const table = createStates($("states"), store, at, { ...about, springs: count, proved: Boolean(closed) }, units ?? undefined);
 
-  let [top, flight] = [1, null];
+  // -------------------------------------------------------------------------------------------- the mechanism
 
-  // ------------------------------------------------------------------------------------------------ the state
+  const angles = fields.filter(({ angle }) => angle);
+  const mechanism = !about.drawn ? shownAsWritten() : createMechanism($("mechanism"), {
+    anchor: (angle, i) => store.get() && pinned(store.get().point, rest)[i].name && store.move({ [pinned(store.get().point, rest)[i].name]: Math.min(Math.PI - EDGE, Math.max(EDGE, angle)) }),
+    mass: thrown,
+  }, count);
 
-  function rest(now, x, y) {
-    const state = current(now);
-    const drawn = state ? { x: x ?? state.x, y: y ?? state.y } : { x: 0, y: 0 };
-    mechanism.draw({
-      ...held(now.point), ...drawn, others: now.found.contact.states.filter((other) => other !== state).map((other) => ({ ...other, word: wordAt(other) })), kind: state ? wordAt(state) : "",
-      forces: state && x === undefined ? forces(solver.algebra, now.point, state, true) : null,
-      note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
+  /** Of a mechanism that is no mass on a belt: the drawing of its page, which stands still. */
+  function shownAsWritten() {
+    $("mechanism").className = "drawing";
+    $("mechanism").append(document.querySelector("#built_part .drawing svg"));
+    $("mechanism_note").textContent = "As its page draws it, not to scale. Its states and its motion are below, in numbers.";
+    return { draw() {}, roll() {} };
+  }
+
+  /** Anchors of the springs as they are drawn, with the parameter that turns each, if there is one. */
+  function pinned(point, q) {
+    const balance = at(point);
+    const place = position(q);
+    const unloaded = balance.vectors(rest);
+    return balance.vectors(q).map(([dx, dy], i) => {
+      const direction = Math.atan2(unloaded[i][1], unloaded[i][0]);
+      const turner = angles.find(({ name }) => Math.abs(point[name] - direction) < SAME);
+      const end = [place[0] + dx, place[1] + dy];
+      const from = [end[0] - unloaded[i][0], end[1] - unloaded[i][1]];
+      return { at: end, from, ...(turner ? { angle: point[turner.name], symbol: turner.symbol, name: turner.name } : {}) };
     });
   }
 
-  const wordAt = (state) => worded(solver.algebra, store.get().point, state, true, drive).word;
+  /** Where the mass is drawn: at its first two coordinates, the second of which may be missing. */
+  const position = (q) => [q[0], q[1] ?? 0];
+  const ties = (point) => about.ties.map((ones) => ones.some((name) => name === "1" || point[name] > 0));
 
-  /** What holds the mass, as it is drawn. */
-  function held({ theta0, alpha, beta }) {
-    return { to: [{ at: [Math.cos(theta0), Math.sin(theta0)], angle: theta0, symbol: "θ₀" }], ties: [alpha > 0, beta > 0] };
+  function draw(q, more) {
+    if (!about.drawn) {
+      return;
+    }
+    const now = store.get();
+    const [x, y] = position(q);
+    const others = now.found.states.filter((one) => one !== current(now) && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], word: one.word }));
+    mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others, ...more });
   }
 
+  /** The state that the mass is on, or on its way to it. */
+  function still(now, q = null) {
+    const state = current(now);
+    draw(q ?? state?.q ?? rest, {
+      kind: state?.word ?? "", note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
+      forces: state && !q ? at(now.point).acting(state.q, state.contact).vectors : null,
+    });
+  }
+
+  let flight = null;
   /** A jump is drawn as a short flight between the two states. */
   function fly(now) {
-    const [from, to] = [now.last.from, current(now)];
-    const before = flight?.at ?? placeOf(from, now.point);
+    const [from, to] = [flight?.q ?? now.last.from, now.last.to];
     const begun = performance.now();
-    const mine = (flight = { at: before });
+    const mine = (flight = { q: from });
     const frame = (time) => {
       const share = Math.min(1, (time - begun) / FLIGHT);
       if (flight !== mine || panel.moving()) {
         return;
       }
-      const [x, y] = [0, 1].map((k) => before[k] + (1 - (1 - share) ** 3) * ([to.x, to.y][k] - before[k]));
-      mine.at = [x, y];
+      mine.q = from.map((value, k) => value + (1 - (1 - share) ** 3) * (to[k] - value));
       if (share < 1) {
-        rest(store.get(), x, y);
+        still(store.get(), mine.q);
         requestAnimationFrame(frame);
       } else {
         flight = null;
-        rest(store.get());
+        still(store.get());
       }
     };
     requestAnimationFrame(frame);
   }
 
-  function placeOf(theta, point) {
-    const { theta0, kappa, sigma, beta } = point;
-    const [, x, y] = solver.algebra.state(Math.cos(theta), Math.sin(theta), Math.cos(theta0), Math.sin(theta0), kappa, sigma, beta, 1);
-    return [x, y];
+  // ----------------------------------------------------------------------------------------------- the motion
+
+  const panel = createPanel(about.coordinates, units ?? undefined, {
+    field: () => fieldOf(algebra, about, at(store.get().point)),
+    state: () => current(store.get())?.q,
+    frame: moved,
+    rest: () => { mechanism.roll(0); if (store.get()) { still(store.get()); } },
+    begun: () => { flight = null; },
+  });
+
+  function moved(t, state, { contact }) {
+    mechanism.roll(t * (store.get().point[about.belt] ?? 0));
+    draw(state.slice(0, names.length), { kind: contact ? "" : "off", note: `in motion, τ = ${t.toFixed(0)}; pale: the states` });
   }
 
-  let pending = false;
-  const kindsPending = new Set();
-  store.listen((now, kinds) => {
-    kinds.forEach((kind) => kindsPending.add(kind));
-    table();
-    inputs(kinds.has("place"));
-    say(now);
-    if (!pending) {
-      pending = true;
-      requestAnimationFrame(() => { pending = false; drawn(new Set(kindsPending)); kindsPending.clear(); });
+  /** The mass as it is dragged, and let go. */
+  function thrown(x, y, let_go) {
+    const place = [Math.max(-1.7, Math.min(2, x)), Math.max(-0.1, Math.min(1.4, y))];
+    const q = [...place, ...(current(store.get())?.q.slice(2) ?? rest.slice(2))].slice(0, names.length);
+    draw(q, { note: "let go, and it moves from here at rest" });
+    panel.hold(q, let_go);
+  }
+
+  // -------------------------------------------------------------------------------------------- the two drawings
+
+  const balanced = fields.filter(({ role }) => role !== "motion");
+  const plane = about.axes.length > 1 ? createPlane($("plane"), store, about.axes.map(named)) : null;
+  const counts = plane && createCounts((...place) => {
+    const there = Object.fromEntries(plane.axes().map(({ name }, i) => [name, place[i]]));
+    return source.count({ ...store.get().point, ...there });
+  }, (areas) => plane.show({ areas }, plane.axes().map(({ name }) => name)));
+  const drawings = plane && closed?.drawings({ element: $, store, plane });
+  const known = () => closed && plane.axes().every(({ name }, i) => name === closed.axes[i]);
+  const chosen = ["across", "upward"].map($);
+  if (plane) {
+    chosen.forEach((choice, i) => {
+      balanced.forEach(({ name, symbol, meaning }) => choice.append(new Option(`${symbol}, ${meaning}`, name)));
+      choice.value = about.axes[i];
+      choice.onchange = () => {
+        const [one, other] = plane.axes().map(({ name }) => name);
+        if (chosen[i].value === [other, one][i]) {
+          chosen[1 - i].value = [one, other][i]; // they change places
+        }
+        sampled = "";
+        counts(null);
+        plane.turn(chosen.map(({ value }) => named(value)));
+        drawings?.forget();
+        renewed();
+      };
+    });
+  } else {
+    $("plane_part").hidden = true;
+  }
+
+  const choice = $("vary");
+  balanced.forEach(({ name, symbol, meaning }) => choice.append(new Option(`${symbol}, ${meaning}`, name)));
+  choice.value = about.axes[0];
+  choice.onchange = () => renewed();
+  const along = createAlong($("along"), {
+    field: () => named(choice.value),
+    span: () => spanOf(named(choice.value), (store.get() ?? presets[0]).point[choice.value]),
+    states: (value) => source.look({ ...store.get().point, [choice.value]: value }).states,
+    shown: () => store.get() && [store.get().point[choice.value], current(store.get())?.q[0] ?? null],
+    go: (value) => store.move({ [choice.value]: value }),
+  }, symbolOf(names[0]) + (about.coordinates[0].angle ? " in rad" : ""));
+
+  let [sampled, searched_along] = ["", ""];
+  /** What is drawn of a whole family, made anew where more has changed than what it spans. */
+  function renewed() {
+    const { point } = store.get();
+    const without = (...left_out) => JSON.stringify(Object.entries(point).filter(([name]) => !left_out.includes(name)));
+    if (plane) {
+      plane.reach(point);
+      const [across, upward] = plane.spans();
+      const key = `${plane.axes().map(({ name }) => name)} ${without(...plane.axes().map(({ name }) => name))} ${across} ${upward}`;
+      $("plane_says").textContent = "";
+      $("sampled").hidden = Boolean(known());
+      if (known()) {
+        drawings.family(point, upward[1]);
+      } else if (key !== sampled) {
+        plane.show(null, plane.axes().map(({ name }) => name));
+        counts([across, upward]);
+      }
+      sampled = key;
+      plane.draw();
+      drawings?.draw();
     }
-  });
+    const key = `${choice.value} ${without(choice.value)} ${spanOf(named(choice.value), point[choice.value])}`;
+    if (key !== searched_along) {
+      searched_along = key;
+      along.renew();
+    }
+    along.draw();
+  }
+
+  // ------------------------------------------------------------------------------------------------- in words
+
+  /** What proves the states of now, or how Python finds them. */
+  function command(point) {
+    const options = balanced.map(({ name, angle, flag }) => `${flag} ${Number((angle ? degrees(point[name]) : point[name]).toPrecision(12))}`);
+    return `spragsym equilibria --model ${about.quoted} ${options.join(" ")}`;
+  }
 
   let quiet = 0;
   function say(now) {
-    $("status").textContent = undecided(now.found);
-    $("count").textContent = now.found.contact.status === "ok" ? `${now.found.contact.count} in contact, ${now.found.liftoff.count} in lift-off` : "undecided";
-    $("story").textContent = story(now, solver.algebra, drive, data.units?.length);
+    $("status").textContent = now.found.undecided;
+    $("count").textContent = counted(about, now.found);
+    $("story").textContent = story(now, about, fields, units ?? undefined);
+    $("proof").textContent = command(now.point);
     clearTimeout(quiet);
     quiet = setTimeout(() => ($("spoken").textContent = $("story").textContent), 700); // a reader hears where it ends, not all of the way
   }
 
-  function drawn(kinds) {
+  let pending = false;
+  let jumped = false;
+  store.listen((now, happened) => {
+    jumped ||= happened.jumped;
+    table();
+    inputs(happened.placed);
+    say(now);
+    if (!pending) {
+      pending = true;
+      requestAnimationFrame(() => { pending = false; drawn(); jumped = false; });
+    }
+  });
+
+  function drawn() {
     const now = store.get();
-    const wanted = now.point.mu0 <= 0.999 ? 1 : 2 ** Math.ceil(Math.log2(1.05 * now.point.mu0));
-    if (wanted !== top) {
-      top = wanted;
-      plane.reach(top);
-      space?.reach(top);
-      kinds.add("family");
-    }
-    if (kinds.has("family")) {
-      shapes(now.point);
-    }
-    if (kinds.has("jump") && now.last && current(now) && !still() && !panel.moving()) {
+    if (jumped && now.last?.to && current(now) && !quick() && !panel.moving()) {
       fly(now);
     } else if (!panel.moving() && !flight) {
-      rest(now);
+      still(now);
     }
-    plane.draw();
-    space?.draw();
     panel.changed();
+    renewed();
     remember();
   }
 
-  let family = "";
-  function shapes({ theta0, mu0, ...point }) { // drawings are of all theta0 and mu0
-    const key = JSON.stringify([point, top]);
-    if (key === family) {
-      return;
-    }
-    family = key;
-    const { contact, liftoff } = store.get().found;
-    if ([contact, liftoff].some(({ status }) => status === "out_of_range")) {
-      plane.show(null);
-      $("lowest").textContent = "";
-      space?.hide();
-      $("plane_says").textContent = "Not drawn: numbers of this size are beyond double precision.";
-      return;
-    }
-    ask("curves", point, top, (found, error) => { plane.show(found); $("lowest").textContent = lowestFold(found); space?.curves(found); $("plane_says").textContent = error ?? ""; });
-    if (space) {
-      ask("surface", point, top, (found) => (found ? space.show(found) : space.hide()));
-    }
-  }
+  // --------------------------------------------------------------------------------------- links, presets, walks
 
-  const link = () => linked({ ...store.get().point, theta: store.get().theta, ...drive }, ["theta0", "theta"]);
+  const link = () => {
+    const { point, state } = store.get();
+    return linked({ ...point, ...Object.fromEntries((state?.q ?? []).map((value, i) => [`at_${names[i]}`, value])) }, angles.map(({ name }) => name));
+  };
   let later = 0;
   function remember() {
     clearTimeout(later);
     later = setTimeout(() => history.replaceState(null, "", `#${link()}`), 250);
   }
 
-  // ----------------------------------------------------------------------------------------------- the motion
-
-  function moved(t, [x, y], { contact }) {
-    const now = store.get();
-    mechanism.roll(t * drive.V);
-    mechanism.draw({ ...held(now.point), x, y, others: now.found.contact.states, kind: contact ? "" : "off", note: `in motion, τ = ${t.toFixed(0)}; pale: the states` });
-  }
-
-  /** The mass as it is dragged, and let go. */
-  function thrown(x, y, let_go) {
-    const at = [Math.max(-1.7, Math.min(2, x)), Math.max(-0.1, Math.min(1.4, y))];
-    const now = store.get();
-    mechanism.draw({ ...held(now.point), x: at[0], y: at[1], others: now.found.contact.states, note: "let go, and it moves from here at rest" });
-    panel.hold(at, let_go);
-  }
-
-  // --------------------------------------------------------------------------------------------- presets, walks
-
-  const choice = $("preset");
-  data.presets.forEach(({ name }, i) => choice.append(new Option(name, i)));
-  choice.onchange = () => {
-    const { point, theta } = data.presets[Number(choice.value)];
+  presets.forEach(({ name }, i) => $("preset").append(new Option(name, i)));
+  $("preset").onchange = () => {
     panel.still();
-    store.place(point, theta ?? null);
-    choice.blur();
+    store.place(presets[Number($("preset").value)].point);
+    $("preset").blur();
   };
-
-  let stop = null;
-  document.querySelectorAll("[data-walk]").forEach((button) => {
-    button.onclick = () => {
-      stop?.();
-      panel.still();
-      const way = WAYS[button.dataset.walk];
-      const on = ["back", "home"].includes(button.dataset.walk); // from where the point is
-      if (!on) {
-        store.place({ ...data.presets[0].point, theta0: radians(way[0][0]), mu0: way[0][1] });
-      }
-      stop = walk(store, way.slice(on ? 0 : 1), still(), () => { stop = null; });
-    };
-  });
-  $("plane").addEventListener("pointerdown", () => stop?.());
+  const stop = closed?.walks({ store, quick, begin: () => { panel.still(); return presets[0].point; } }) ?? (() => {});
+  $("plane").addEventListener("pointerdown", stop);
   $("forget").onclick = () => store.forget();
   $("link").onclick = () => copied(link(), $("link_says"));
 
-  // ----------------------------------------------------------------------------------------------------- begin
-
   function open() {
-    const said = unlinked(location.hash, [...solver.NAMES, "theta", "V", "d"], solver.RANGES);
-    const { V = drive.V, d = drive.d, theta = null, ...point } = said ?? {};
-    Object.assign(drive, { V, d });
-    panel.put(drive);
+    const marks = names.map((name) => `at_${name}`);
+    const said = unlinked(location.hash, [...fields.map(({ name }) => name), ...marks], ranges, angles.map(({ name }) => name)) ?? {};
+    const q = marks.some((mark) => mark in said) ? marks.map((mark, i) => said[mark] ?? rest[i]) : null;
     panel.still();
-    store.place({ ...data.presets[0].point, ...point }, theta);
+    store.place({ ...presets[0].point, ...Object.fromEntries(Object.entries(said).filter(([name]) => !marks.includes(name))) }, q);
   }
 
-  const redraw = () => { plane.resize(); space?.resize(); panel.resize(); };
+  /** A state as scripts read it. */
+  function told({ q, along: lines, stability, error }) {
+    const directed = Array.from({ length: count }, (_, i) => {
+      const name = count > 1 ? `_${i + 1}` : "";
+      return [[`theta${name}`, Math.atan2(lines[3 * i + 1], lines[3 * i])], [`L${name}`, lines[3 * i + 2]]];
+    });
+    return { ...Object.fromEntries([...names.map((name, i) => [name, q[i]]), ...directed.flat()]), stability, error };
+  }
+
+  window.spragsym = Object.freeze({
+    /** The states that the page finds at a point: `status` is "ok" where they are proved, "searched" where they are not, else why nothing is decided. */
+    equilibria: ({ contact = true, ...point }) => {
+      const found = source.look({ ...presets[0].point, ...point });
+      const states = found.states.filter((state) => state.contact === contact).map(told);
+      return { status: found.status?.[contact ? 0 : 1] ?? (found.lost ? "uncertain" : "searched"), count: states.length, states };
+    },
+    /** The motion at a point: `regime(state)` and `step(state, h)`. */
+    motion: (point) => fieldOf(algebra, about, at({ ...presets[0].point, ...point })),
+  });
+  const redraw = () => { [plane, along, drawings, panel].forEach((part) => part?.resize()); };
   new ResizeObserver(redraw).observe($("page"));
-  whenColoursChange(() => { plane.recolour(); space?.recolour(); panel.recolour(); });
+  whenColoursChange(() => { [plane, along, drawings, panel].forEach((part) => part?.recolour()); });
   window.addEventListener("hashchange", open);
   open();
-}
-
-/** Stiff supports and steep creep need short steps: a share of the shortest period or time constant that they may give. */
-function fieldOf(motion, point, drive) {
-  const { alpha, beta, sigma, mu0, kappa } = point;
-  const fastest = Math.max(Math.sqrt(Math.max(1, alpha + sigma, 1 + beta + sigma)), 0.02 * mu0 * drive.d * Math.max(kappa, 0.02));
-  return { ...motion(point, drive), pieces: (state, time, longest) => Math.min(1000, Math.ceil((time / longest) * fastest)) };
 }

@@ -1,12 +1,14 @@
 // The mechanism, drawn to scale from a state: anchor and mass can be dragged.
 
 import { degrees, written } from "./numbers.js";
+import { numbered } from "./symbols.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 /** Length 1 of the model in the drawing, and where its origin is. */
 const [SCALE, LEFT, FLOOR] = [150, 300, 250];
 const [WIDTH, HEIGHT] = [64, 44]; // of the mass
-const ARROWS = [["spring", "S"], ["preload", "κ"], ["normal", "n"], ["friction", "μ₀n"]];
+/** Names of what acts on the mass, for a number of springs. */
+const arrowsOf = (count) => [...Array.from({ length: count }, (_, i) => numbered("S", i, count)), "n", "μn", "P"];
 
 /** The drawing's size, and how much of it is above and below the floor. */
 const [BROAD, TALL, TOP] = [640, 300, 20];
@@ -56,12 +58,11 @@ export function createMechanism(box, on, count = 1) {
   const mass = part(svg, "rect", { width: WIDTH, height: HEIGHT, rx: 4, class: "mass", tabindex: 0, role: "slider", id: "mass",
     "aria-label": "The mass: drag it, or move it with arrow keys, and let go to see it move from there" });
   const hub = part(svg, "circle", { r: 4, class: "hub" });
-  const arrows = Object.fromEntries(ARROWS.map(([name]) => [name, part(svg, "path", { class: `force ${name}`, "marker-end": "url(#tip)" })]));
-  const names = Object.fromEntries(ARROWS.map(([name, text]) => {
-    const label = part(svg, "text", { class: "force-name" });
-    label.textContent = text;
-    return [name, label];
-  }));
+  const arrows = arrowsOf(count).map((name) => {
+    const [arrow, label] = [part(svg, "path", { class: "force", "marker-end": "url(#tip)" }), part(svg, "text", { class: "force-name" })];
+    label.textContent = name;
+    return { arrow, label };
+  });
   pins.forEach((pin, i) => {
     const id = i ? `anchor_${i + 1}` : "anchor";
     pin.anchor = part(svg, "circle", { r: 11, class: "anchor", tabindex: 0, role: "slider", id, "aria-valuemin": 0, "aria-valuemax": 180 });
@@ -119,7 +120,7 @@ export function createMechanism(box, on, count = 1) {
   /**
    * Draw the mass at x, y. `to` are the anchors, each `{ at, angle, symbol }`, and `from` where its unloaded spring ends; without an
    * angle it can't be dragged. `ties` says whether springs hold the mass along the belt and across it, `others` are further
-   * equilibria, `forces` what acts on the mass, `note` is a line of text.
+   * equilibria, `forces` what acts on the mass, as a balance has it, `note` is a line of text.
    */
   function draw({ to, x, y, ties, others = [], forces = null, note = "", kind = "" }) {
     now = { x, y, pins: to };
@@ -178,16 +179,17 @@ export function createMechanism(box, on, count = 1) {
 
   /** Arrows of the forces, the longest of a fixed length. */
   function push(forces, [x, y]) {
-    const largest = forces ? Math.max(...ARROWS.map(([name]) => Math.hypot(...forces[name]))) : 0;
-    for (const [name] of ARROWS) {
-      const [fx, fy] = forces ? forces[name] : [0, 0];
-      const length = largest ? Math.hypot(fx, fy) / largest : 0;
-      const shown = length > 0.03;
-      arrows[name].setAttribute("d", shown ? `M${x},${y} l${(70 * fx) / largest},${(-70 * fy) / largest}` : "");
-      names[name].setAttribute("x", x + (shown ? (84 * fx) / largest : 0) - 6);
-      names[name].setAttribute("y", y - (shown ? (84 * fy) / largest : 0) + 5);
-      names[name].style.display = shown ? "" : "none";
-    }
+    const { springs, normal, friction, others } = forces ?? { springs: pins.map(() => [0, 0]), normal: [0, 0], friction: [0, 0], others: [0, 0] };
+    const vectors = [...springs, normal, friction, others];
+    const largest = Math.max(...vectors.map((vector) => Math.hypot(...vector)));
+    vectors.forEach(([fx, fy], i) => {
+      const { arrow, label } = arrows[i];
+      const shown = largest > 0 && Math.hypot(fx, fy) > 0.03 * largest;
+      arrow.setAttribute("d", shown ? `M${x},${y} l${(70 * fx) / largest},${(-70 * fy) / largest}` : "");
+      label.setAttribute("x", x + (shown ? (84 * fx) / largest : 0) - 6);
+      label.setAttribute("y", y - (shown ? (84 * fy) / largest : 0) + 5);
+      label.style.display = shown ? "" : "none";
+    });
   }
 
   /** The belt by how far it has run. */

@@ -5,37 +5,31 @@ import { wrong } from "./inputs.js";
 import { createMotion } from "./motion.js";
 import { parsed, typed } from "./numbers.js";
 
-const $ = (id) => document.getElementById(id);
+/** A part of the page; inputs of parameters have names of their own, which may be the same. */
+const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
 /** Pictures between two drawings of the charts, and of the spectrum among them. */
 const [EVERY, SPECTRUM] = [2, 16];
 const STOPPED = "The motion can't go on from here: a spring has no length, or the numbers leave double precision. Choose another start.";
 
 /**
- * `names` are the coordinates, `further` more numbers that a motion begins with, each `{ id, symbol, meaning, range }`, `units` as
- * of the charts. `on.field(numbers)` gives the field at the page's point, `on.state()` the state that can be pushed,
- * `on.frame(t, state, regime)` draws, `on.rest()` is called when the mass is back at rest, `on.begun()` when a motion begins;
- * `on.beside(id, value)`, if there is one, is a text that follows a number.
+ * `coordinates` are those of the model, `units` as of the charts. `on.field()` gives the field at the page's point, `on.state()` the
+ * state that can be pushed, `on.frame(t, state, regime)` draws, `on.rest()` is called when the mass is back at rest, `on.begun()`
+ * when a motion begins.
  */
-export function createPanel(names, further, units, on) {
-  const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") }, names, units);
+export function createPanel(coordinates, units, on) {
+  const names = coordinates.map(({ name }) => name);
+  const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") }, coordinates, units);
   const starts = [
     ...names.map((name) => ({ id: `${name}0`, symbol: name, meaning: `${name} at the start`, value: 0 })),
     ...names.map((name) => ({ id: `v${name}0`, symbol: `${name}′`, meaning: `rate of ${name} at the start`, value: 0 })),
   ];
-  const asides = [];
   let [moving, frames, begun] = [false, 0, false];
   const motion = createMotion({ sample: charts.add, frame: moved, stop: () => { $("motion_says").textContent = STOPPED; buttons(); } });
-  [...starts, ...further].forEach(({ id, symbol, meaning, value }) => {
+  starts.forEach(({ id, symbol, meaning, value }) => {
     const label = document.createElement("label");
     label.innerHTML = `${symbol} <input id="${id}" type="text" inputmode="decimal" autocomplete="off" aria-label="${meaning}">`;
-    const box = label.firstElementChild;
-    box.value = typed(value);
+    label.firstElementChild.value = typed(value);
     $("starts").append(label);
-    if (on.beside) {
-      label.append(document.createElement("i"));
-      asides.push(() => (label.lastElementChild.textContent = on.beside(id, parsed(box.value))));
-      box.addEventListener("input", asides.at(-1));
-    }
   });
 
   function moved(t, state, regime) {
@@ -54,25 +48,29 @@ export function createPanel(names, further, units, on) {
     $("still").disabled = !moving;
   }
 
-  /** What the fields say, or null with the reason shown. */
-  function numbersOf(fields) {
-    const found = {};
-    for (const { id, symbol, range } of fields) {
+  /** The state that the fields say, or null with the reason shown. */
+  function said() {
+    const found = [];
+    for (const { id, symbol } of starts) {
       const box = $(id);
       const value = parsed(box.value);
-      const problem = wrong({ symbol }, value, box.value, range);
+      const problem = wrong({ symbol }, value, box.value);
       box.setAttribute("aria-invalid", String(Boolean(problem)));
       if (problem) {
         $("motion_says").textContent = problem;
         return null;
       }
-      found[id] = value;
+      found.push(value);
     }
     return found;
   }
 
-  function launch(from, numbers) {
-    motion.set(on.field(numbers));
+  function begin() {
+    const from = said();
+    if (!from) {
+      return;
+    }
+    motion.set(on.field());
     charts.clear();
     [moving, begun] = [true, true];
     $("motion_says").textContent = "";
@@ -82,20 +80,12 @@ export function createPanel(names, further, units, on) {
     } catch {
       $("motion_says").textContent = STOPPED;
     }
-    on.begun(numbers);
+    on.begun();
     buttons();
-  }
-
-  function begin() {
-    const [from, numbers] = [numbersOf(starts), numbersOf(further)];
-    if (from && numbers) {
-      launch(Object.values(from), numbers);
-    }
   }
 
   function show(state) {
     starts.forEach(({ id }, i) => ($(id).value = typed(state[i], 8)));
-    asides.forEach((renew) => renew());
   }
 
   /** The mass is held at a place, or let go there. */
@@ -141,16 +131,14 @@ export function createPanel(names, further, units, on) {
   buttons();
 
   return {
-    hold, still, numbersOf: () => numbersOf(further),
+    hold, still,
     moving: () => moving,
     /** The page's point has changed: a running motion goes on under the new forces. */
     changed: () => {
-      const numbers = moving ? numbersOf(further) : null;
-      if (numbers) {
-        motion.set(on.field(numbers));
+      if (moving) {
+        motion.set(on.field());
       }
     },
-    put: (numbers) => { Object.entries(numbers).forEach(([name, value]) => ($(name).value = typed(value))); asides.forEach((renew) => renew()); },
     resize: charts.resize,
     recolour: charts.recolour,
   };

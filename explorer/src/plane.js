@@ -1,48 +1,51 @@
-// The plane of theta0 and mu0: folds, cusps, the lowest fold, flutter onsets, counts, and the point, to be dragged by mouse, touch and keys.
+// The plane of two parameters: how many states there are, folds where they are known, and the point, to be dragged by mouse, touch and keys.
 
 import uPlot from "uplot";
 import { colours } from "./colours.js";
-import { degrees, radians, written } from "./numbers.js";
+import { inward, outward } from "./inputs.js";
+import { written } from "./numbers.js";
 import { createOverlay } from "./overlay.js";
+import { kept, spanOf } from "./spans.js";
 
-const EDGE = 0.01; // degrees: 0 and 180 themselves are not allowed
-const STEPS = { ArrowLeft: [-0.5, 0], ArrowRight: [0.5, 0], ArrowDown: [0, -0.005], ArrowUp: [0, 0.005] };
+/** Shares of a span that a key moves. */
+const [ACROSS, UP] = [1 / 360, 1 / 200];
+const STEPS = { ArrowLeft: [-ACROSS, 0], ArrowRight: [ACROSS, 0], ArrowDown: [0, -UP], ArrowUp: [0, UP] };
+const ANGLES = [0, 30, 60, 90, 120, 150, 180];
 
-export function createPlane(box, store) {
-  let [top, shapes, colour] = [1, null, colours()];
+/** `axes` are the two parameters to begin with; the drawing's frame changes with `turn`, what is in it with `show`. */
+export function createPlane(box, store, axes) {
+  let [spans, shapes, colour] = [[[0, 1], [0, 1]], null, colours()];
   const handle = document.createElement("div");
   handle.id = "point";
   handle.tabIndex = 0;
   handle.setAttribute("role", "slider");
-  handle.setAttribute("aria-label", "The point in the plane of inclination and friction; arrow keys move it, with Shift in larger steps");
+  handle.setAttribute("aria-label", "The point in the plane of two parameters; arrow keys move it, with Shift in larger steps");
 
   const plot = new uPlot(
     {
       ...size(box),
       legend: { show: false },
       cursor: { show: false },
-      scales: { x: { time: false, range: () => [0, 180] }, y: { range: () => [0, top] } },
-      axes: [
-        axis("θ₀ in degrees", 34, { splits: () => [0, 30, 60, 90, 120, 150, 180] }),
-        axis("friction μ₀", 46),
-      ],
+      scales: { x: { time: false, range: () => spans[0] }, y: { range: () => spans[1] } },
+      axes: [axis(0, 34, { splits: (_, __, low, high) => (axes[0].angle ? ANGLES.filter((angle) => low <= angle && angle <= high) : undefined) ?? ticks(low, high) }), axis(1, 46)],
       series: [{}, { paths: () => null, points: { show: false } }],
       hooks: { drawAxes: [shade], draw: [curves] },
     },
-    [[0, 180], [0, 1]],
+    [[0, 1], [0, 1]],
     box,
   );
   const glass = createOverlay(plot.over);
   plot.over.append(handle);
 
-  function axis(label, room, more = {}) {
+  function axis(which, room, more = {}) {
     return {
-      label, labelSize: 18, size: room, labelGap: 0, stroke: () => colour.ink, font: "12px system-ui", labelFont: "13px system-ui",
-      grid: { stroke: () => colour.line, width: 1 }, ticks: { stroke: () => colour.line }, ...more,
+      label: () => `${axes[which].symbol}${axes[which].angle ? " in degrees" : ""}`, labelSize: 18, size: room, labelGap: 0, stroke: () => colour.ink,
+      font: "12px system-ui", labelFont: "13px system-ui", grid: { stroke: () => colour.line, width: 1 }, ticks: { stroke: () => colour.line }, ...more,
     };
   }
 
-  const px = (theta0, mu0) => [plot.valToPos(degrees(theta0), "x", true), plot.valToPos(mu0, "y", true)];
+  const values = (at) => axes.map((field) => outward(field, at[field.name]));
+  const pixel = ([x, y], canvas = true) => [plot.valToPos(x, "x", canvas), plot.valToPos(y, "y", canvas)];
 
   function clipped(draw) {
     const { ctx, bbox } = plot;
@@ -55,26 +58,25 @@ export function createPlane(box, store) {
   }
 
   function shade() {
-    if (shapes) {
-      clipped((ctx) => {
-        const width = Math.PI / shapes.strips.columns;
-        ctx.fillStyle = colour.three;
-        for (const { i, low, high } of shapes.strips.found) {
-          const [[left, bottom], [right, above]] = [px(i * width, low), px((i + 1) * width, Math.min(high, top))];
-          ctx.fillRect(Math.floor(left), above, Math.ceil(right) - Math.floor(left), bottom - above);
-        }
-      });
-    }
+    clipped((ctx) => {
+      for (const { left, right, low, high, count } of shapes?.areas ?? []) {
+        const [[a, bottom], [b, above]] = [pixel([outward(axes[0], left), outward(axes[1], low)]), pixel([outward(axes[0], right), Math.min(outward(axes[1], high), spans[1][1])])];
+        ctx.fillStyle = count === null ? colour.line : colour.three;
+        ctx.fillRect(Math.floor(a), Math.floor(above), Math.ceil(b) - Math.floor(a), Math.ceil(bottom) - Math.floor(above));
+      }
+    });
   }
 
-  function line(ctx, { theta0, mu0 }) {
+  /** A curve with a list of values for each parameter. */
+  function line(ctx, curve) {
+    const [xs, ys] = axes.map(({ name }) => curve[name]);
     ctx.beginPath();
-    theta0.forEach((value, i) => ctx[i ? "lineTo" : "moveTo"](...px(value, mu0[i])));
+    xs.forEach((x, i) => ctx[i ? "lineTo" : "moveTo"](...pixel([outward(axes[0], x), outward(axes[1], ys[i])])));
     ctx.stroke();
   }
 
   function curves() {
-    if (!shapes) {
+    if (!shapes?.curves) {
       return;
     }
     clipped((ctx, dpr) => {
@@ -88,8 +90,8 @@ export function createPlane(box, store) {
       ctx.font = `600 ${13 * dpr}px system-ui`;
       ctx.fillStyle = colour.ink;
       ctx.textAlign = "left";
-      for (const { theta0, mu0 } of shapes.cusps.filter((cusp) => cusp.mu0 < top)) {
-        const [x, y] = px(theta0, mu0);
+      for (const cusp of shapes.cusps.filter((at) => values(at)[1] < spans[1][1])) {
+        const [x, y] = pixel(values(cusp));
         ctx.beginPath();
         ctx.arc(x, y, 4.5 * dpr, 0, 7);
         ctx.fill();
@@ -102,9 +104,9 @@ export function createPlane(box, store) {
 
   /** Where the lowest fold is no cusp, a mark of its own. */
   function lowest(ctx, dpr) {
-    const { theta0, mu0, kind } = shapes.lowest;
-    if (kind && kind !== "cusp" && mu0 < top) {
-      const [[x, y], r] = [px(theta0, mu0), 5.5 * dpr];
+    const { kind, ...at } = shapes.lowest;
+    if (kind && kind !== "cusp" && values(at)[1] < spans[1][1]) {
+      const [[x, y], r] = [pixel(values(at)), 5.5 * dpr];
       ctx.beginPath();
       [[0, -r], [r, 0], [0, r], [-r, 0]].forEach(([a, b], i) => ctx[i ? "lineTo" : "moveTo"](x + a, y + b));
       ctx.closePath();
@@ -119,7 +121,7 @@ export function createPlane(box, store) {
 
   /** How many equilibria there are, once in each half: in the middle of the columns that have them over most of their height. */
   function label(ctx, dpr) {
-    const { columns, found } = shapes.strips;
+    const [[left, right], [bottom, top]] = spans.map((span, i) => span.map((value) => inward(axes[i], value)));
     ctx.fillStyle = colour.ink;
     ctx.strokeStyle = colour.three;
     ctx.lineWidth = 4 * dpr;
@@ -127,13 +129,14 @@ export function createPlane(box, store) {
     ctx.font = `${12 * dpr}px system-ui`;
     ctx.textAlign = "center";
     for (const half of [0, 1]) {
-      const tall = found.filter(({ i, low, high }) => Math.floor((2 * i) / columns) === half && Math.min(high, top) - low > 0.5 * top);
-      if (tall.length > 0.1 * columns) {
-        const { i, count } = tall[Math.floor(tall.length / 2)];
-        const [text, { left, width }] = [`${count} states`, plot.bbox];
-        const [x, y] = px((Math.PI * (i + 0.5)) / columns, 0.3 * top);
+      const inside = (at) => Math.floor((2 * (at - left)) / (right - left)) === half;
+      const tall = shapes.areas.filter((area) => inside(area.left) && Math.min(area.high, top) - area.low > 0.5 * (top - bottom));
+      if (tall.reduce((sum, area) => sum + area.right - area.left, 0) > 0.1 * (right - left)) {
+        const { left: at, count } = tall[Math.floor(tall.length / 2)];
+        const [text, frame] = [`${count} states`, plot.bbox];
+        const [x, y] = pixel([outward(axes[0], at), outward(axes[1], bottom + 0.3 * (top - bottom))]);
         const half_text = ctx.measureText(text).width / 2 + 3 * dpr;
-        const kept = Math.min(left + width - half_text, Math.max(left + half_text, x));
+        const kept = Math.min(frame.left + frame.width - half_text, Math.max(frame.left + half_text, x));
         ctx.strokeText(text, kept, y); // a rim: read on a line too
         ctx.fillText(text, kept, y);
       }
@@ -144,18 +147,17 @@ export function createPlane(box, store) {
   /** The path and its jumps, on the glass: the drawing beneath stays as it is while the point is dragged. */
   function trail() {
     const { path } = store.get() ?? { path: [] };
-    const near = ({ theta0, mu0 }) => [plot.valToPos(degrees(theta0), "x"), plot.valToPos(mu0, "y")];
     glass((ctx) => {
       ctx.strokeStyle = colour.path;
       ctx.lineWidth = 2;
       ctx.beginPath();
-      path.forEach((at, i) => ctx[i ? "lineTo" : "moveTo"](...near(at)));
+      path.forEach(({ point }, i) => ctx[i ? "lineTo" : "moveTo"](...pixel(values(point), false)));
       ctx.stroke();
       ctx.strokeStyle = colour.jump;
       ctx.lineWidth = 2.5;
       ctx.beginPath();
-      for (const at of path.filter(({ jump }) => jump)) {
-        const [[x, y], r] = [near(at), 6];
+      for (const { point } of path.filter(({ jump }) => jump)) {
+        const [[x, y], r] = [pixel(values(point), false), 6];
         [[-r, -r, r, r], [-r, r, r, -r]].forEach(([a, b, c, d]) => { ctx.moveTo(x + a, y + b); ctx.lineTo(x + c, y + d); });
       }
       ctx.stroke();
@@ -163,9 +165,8 @@ export function createPlane(box, store) {
   }
 
   /** Move the point to a place in the drawing, kept inside it. */
-  function go(theta0, mu0) {
-    const kept = Math.min(180 - EDGE, Math.max(EDGE, theta0));
-    store.move({ theta0: radians(kept), mu0: Math.min(top, Math.max(0, mu0)) });
+  function go(place) {
+    store.move(Object.fromEntries(axes.map((field, i) => [field.name, inward(field, kept(field, spans[i], place[i]))])));
   }
 
   let wanted = null;
@@ -174,7 +175,7 @@ export function createPlane(box, store) {
     const first = wanted === null;
     wanted = [plot.posToVal(event.clientX - left, "x"), plot.posToVal(event.clientY - above, "y")];
     if (first) {
-      requestAnimationFrame(() => { const [theta0, mu0] = wanted; wanted = null; go(theta0, mu0); });
+      requestAnimationFrame(() => { const place = wanted; wanted = null; go(place); });
     }
   }
   plot.over.addEventListener("pointerdown", (event) => {
@@ -188,44 +189,54 @@ export function createPlane(box, store) {
     const step = STEPS[event.key];
     if (step) {
       event.preventDefault();
-      const { theta0, mu0 } = store.get().point;
       const factor = event.shiftKey ? 10 : 1;
-      go(degrees(theta0) + factor * step[0], mu0 + factor * step[1] * top);
+      go(values(store.get().point).map((value, i) => value + factor * step[i] * (spans[i][1] - spans[i][0])));
     }
   });
+
+  /** The frame that holds the point of now; true if it is another one than before. */
+  function reach(point) {
+    const next = axes.map((field) => spanOf(field, point[field.name]));
+    const other = JSON.stringify(next) !== JSON.stringify(spans);
+    spans = next;
+    if (other) {
+      plot.setData([spans[0], spans[1]]);
+    }
+    return other;
+  }
 
   function draw() {
     const { point, found } = store.get();
     trail();
-    handle.style.left = `${plot.valToPos(degrees(point.theta0), "x")}px`;
-    handle.style.top = `${plot.valToPos(Math.min(point.mu0, top), "y")}px`;
-    const text = `inclination ${written(degrees(point.theta0), 5)} degrees, friction ${written(point.mu0, 4)}, ${found.contact.count} equilibria in contact`;
-    handle.setAttribute("aria-valuetext", text);
-    handle.setAttribute("aria-valuenow", degrees(point.theta0).toFixed(2));
-    handle.setAttribute("aria-valuemin", "0");
-    handle.setAttribute("aria-valuemax", "180");
+    const [x, y] = pixel(values(point), false);
+    handle.style.left = `${x}px`;
+    handle.style.top = `${y}px`;
+    const words = axes.map((field, i) => `${field.meaning} ${written(values(point)[i], 5)}${field.angle ? " degrees" : ""}`);
+    handle.setAttribute("aria-valuetext", `${words.join(", ")}, ${found.states.filter(({ contact }) => contact).length} equilibria in contact`);
+    handle.setAttribute("aria-valuenow", values(point)[0].toFixed(2));
+    handle.setAttribute("aria-valuemin", String(spans[0][0]));
+    handle.setAttribute("aria-valuemax", String(spans[0][1]));
   }
 
   return {
-    draw,
-    show: (found) => { shapes = found; plot.redraw(false); },
-    reach: (value) => { top = value; plot.redraw(true); },
+    draw, reach,
+    spans: () => spans.map((span, i) => span.map((value) => inward(axes[i], value))),
+    axes: () => axes,
+    /** Other parameters on the axes. */
+    turn: (fields) => { [axes, shapes] = [fields, null]; spans = [[0, 0], [0, 0]]; },
+    /** Draw what is known over the plane of the parameters `of`; null for nothing. */
+    show: (found, of) => { if (of.every((name, i) => name === axes[i].name)) { shapes = found; plot.redraw(false); } },
     resize: () => { plot.setSize(size(box)); draw(); },
     recolour: () => { colour = colours(); plot.redraw(false); draw(); },
   };
 }
 
-const KINDS = { cusp: "a cusp", turn: "where the curve of folds turns back", end: "as θ₀ goes to 0" };
-
-/** What the lowest fold means, in a sentence; `shapes` may be null. */
-export function lowestFold(shapes) {
-  if (!shapes) {
-    return "";
-  }
-  const { theta0, mu0, kind } = shapes.lowest;
-  return kind
-    ? `Lowest fold that ends the state of small deformation: μ₀ = ${written(mu0, 6)} at θ₀ = ${written(degrees(theta0), 5)}°, ${KINDS[kind]}. Below that friction it jumps at no inclination (in double precision, not proved).`
-    : "No fold ends the state of small deformation, at any inclination and friction (in double precision, not proved).";
+/** Round numbers over a range. */
+function ticks(low, high) {
+  const rough = (high - low) / 5;
+  const unit = 10 ** Math.floor(Math.log10(rough));
+  const step = unit * [1, 2, 5, 10].find((factor) => factor * unit >= rough);
+  return Array.from({ length: Math.floor(high / step) - Math.ceil(low / step) + 1 }, (_, i) => step * (Math.ceil(low / step) + i));
 }
 
 function size(box) {

@@ -1,86 +1,99 @@
 // The table of all states at the point, and the words about the one that the mass is on.
 
-import { forces } from "./forces.js";
 import { degrees, written } from "./numbers.js";
 import { current } from "./store.js";
-import { SIGNS, worded } from "./words.js";
+import { numbered, symbolOf } from "./symbols.js";
 
-const LENGTHS = ["x", "y", "L"];
-const FORCES = ["spring S", "other springs", "normal n", "friction μ₀n"];
-const columns = (length, force) => ["", "regime", "stability", "θ in °", ...LENGTHS.map((name) => name + length), "growth", "undamped (27)", "error bound", ...FORCES.map((name) => name + force)];
+const SIGNS = { stable: "●", divergent: "▲", flutter: "≈", marginal: "○" };
 const ABOUT = {
   stable: "stable: pushed a little, the mass comes back",
   divergent: "unstable (divergence): pushed a little, the mass leaves without swinging",
   flutter: "unstable (flutter): pushed a little, the mass swings more and more",
   marginal: "marginal: nothing grows or dies out that double precision could see",
 };
+const PLAIN = { length: [1, ""], force: [1, ""] };
 
-/** What status says, in a sentence; empty where double precision vouches. */
-export function undecided({ contact, liftoff }) {
-  const words = [["in contact", contact], ["in lift-off", liftoff]].flatMap(([where, { status }]) => {
-    if (status === "uncertain") {
-      return `Undecided ${where}: double precision can't tell how many states there are here, or of which kind. The rows are a best guess; the Python package decides.`;
-    }
-    return status === "out_of_range" ? `Undecided ${where}: numbers of this size are beyond double precision.` : [];
-  });
-  return words.join(" ");
+/** What a state of either side of the contact is called. */
+export const regimeOf = (about, contact) => (about.unilateral && about.gap !== null ? (contact ? "contact" : "lift-off") : "sliding");
+
+/** Columns of the table: each a title and what it says of a state, `of` being what acts on it. */
+function columns(about, units) {
+  const { springs } = about;
+  const [[long, length], [strong, force]] = [units.length, units.force];
+  const measured = (name, unit) => name + (unit && ` in ${unit}`);
+  const each = Array.from({ length: springs }, (_, i) => i);
+  const turned = (state, i) => written(degrees(Math.atan2(state.along[3 * i + 1], state.along[3 * i])), 8);
+  return [
+    ...each.map((i) => [`${numbered("θ", i, springs)} in °`, (state) => turned(state, i)]),
+    ...about.coordinates.map(({ name, angle }, i) => [measured(symbolOf(name), angle ? "°" : length), (state) => written(angle ? degrees(state.q[i]) : long * state.q[i], 8)]),
+    ...each.map((i) => [measured(numbered("L", i, springs), length), (state) => written(long * state.along[3 * i + 2], 7)]),
+    ["growth", (state) => written(state.rate, 3)],
+    ["undamped", (state) => state.stability],
+    ...(about.proved ? [["error bound", (state) => written(state.error, 2)]] : []),
+    ...each.map((i) => [measured(numbered("S", i, springs), force), (_, of) => written(strong * of.tensions[i], 5)]),
+    ...(about.drawn ? [[measured("other forces", force), (_, of) => written(strong * Math.hypot(...of.vectors.others), 5)]] : []),
+    [measured("normal n", force), (_, of) => written(strong * of.normal, 5)],
+    [measured("friction μn", force), (_, of) => written(strong * of.friction, 5)],
+  ];
 }
 
-export function createStates(table, store, algebra, drive, units = { length: [1, ""], force: [1, ""] }) {
-  const [[long, length], [strong, force]] = [units.length, units.force];
-  const named = columns(length && ` in ${length}`, force && ` in ${force}`);
-  table.innerHTML = `<thead><tr>${named.map((name) => `<th scope="col">${name}</th>`).join("")}</tr></thead><tbody></tbody>`;
-  const body = table.tBodies[0];
+/** Fills a table from the store; `at(point)` gives the balance there, `about` says how many inclined springs there are, and whether states are proved. */
+export function createStates(table, store, at, about, units = PLAIN) {
+  const columned = columns(about, units);
+  const titles = ["", "regime", "stability", ...columned.map(([title]) => title)];
+  table.innerHTML = `<thead><tr>${titles.map((title) => `<th scope="col">${title}</th>`).join("")}</tr></thead><tbody></tbody>`;
 
-  function row(state, regime, point, chosen) {
-    const of = forces(algebra, point, state, regime === "contact");
-    const { word, rate } = worded(algebra, point, state, regime === "contact", drive);
-    const values = [written(degrees(state.theta), 8), ...LENGTHS.map((name) => written(long * state[name], 7)), written(rate, 2), state.stability, written(state.error, 2),
-      ...[Math.hypot(...of.spring), Math.hypot(...of.ties), of.normal[1], of.friction[0]].map((value) => written(strong * value, 5))];
+  function row(state, balance, chosen) {
+    const acting = balance.acting(state.q, state.contact);
     const line = document.createElement("tr");
-    line.className = `${word}${chosen ? " chosen" : ""}`;
+    line.className = `${state.word}${chosen ? " chosen" : ""}`;
     if (chosen) {
       line.setAttribute("aria-current", "true");
     }
-    line.innerHTML = `<td>${chosen ? "<b title='the mass is here'>➤<span class='hidden'> the mass is here</span></b>" : ""}</td><td>${regime}</td>
-      <td title="${ABOUT[word]}"><i aria-hidden="true">${SIGNS[word]}</i> ${word}</td>${values.map((value) => `<td>${value}</td>`).join("")}`;
+    line.innerHTML = `<td>${chosen ? "<b title='the mass is here'>➤<span class='hidden'> the mass is here</span></b>" : ""}</td><td>${regimeOf(about, state.contact)}</td>
+      <td title="${ABOUT[state.word]}"><i aria-hidden="true">${SIGNS[state.word]}</i> ${state.word}</td>${columned.map(([, say]) => `<td>${say(state, acting)}</td>`).join("")}`;
     return line;
   }
 
   return () => {
     const now = store.get();
-    const [at, { contact, liftoff }] = [current(now), now.found];
-    body.replaceChildren(
-      ...contact.states.map((state) => row(state, "contact", now.point, state === at && now.decided)),
-      ...liftoff.states.map((state) => row(state, "lift-off", now.point, false)),
-    );
+    const [balance, here] = [at(now.point), current(now)];
+    table.tBodies[0].replaceChildren(...now.found.states.map((state) => row(state, balance, state === here && now.decided)));
   };
 }
 
-const SYMBOLS = { theta0: "θ₀", mu0: "μ₀", kappa: "κ", alpha: "α", sigma: "σ", beta: "β" };
-
-/** Parameters with their values, as words. */
-function placed(fold) {
-  return Object.entries(fold).map(([name, value]) => `${SYMBOLS[name]} = ${name === "theta0" ? `${written(degrees(value), 4)}°` : written(value, 4)}`).join(", ");
+/** How many states there are on each side of the contact, in words. */
+export function counted(about, { states, lost }) {
+  if (lost) {
+    return "undecided";
+  }
+  const sides = about.unilateral && about.gap !== null ? [true, false] : [true];
+  return sides.map((contact) => {
+    const side = regimeOf(about, contact);
+    return `${states.filter((state) => state.contact === contact).length} ${side === "sliding" ? side : `in ${side}`}`;
+  }).join(", ");
 }
 
-/** What a reader should know now, in a few words. */
-export function story({ point, theta, decided, found, last, jumps }, algebra, drive, [long, length] = [1, ""]) {
-  const state = current({ found, theta });
-  if (!decided) {
-    const last = theta === null ? "" : ` The mass stays at its last decided state, θ = ${written(degrees(theta), 4)}°.`;
-    return `Undecided here: double precision can't tell the states apart, as on a fold.${last}`;
+/** What a reader should know now, in a few words; `fields` are the parameters. */
+export function story(now, about, fields, units = PLAIN) {
+  const [long, length] = units.length;
+  const [{ name, angle }] = about.coordinates;
+  const where = (q) => `${symbolOf(name)} = ${written(angle ? degrees(q[0]) : long * q[0], 4)}${angle ? "°" : length && ` ${length}`}`;
+  if (!now.decided || now.found.lost) {
+    return `Undecided here: the states can't be told apart, as on a fold.${now.state ? ` The mass stays at its last decided state, ${where(now.state.q)}.` : ""}`;
   }
-  if (!state) {
-    return "No state in contact with the belt: see the motion below.";
-  }
-  const where = Math.abs(state.theta - point.theta0) < 0.35 ? "hardly moved" : "swept along by the belt";
-  const { word, rate } = worded(algebra, point, state, true, drive);
-  const slowly = state.stability === "stable" ? `, at the rate ${written(rate, 2)}: without friction's own damping nothing would grow` : "";
-  const kind = word === "flutter" ? `; it flutters, so the motion below swings up${slowly}` : "";
-  const jump = last
-    ? ` It jumped from θ = ${written(degrees(last.from), 4)}° to ${written(degrees(last.to), 4)}° when the point crossed the fold at ${placed(last.fold)}.`
-    : "";
+  const placed = (at) => fields.filter((field) => field.name in at).map(({ name: key, symbol, angle: turns }) => `${symbol} = ${written(turns ? degrees(at[key]) : at[key], 4)}${turns ? "°" : ""}`).join(", ");
+  const { last, jumps } = now;
+  const jump = last ? ` It jumped from ${where(last.from)}${last.to ? ` to ${where(last.to)}` : ""} when its state ended at ${placed(last.at)}.` : "";
   const more = jumps > 1 ? ` ${jumps} jumps on this path.` : "";
-  return `${found.contact.count} ${found.contact.count === 1 ? "state" : "states"} in contact. The mass is ${where}: θ = ${written(degrees(state.theta), 4)}°, x = ${written(long * state.x, 4)}${length && ` ${length}`}${kind}.${jump}${more}`;
+  const state = current(now);
+  if (!state) {
+    return `No state ${now.found.proved ? "in contact with the belt" : "was found that the mass could keep"}: see the motion below.${jump}${more}`;
+  }
+  const slowly = state.word === "flutter" && state.stability === "stable" ? `, at the rate ${written(state.rate, 2)}: without friction's own damping nothing would grow` : "";
+  const kind = state.word === "flutter" ? `; it flutters, so the motion below swings up${slowly}` : `, ${state.word}`;
+  const many = now.found.states.filter(({ contact }) => contact).length;
+  const side = regimeOf(about, true) === "contact" ? " in contact" : "";
+  const directed = state.along.length === 3 ? `θ = ${written(degrees(Math.atan2(state.along[1], state.along[0])), 4)}°, ` : "";
+  return `${many} ${many === 1 ? "state" : "states"}${now.found.proved ? "" : " found"}${side}. The mass is at ${directed}${where(state.q)}${kind}.${jump}${more}`;
 }

@@ -14,8 +14,9 @@ from typing import Any
 import click
 
 from ..errors import MissingExtraError, ParameterError
+from ..models.load import page_of
 from .commands import command
-from .of_model import TEXT, page_of
+from .of_model import TEXT
 from .options import as_json
 from .tables import print_json, show
 from .targets import force, holds, refuse

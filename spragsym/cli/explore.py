@@ -6,27 +6,25 @@ import os
 import shlex
 import sys
 import webbrowser
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..errors import MissingExtraError, ParameterError
-from ..explorer import Derived, Preset, Units, explorer_page, model_page, model_preset
-from ..explorer.presets import article_presets
+from ..errors import MissingExtraError, ModelError, ParameterError
+from ..explorer import Preset, Units, explorer_page
+from ..explorer.derived import shipped
+from ..models.load import USUAL, page_of
 from .commands import command
-from .export import of_model
-from .of_model import page_of
+from .of_model import method
 from .tables import busy
 from .targets import force, holds, refuse
 
 if TYPE_CHECKING:
     from ..models import Model
+    from ..parameters import ParameterSet
     from ..studies import Study
 
-#: The model that the exported JavaScript solves with proofs.
-ARTICLE_MODEL = "kang_nam"
 #: Lines of either parameter on which onsets are sought.
 _LINES = 20
 
@@ -49,7 +47,7 @@ _LINES = 20
 @click.option(
     "--model",
     metavar="NAME|DIR",
-    help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {ARTICLE_MODEL}]",
+    help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {USUAL}]",
 )
 @click.option(
     "--onsets", is_flag=True, help="With the map of stability, at the values that the page begins with; takes some seconds."
@@ -57,16 +55,20 @@ _LINES = 20
 @click.option(
     "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."
 )
+@method
 @force
-def explore(out: Path, data: Path | None, model: str | None, onsets: bool, unopened: bool, force: bool) -> None:
+def explore(
+    out: Path, data: Path | None, model: str | None, onsets: bool, unopened: bool, method: str | None, force: bool
+) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
-    It shows the mechanism, the plane of inclination and friction, the surface of all equilibria, every state at a point,
-    and the motion in time. A state carried along a path follows its sheet of the surface, and jumps at a fold.
+    It shows the mechanism, how many states there are over a plane of two parameters, the states along one of them and at a
+    point, and the motion in time. A state carried along a path follows its branch, and jumps where that ends.
     With --data, states, forces and motion are shown in the units of the file too.
 
-    The page of another model shows its mechanism, its states along any parameter, and its motion. It searches the states by
-    Newton's method and says so; nothing is proved there. Making it takes the extra derive.
+    Of the article's model the states are proved where double precision vouches for them, and its folds, cusps and the
+    surface of all equilibria are drawn. Of another model they are searched by Newton's method, and the page says so; making
+    it takes the extra derive.
 
     \b
     Examples:
@@ -79,8 +81,12 @@ def explore(out: Path, data: Path | None, model: str | None, onsets: bool, unope
     Exit codes: 0 written; 1 the file can't be written; 2 usage, or a file that differs is in the way.
     """
     study = None if data is None else _study(data, model)
-    name = study.model if study is not None else model or ARTICLE_MODEL
-    text = _article(study, onsets) if name == ARTICLE_MODEL else _other(name, study, onsets)
+    from ..models import load
+
+    chosen = load(study.model if study is not None else model or USUAL)
+    if method == "closed" and not chosen.closed:
+        raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
+    text = page(chosen.search if method == "search" else chosen, study, onsets)
     out = _page_name(out)
     if not holds(out, text):
         refuse([out], force)
@@ -112,37 +118,33 @@ def _study(path: Path, model: str | None) -> Study:
     return study
 
 
-def _article(study: Study | None, onsets: bool) -> str:
-    """The article's page, at the user's point with belt speed and steepness of the friction law if the file has them."""
-    from ..models import load
-
-    model = load(ARTICLE_MODEL)
+def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
+    """The page of a model, at the user's point if there is one."""
     if study is None:
-        return explorer_page(onsets=_map(model, article_presets()[0].point, None, onsets))
-    belt = study.dimensionless
-    drive = {"V": float(belt.V), "d": float(belt.d)}
-    preset = Preset.of(f"Your data: {study.source}", study.dimensionless)
-    drawn = _map(model, {**preset.point, **drive}, study, onsets)
-    return explorer_page([preset], V=float(drive["V"]), d=float(drive["d"]), units=_units(study), onsets=drawn)
-
-
-def _other(name: str, study: Study | None, onsets: bool) -> str:
-    """The page of another model, at the user's point if there is one."""
-    from ..models import load
-
-    model = load(name)
-    derived = _derived(model)
-    if study is None:
-        return model_page(model, derived, onsets=_map(model, model.base, None, onsets))
+        _, first = model.cases()[0]
+        return explorer_page(model, derived=_derived(model), onsets=_map(model, first, None, onsets))
     from ..studies.brake_quantities import dimensionless
 
     point, _ = dimensionless(study.model, study.values)
-    values = {key: getattr(point, key) for key in model.parameters}
-    preset = model_preset(f"Your data: {study.source}", model, values)
-    return model_page(model, derived, [preset], _units(study), _map(model, preset.point, study, onsets))
+    preset = Preset.of(f"Your data: {study.source}", point)
+    drawn = _map(model, point, study, onsets)
+    return explorer_page(model, [preset], derived=_derived(model), units=_units(study), onsets=drawn)
 
 
-def _map(model: Model, point: Mapping[str, Any], study: Study | None, asked: bool) -> tuple[str, str]:
+def _derived(model: Model) -> tuple[str, str] | None:
+    """The model's functions and its drawing for the browser, derived now; None for one that the package has there."""
+    if shipped(model):
+        return None
+    try:
+        from ..derive import export, pages
+    except ModuleNotFoundError as error:
+        raise MissingExtraError("spragsym explore --model", error.name or "sympy", "derive") from error
+    read = pages.read(page_of(model, pages.SHIPPED), model.name)
+    files = export.for_the_browser(read, f"Generated by ``spragsym explore`` from {model.name}.py. Do not edit.")
+    return files[f"{model.name}.mjs"], files[f"{model.name}.svg"]
+
+
+def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tuple[str, str]:
     """The map of stability at a point of a model, and the command that prints its numbers; empty where nobody asks for it."""
     if not asked:
         return "", ""
@@ -154,34 +156,11 @@ def _map(model: Model, point: Mapping[str, Any], study: Study | None, asked: boo
         raise ParameterError(f"--onsets: {model.name} has no two parameters that vary; leave it out")
     ends = window(model, model.axes, {})
     with busy("searching for onsets (--onsets)"):
-        p = model.Parameters(**{key: value for key, value in point.items() if value is not None})
         found = model.onset_curves(p, model.axes, _LINES, between=ends)
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
     spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.axes)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
     return picture(lambda ax: draw_onset_curves(found, ax)), command
-
-
-def _derived(model: Model) -> Derived:
-    """What the page of a model takes from its derivation."""
-    try:
-        from ..derive import drawing, pages
-    except ModuleNotFoundError as error:
-        raise MissingExtraError("spragsym explore --model", error.name or "sympy", "derive") from error
-    read = pages.read(page_of(model, pages.SHIPPED), model.name)
-    page = read.page
-    names = {entry["quantity"]: entry["name"] for entry in model.about["parameters"]}
-    along, across = (
-        tuple(
-            names.get(str(symbol), "1")
-            for spring in page.springs
-            if str(spring.along) == coordinate
-            for symbol in sorted(spring.stiffness.free_symbols, key=str)
-        )
-        for coordinate in (*model.coordinates, "")[:2]
-    )
-    algebra = of_model(model, "javascript")[f"{model.name}.mjs"]
-    return Derived(algebra, drawing.render(page, read.docstring), drawing.is_drawn(page), (along, across))
 
 
 def _units(study: Study) -> Units:
@@ -192,7 +171,7 @@ def _units(study: Study) -> Units:
 
     about = load(study.model).about
     bases = {entry["name"]: (study.quantities[entry["name"]].value, entry["unit"]) for entry in about["units"]}
-    length = next(study.quantities[entry["name"]].unit for entry in about["units"] if entry["unit"] == "m")
+    length = next((study.quantities[entry["name"]].unit for entry in about["units"] if entry["unit"] == "m"), "m")
     parameters: dict[str, Any] = {}
     for entry in about["parameters"]:
         quantity = entry["quantity"]

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import MissingExtraError
+from ..models.load import page_of
 from .commands import command
-from .of_model import TEXT, page_of
+from .of_model import TEXT
 from .targets import force, holds, refuse
 
 if TYPE_CHECKING:

@@ -8,7 +8,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -184,11 +183,6 @@ class OfModel(click.Command):
         given = {entry["name"] for entry in model.about["parameters"] if entry["quantity"] in study.quantities}
         values = {name: float(getattr(p, name)) for name in given}
         return {name: str(degrees(value) if name in model.about["angles"] else value) for name, value in values.items()}
-
-
-def page_of(model: Model, shipped: Path) -> Path:
-    """Where the page of a model stands: among the shipped ones, or in its folder."""
-    return shipped / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
 
 
 def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:

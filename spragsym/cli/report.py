@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 @command()
 @click.argument("file", type=click.Path(path_type=Path), required=False)
 @click.option("--example", is_flag=True, help="Print a file to begin with.")
+@click.option("--model", metavar="NAME|DIR", help="Model of the example; a FILE names its own.")
 @click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")
 @click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
 @click.option("--redesign/--no-redesign", default=True, show_default=True, help="Say what to change where it jumps.")
@@ -29,14 +30,15 @@ if TYPE_CHECKING:
 @force
 @as_json
 def report(
-    file: Path | None, example: bool, html: Path | None, oscillation: bool, redesign: bool, safety: float, force: bool,
-    json_output: bool,
+    file: Path | None, example: bool, model: str | None, html: Path | None, oscillation: bool, redesign: bool, safety: float,
+    force: bool, json_output: bool,
 ) -> None:  # fmt: skip
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
 
     \b
     Examples:
       spragsym report --example > brake.toml
+      spragsym report --example --model two_springs > other.toml
       spragsym report brake.toml
       spragsym report brake.toml --html report.html
 
@@ -44,10 +46,14 @@ def report(
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     if example:
-        from importlib import resources
+        from ..models import load
+        from ..models.load import USUAL
+        from ..studies.examples import example as text_of
 
-        click.echo((resources.files("spragsym.studies") / "brake.toml").read_text(encoding="utf-8"), nl=False)
+        click.echo(text_of(load(model or USUAL)), nl=False)
         return
+    if model is not None:
+        raise click.UsageError(f"--model {model} goes with --example; FILE says model = ...")
     if file is None:
         raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
     if html is not None and html.suffix.lower() not in (".html", ".htm"):

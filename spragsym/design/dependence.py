@@ -8,9 +8,6 @@ from itertools import product
 from typing import TypeAlias
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.special import ndtr, ndtri
 
 from ..errors import ParameterError
 from ..parameters import FloatArray, Range, as_number
@@ -35,6 +32,8 @@ class Dependence:
 
     def shares(self, points: FloatArray) -> FloatArray:
         """Points of the unit cube, of shape (n, names), as shares of distributions that are correlated so."""
+        from scipy.special import ndtr, ndtri
+
         result = np.array(points)
         for group, factor in zip(self.groups, self.factors, strict=True):
             if len(group) > 1:
@@ -77,6 +76,9 @@ def dependence(names: Sequence[str], correlation: Correlation | None = None) -> 
     >>> found.titles, found.corners()[:, :2].tolist()
     (('k, k_x', 'mu0'), [[0.0, 0.0], [0.0, 0.0], [1.0, 1.0], [1.0, 1.0]])
     """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     matrix = np.eye(len(names))
     for pair, given in (correlation or {}).items():
         if not (isinstance(pair, tuple) and len(pair) == 2 and pair[0] != pair[1] and set(pair) <= set(names)):

@@ -10,7 +10,6 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import norm, qmc
 
 from ..parameters import FloatArray
 
@@ -51,6 +50,8 @@ def nearest(member: Member, limits: tuple[FloatArray, FloatArray], each: int = R
 
 def _rays(size: int, each: int) -> FloatArray:
     """Unit vectors: both ways along every axis, and evenly in between."""
+    from scipy.stats import norm, qmc
+
     axes = np.concatenate([np.eye(size), -np.eye(size)])
     if size == 1:
         return axes

@@ -14,9 +14,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.stats import beta as beta_law
-from scipy.stats import qmc
-from scipy.stats import t as student
 
 from ..parameters import FloatArray
 
@@ -47,6 +44,8 @@ def chunks(n: int, replicates: int, seeds: Sequence[int]) -> list[Chunk]:
 
 def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk) -> list[float]:
     """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each group of variables two for its indices."""
+    from scipy.stats import qmc
+
     variables = sum(map(len, groups))
     # SciPy goes forward in sequences of up to 32 bits only.
     sequence = qmc.Sobol((2 if indices else 1) * variables, rng=np.random.default_rng(chunk.seed), bits=32)
@@ -101,6 +100,8 @@ class Estimate:
 
 def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float, indicator: bool) -> Estimate:
     """From the sums of all chunks; ``indicator`` says that the function is 0 or 1."""
+    from scipy.stats import t as student
+
     number = max(replicate) + 1
     table = np.zeros((number, len(records[0])))
     np.add.at(table, np.asarray(replicate), np.asarray(records))
@@ -126,6 +127,8 @@ def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confi
 
 def _exact(hits: float, n: float, confidence: float) -> tuple[float, float]:
     """Clopper and Pearson's interval, as for independent points, which spread no less."""
+    from scipy.stats import beta as beta_law
+
     tail = (1 - confidence) / 2
     low = float(beta_law.ppf(tail, hits, n - hits + 1)) if hits else 0.0
     high = float(beta_law.ppf(1 - tail, hits + 1, n - hits)) if hits < n else 1.0

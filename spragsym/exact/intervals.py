@@ -6,7 +6,7 @@ to, and every rounding goes into ``rad``. Integers are exact, so nothing here de
 python-flint's Arb and mpmath's intervals keep theirs in one variable for all threads (``flint.ctx.prec``, ``mpmath.iv.prec``, and
 mpmath's memory of π in another): to set it changes what the user's other threads compute meanwhile, which no lock of this package
 can prevent. At fifty digits most of the time is Python's own, and a point costs 1.6 times what it would with Arb, at a thousand
-digits 3.4 times (``python -m benchmarks.arb``).
+digits 3.4 times (``python -m tests.oracles.arb``).
 All precisions are in bits.
 """
 

@@ -1,8 +1,7 @@
-"""The explorer: pages that compute in the browser, by exported JavaScript: the article's model, and any other."""
+"""The explorer: a page of any model that computes in the browser, by exported JavaScript."""
 
-from .article import explorer_page
-from .models import Derived, model_page, model_preset
-from .presets import Preset, article_presets
+from .page import explorer_page
+from .presets import Preset
 from .units import Units
 
-__all__ = ["Derived", "Preset", "Units", "article_presets", "explorer_page", "model_page", "model_preset"]
+__all__ = ["Preset", "Units", "explorer_page"]

@@ -1,4 +1,4 @@
-"""The frame of every page: template, bundled libraries and drawings, an exported module, and what the page starts from."""
+"""The page of a model: template, bundled libraries and drawings, exported modules, and what it starts from."""
 
 from __future__ import annotations
 
@@ -6,95 +6,138 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from importlib import resources
-from typing import Any
 
 from .._version import __version__
+from ..models import Model, load
+from ..models.load import USUAL
+from .derived import required
+from .described import described
 from .presets import Preset
 from .units import Units
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
+_LINES = ("solid", "dashed", "dotted", "dash-dotted")
 
 
-def asset(name: str) -> str:
-    """The text of a file of the bundle, or of a template."""
-    return (_ASSETS / name).read_text(encoding="utf-8")
+def explorer_page(
+    model: Model | None = None,
+    presets: Sequence[Preset] = (),
+    *,
+    derived: tuple[str, str] | None = None,
+    units: Units | None = None,
+    onsets: tuple[str, str] = ("", ""),
+) -> str:
+    """The explorer as one HTML page that needs no network: mechanism, plane, states, and the motion in time.
 
-
-def filled(template: str, parts: Mapping[str, str]) -> str:
-    """A template with its parts in the places of ``@NAME@``; what stands in a part is not looked at again."""
-    return re.sub(r"@([A-Z]+)@", lambda found: parts[found[1]], template)
-
-
-def page(title: str, source: str, body: str, bundle: str, module: str, start: str, data: Any, worker: str = "") -> str:
-    """A whole page.
+    States are proved where the model brings a solver in JavaScript, else they are searched, and the page says so.
 
     Parameters
     ----------
-    title, source : str
-        Title, and where the model is from, as plain text.
-    body : str
-        The page's own HTML, without the footer.
-    bundle, worker : str
-        Names of the bundled scripts, the second one for pages that draw in a worker.
-    module, start : str
-        Text of the exported module, and the statement that starts the page behind it.
-    data : object
-        What the page's script finds in the element ``data``, in JSON.
+    model : Model, optional
+        As :func:`spragsym.load` gives it; the article's by default.
+    presets : sequence of Preset
+        Points of the user's own. The page begins at the first of them; the model's follow.
+    derived : pair of str, optional
+        The model's functions as an ES module, and its drawing as SVG; of the article's model the package has them.
+    units : Units, optional
+        Units of the user's own, in which states, forces and motion are shown.
+    onsets : pair of str
+        The map of stability as SVG, and the command that prints its numbers.
+
+    Returns
+    -------
+    str
+        The page. Same arguments, same text.
+
+    Raises
+    ------
+    ParameterError
+        If ``derived`` is missing for a model that needs it.
+
+    Examples
+    --------
+    >>> page = explorer_page()
+    >>> page.startswith("<!DOCTYPE html>"), len(page.encode()) < 2_000_000
+    (True, True)
     """
-    code = f'<script type="text/plain" id="worker">{in_a_script(asset(worker))}</script>\n' if worker else ""
-    return filled(
-        asset("page.html"),
+    model = model or load(USUAL)
+    module, drawing = derived or required(model)
+    shown = [*presets, *(Preset.of(name, p) for name, p in model.cases())]
+    data = {
+        "model": described(model, shown),
+        "presets": [{"name": preset.name, "point": dict(preset.point)} for preset in shown],
+        "units": units and units.data(),
+    }
+    beside = f'<p class="note" id="units">Beside the dimensionless numbers: {_escaped(units.source)}</p>' if units else ""
+    lines = (f"{name} {look}" for name, look in zip(model.coordinates, _LINES, strict=False))
+    return _filled(
+        _asset("page.html"),
         {
-            "TITLE": escaped(title),
-            "STYLE": in_a_script(asset("style.css")),
-            "BODY": body.strip(),
-            "VERSION": escaped(__version__),
-            "SOURCE": escaped(source),
-            "LICENCES": escaped(asset("licences.txt")),
+            "TITLE": _escaped(f"{model.name} explorer"),
+            "STYLE": _in_a_script(_asset("style.css")),
+            "DRAWING": drawing,
+            "WORDS": _words(model.about["drawing"]),
+            "UNITS": beside,
+            "LINES": _escaped(", ".join(lines)),
+            "ONSETS": _onsets(*onsets),
+            "VERSION": _escaped(__version__),
+            "SOURCE": _escaped(f"Model: {model.about['summary']}"),
+            "LICENCES": _escaped(_asset("licences.txt")),
             "DATA": json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),
-            "WORKER": code,
-            "BUNDLE": in_a_script(asset(bundle)),
-            "MODULE": in_a_script(module),
-            "START": start,
+            "MODULE": _in_a_script(module),
+            **_solver(model),
         },
     )
 
 
-def in_a_script(text: str) -> str:
+def _solver(model: Model) -> dict[str, str]:
+    """The parts of a page that depend on how states are found: by search, or by the exported solver of closed forms."""
+    folder, bundle = _ASSETS / model.name, _in_a_script(_asset("explorer.js"))
+    if "equilibria" not in model.closed or not folder.is_dir():
+        words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
+        head = _filled(_asset("head.html"), words)
+        return {"HEAD": head, "SURFACE": "", "LEGEND": "", "BUNDLES": bundle, "WORKER": "", "SOLVER": ""}
+    module = resources.files("spragsym.generated") / "javascript" / "spragsym.mjs"
+    own = {path.name: path.read_text(encoding="utf-8") for path in (*folder.iterdir(), module)}
+    solver = f"{_in_a_script(own['spragsym.mjs'])}\n{own['start.js']}"
+    return {
+        "HEAD": own["head.html"],
+        "SURFACE": own["surface.html"],
+        "LEGEND": own["legend.html"],
+        "BUNDLES": f"{bundle}\n{_in_a_script(own['closed_forms.js'])}",
+        "WORKER": f'<script type="text/plain" id="worker">{_in_a_script(own["worker.js"])}</script>',
+        "SOLVER": f'<script type="module" id="code">\n{solver}</script>',
+    }
+
+
+def _asset(name: str) -> str:
+    return (_ASSETS / name).read_text(encoding="utf-8")
+
+
+def _filled(template: str, parts: Mapping[str, str]) -> str:
+    """A template with its parts in the places of ``@NAME@``; what stands in a part is not looked at again."""
+    return re.sub(r"@([A-Z]+)@", lambda found: parts[found[1]].strip(), template)
+
+
+def _in_a_script(text: str) -> str:
     """Text that ends no element early: in JavaScript and JSON ``<\\/`` means the same as ``</``."""
     return re.sub(r"</(?=script|style)", r"<\\/", text, flags=re.IGNORECASE).replace("<!--", r"<\!--").strip()
 
 
-def escaped(text: str) -> str:
+def _escaped(text: str) -> str:
     """Plain text as HTML."""
     return text.strip().replace("&", "&amp;").replace("<", "&lt;")
 
 
-def points(presets: Sequence[Preset]) -> list[dict[str, Any]]:
-    """Presets as the page takes them."""
-    return [{"name": preset.name, "point": dict(preset.point)} for preset in presets]
+def _words(text: str) -> str:
+    """What a page says below its drawing as HTML, formulas that are set apart too."""
+    blocks = text.partition("\n\n::\n\n")[2].split("\n\n")
+    while blocks and blocks[0].startswith(" "):  # the drawing, which may have blank lines
+        del blocks[0]
+    elements = ["pre" if block.startswith(" ") else "p" for block in blocks]
+    return "\n".join(f"<{name}>{_escaped(block)}</{name}>" for name, block in zip(elements, blocks, strict=True))
 
 
-def parameter_part(units: Units | None) -> str:
-    """The part of a page with parameters, presets and the link, and a paragraph on the units of the reader's own, if any."""
-    about = f'<p class="note" id="units">Beside the dimensionless numbers: {escaped(units.source)}</p>' if units else ""
-    return filled(asset("parameters.html"), {"UNITS": about}).rstrip()
-
-
-def onsets_part(drawing: str, command: str) -> str:
+def _onsets(drawing: str, command: str) -> str:
     """The part of a page with the map of stability as SVG, and the command that prints its numbers; nothing without a map."""
-    if not drawing:
-        return ""
-    return f"""<section aria-labelledby="onsets_title">
-<h2 id="onsets_title">Where oscillation sets in</h2>
-<div class="drawing" style="background: white; max-width: 34rem">{drawing}</div>
-<p class="note">The map of stability at the values that this page begins with, drawn when it was made: gently on full lines,
-with a knock on dashed ones; which of the two is not known on dotted ones. Dots: this changes (GH);
-squares: curves end on folds (BT, ZH) or cross (HH). Its numbers:</p>
-<pre class="scroll" tabindex="0" aria-label="Command that computes the onsets">{escaped(command)}</pre>
-</section>"""
-
-
-def motion_part(lines: str, assumed: str) -> str:
-    """The part of a page on the motion in time, with words on its lines and on what is assumed."""
-    return filled(asset("motion.html"), {"LINES": lines, "ASSUMED": assumed})
+    return _filled(_asset("onsets.html"), {"DRAWING": drawing, "COMMAND": _escaped(command)}) if drawing else ""

@@ -206,8 +206,9 @@ def _holder(path: Path) -> str:
     """The process that holds a journal, as far as the file tells."""
     time.sleep(0.1)  # the other process may have opened it just now, and not have written its name yet
     writer: dict[str, Any] = {}
-    with suppress(OSError):
-        for line in path.read_bytes().split(b"\n"):
+    with suppress(OSError), path.open("rb", buffering=0) as file:
+        file.seek(1)  # on Windows nobody else may read the first byte
+        for line in file.readall().split(b"\n"):
             content = _content("", line)
             writer = content if isinstance(content, dict) and "pid" in content else writer
     if not writer:

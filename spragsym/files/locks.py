@@ -1,37 +1,22 @@
-"""A file that one process at a time may write to; killing the process releases it."""
+"""A file that one process at a time may write to; killing the process releases it.
+
+The file itself is locked, so that no other one is left beside it. On Windows nobody else can read its first byte meanwhile.
+"""
 
 from __future__ import annotations
 
 import errno
 import os
-import sys
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import FileIO
 from pathlib import Path
 
+from filelock import lock_descriptor
+
 from ..errors import StoreError
 
-if sys.platform == "win32":
-    import msvcrt
-
-    #: A lock keeps others from reading the locked bytes, too: lock one byte, far behind any content.
-    _BEHIND = 0x7FFF0000
-
-    def _lock(file: FileIO) -> None:
-        file.seek(_BEHIND)
-        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-
-else:
-    import fcntl
-
-    def _lock(file: FileIO) -> None:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-
-
-#: Another process holds the lock.
-_HELD = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 #: The file system has no locks: some network and cluster file systems, as they are mounted.
 _NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL)
 
@@ -74,10 +59,9 @@ def _opened(path: Path) -> FileIO:
 def _locked(file: FileIO) -> bool:
     """Lock the file, and return whether the file system supports locks."""
     try:
-        _lock(file)
+        if not lock_descriptor(file.fileno(), blocking=False):
+            raise HeldError(f"{file.name} is being written by another process; wait for it, or give another path")
     except OSError as error:
-        if error.errno in _HELD:
-            raise HeldError(f"{file.name} is being written by another process; wait for it, or give another path") from error
         if error.errno not in _NO_LOCKS:
             raise
         warnings.warn(

@@ -13,7 +13,7 @@ _ROOMS = {
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
     "kang_nam.lift_off": ("aloft",), "kang_nam.rest": ("rest_index",), "kang_nam.design.events": ("have_jumped",),
-    "kang_nam.ranks": ("linked",),
+    "kang_nam.ranks": ("linked",), "kang_nam.cases": ("cases",),
     "kang_nam.digits": ("precise_equilibria", "precise_cusps"), "dynamics.with_compiled": ("integrate",),
     "kang_nam.design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip

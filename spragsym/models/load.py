@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import hashlib
 import importlib
 import importlib.util
 import json
@@ -11,7 +10,6 @@ import os
 import sys
 import threading
 from collections.abc import Mapping
-from importlib import resources
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -27,7 +25,7 @@ USUAL = "kang_nam"
 #: What ``model.json`` says at least.
 _KEYS = frozenset((
     "name", "summary", "drawing", "source", "coordinates", "parameters", "angles", "arguments", "by_parameters", "contact",
-    "dampers", "friction", "mirror", "springs", "files",
+    "dampers", "drawn", "friction", "mirror", "springs", "ties", "files",
 ))  # fmt: skip
 
 #: What the package calls that folders of an earlier version lack, by module.
@@ -40,8 +38,16 @@ _LOCK = threading.RLock()
 @functools.cache
 def shipped() -> tuple[str, ...]:
     """Names of the models that come with the package."""
-    folder = Path(str(resources.files("spragsym.generated") / "models"))
-    return tuple(sorted(path.parent.name for path in folder.glob("*/model.json")))
+    return tuple(sorted(path.parent.name for path in _shipped_folder().glob("*/model.json")))
+
+
+def _shipped_folder() -> Path:
+    return Path(importlib.import_module("spragsym.generated").__path__[0]) / "models"
+
+
+def page_of(model: Model, pages: Path) -> Path:
+    """Where the page of a model stands: among the shipped ``pages``, or in its folder."""
+    return pages / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
 
 
 def load(name: str | os.PathLike[str]) -> Model:
@@ -80,10 +86,13 @@ def load(name: str | os.PathLike[str]) -> Model:
     if text in _LOADED and text in shipped():  # its files do not change
         return _LOADED[text]
     if text in shipped():
-        folder, where = Path(str(resources.files("spragsym.generated") / "models" / text)), text
+        folder, where = _shipped_folder() / text, text
     elif Path(text).is_dir():
         folder = Path(text).resolve()
         where = str(folder)
+    elif text.endswith(".py") and Path(text).is_file():
+        folder = Path(text).with_suffix("")
+        raise ParameterError(f"{text} is a page: spragsym derive {text} --out {folder} writes its folder, which is what to name")
     else:
         known = shipped()
         raise ParameterError(
@@ -115,7 +124,10 @@ def _about(folder: Path) -> dict[str, Any]:
     return about
 
 
-def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
+def _require_whole(folder: Path, about: Mapping[str, Any]) -> None:
+    """Raise unless the files of a folder are as they were written, by a version whose functions mean the same."""
+    import hashlib  # takes milliseconds to import, and shipped models have no need of it
+
     for name, digest in about["files"].items():
         file = folder / name
         if not file.is_file() or hashlib.sha256(file.read_bytes()).hexdigest() != digest:
@@ -127,6 +139,12 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
             f"{folder} was derived when the torque of a torsion spring was k φ up to 41 degrees only; derive the page again"
         )
 
+
+def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
+    shipped_one = where == folder.name
+    if not shipped_one:
+        _require_whole(folder, about)
+
     def module(part: str) -> ModuleType | None:
         if f"{part}.py" not in about["files"]:
             return None
@@ -137,7 +155,7 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
         return found
 
     room = f"{__package__.rpartition('.')[0]}.{where}"
-    if where == folder.name and importlib.util.find_spec(room):  # a shipped model with closed forms
+    if shipped_one and importlib.util.find_spec(room):  # a shipped model with closed forms
         own = importlib.import_module(room)
         model = Model(where, about, module, own.Parameters, own.CLOSED)
     else:
@@ -150,6 +168,8 @@ def _module(folder: Path, where: str, part: str) -> ModuleType:
     """A module of the model: of the package for a shipped one, else of a package of the folder's own."""
     if where == folder.name:
         return importlib.import_module(f"spragsym.generated.models.{where}.{part}")
+    import hashlib
+
     # A path may hold bytes that are no text in the locale.
     digest = hashlib.sha256(os.fsencode(where) + (folder / "model.json").read_bytes()).hexdigest()[:16]
     package = f"spragsym_model_{digest}"

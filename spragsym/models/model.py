@@ -395,6 +395,13 @@ class Model:
         return motions(self, settings, points)
 
     @part
+    def cases(self) -> tuple[tuple[str, ParameterSet], ...]:
+        """Named points of all parameters, to begin at: the base values, or what a model brings."""
+        from .cases import cases
+
+        return cases(self)
+
+    @part
     def integrate(self, problem: Problem) -> Solution:
         """A motion by code that was compiled on installation."""
         raise ModelError(f"{self.name} has no compiled motion; give backend='heyoka' or 'scipy'")

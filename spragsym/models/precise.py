@@ -10,8 +10,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from ..exact import certified_roots, contractors, many_reductions
 from ..exact.ball_functions import XP
@@ -287,6 +285,9 @@ def clusters(boxes: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, N
 
 def _meeting(boxes: FloatArray, point: NDArray[np.int64]) -> NDArray[np.int64]:
     """One number for all boxes of a point that meet, directly or through others, each widened by half of itself."""
+    from scipy.sparse import coo_array  # takes as long to import as all else that a first answer needs
+    from scipy.sparse.csgraph import connected_components
+
     wide = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
     order = np.lexsort((-wide[0, 0], point))
     boxes, wide, point = boxes[:, :, order], wide[:, :, order], point[order]

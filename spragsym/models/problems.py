@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -34,7 +35,8 @@ def _directions(model: Model, constants: Any, start: Any) -> Any:
     """Every inclined spring from end to end at a start, or at columns of many."""
     known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     taken = [known[name] for name in model.about["arguments"]["statics"]]
-    return model.statics.geometry(*start[: len(model.coordinates)], *taken)
+    geometry = inspect.unwrap(model.statics.geometry)  # its results need no common shape
+    return geometry(*start[: len(model.coordinates)], *taken)
 
 
 def _meet(model: Model, constants: Any, starts: Any) -> Any:

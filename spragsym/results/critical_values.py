@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import Range, as_number
@@ -19,6 +18,8 @@ def value_at(
 
     That is the name and the value of what rises to the end.
     """
+    from scipy.optimize import brentq
+
     along, height = level
     low, high = (as_number(f"bracket[{i}]", value, allowed) for i, value in enumerate(bracket))
     if not low < high:

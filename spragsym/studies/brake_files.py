@@ -170,11 +170,8 @@ def _quantity(key: str, given: Any, unit: str, allowed: Range, lines: _Lines) ->
         given = f"[{given[0]!r}, {given[1]!r}]"
     text = given if isinstance(given, str) else repr(given)
     if isinstance(given, bool) or not isinstance(given, str | int | float):
-        what = remedy((), unit, allowed, example)
+        what = remedy(unit, allowed, example)
         raise ParameterError(f"{where}: {key} = {given!r} is neither text nor a number; write {what}")
-    if not isinstance(given, str) and unit != "1":
-        what = remedy((f"{given} {unit}",), unit, allowed, example)
-        raise ParameterError(f"{where}: {key} = {given!r} has no unit; write {what}, with the unit that it has")
     try:
         return read(text, unit, allowed, example)
     except ParameterError as error:

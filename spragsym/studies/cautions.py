@@ -172,7 +172,12 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
                 )
             elif state.settles is None:
                 what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
+                whose = (
+                    "the dampers and the friction law together leave"
+                    if study.about["dampers"]
+                    else "the friction law alone gives"
+                )
                 yield (
-                    f"the only damping here is the friction law's, with a damping ratio of {least:.1g}, {what}; that is next to "
-                    "nothing, and the damping of the real brake, which the model leaves out, decides"
+                    f"{whose} one motion a damping ratio of {least:.1g}, {what}; that is next to nothing, and the damping of the "
+                    "real brake, which the model leaves out, decides"
                 )

@@ -156,8 +156,7 @@ def _column(
     try:
         return i, factor("" if si == "1" and unit in ("-", "–", "1") else unit, si)
     except ParameterError as error:
-        said = f"{name!r}: {error}".partition("; write")[0]
-        raise _RefusedError(f"{said}; write {'v [m/s]' if si == 'm/s' else 'mu or mu [%]'}", head[0], 2) from error
+        raise _RefusedError(f"{name!r}: {error}; write {'v [m/s]' if si == 'm/s' else 'mu or mu [%]'}", head[0], 2) from error
 
 
 def _numbers(

@@ -7,13 +7,12 @@ import math
 import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from html import escape
 from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..errors import SpragsymError
+from ..errors import MissingExtraError, SpragsymError
 from .oscillations import first_unit
 from .reports import Report
 from .study import Study
@@ -23,19 +22,6 @@ from .texts import sections
 _ONSETS = 12
 #: Lines of a bifurcation set, and values along the friction.
 _LINES, _VALUES = 40, 80
-_STYLE = """
-body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:58rem;margin:2rem auto;padding:0 1rem}
-h1{font-size:1.5rem;margin-bottom:.3rem}h2{font-size:1.1rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}
-.verdict{font-size:1.2rem;padding:.8rem 1rem;border-left:6px solid #0072B2;background:#f3f7fa}
-.verdict.sprags{border-color:#D55E00;background:#fdf4ee}
-.warning{padding:.4rem 1rem;border-left:6px solid #E69F00;background:#fffaf0}
-table{border-collapse:collapse}
-td{padding:.15rem 1.2rem .15rem 0;vertical-align:top}
-td:first-child{color:#555;min-width:9rem;max-width:26rem}
-figure{margin:1rem 0;display:inline-block;vertical-align:top;max-width:100%}
-figcaption{font-size:.85rem;color:#444;max-width:27rem}
-svg{max-width:100%;height:auto}@media print{body{margin:0;max-width:none;font-size:11pt}figure{break-inside:avoid}}
-"""
 
 
 def write_page(study: Study, report: Report, path: Path) -> None:
@@ -54,23 +40,14 @@ Section: TypeAlias = tuple[str, Iterable[tuple[str, str]]]
 
 def document(study: Study, report: Report, drawn: Iterable[tuple[str, str]], headed: Iterable[Section]) -> str:
     """A page from its verdict and warnings, pictures as SVG with captions, and sections."""
-    sprags = " sprags" if report.verdict.startswith("It sprags") else ""
+    try:
+        from jinja2 import Environment, StrictUndefined
+    except ModuleNotFoundError as error:
+        raise MissingExtraError("the page of a report", "jinja2", "plot") from error
+    template = Path(__file__).with_name("report.html").read_text(encoding="utf-8")
+    made = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
     title = f"Sprag-slip report{': ' + study.source if study.source else ''}"
-    parts = [
-        "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
-        '<meta name="viewport" content="width=device-width,initial-scale=1"><meta name="color-scheme" content="light">',
-        f"<title>{escape(title)}</title>", f"<style>{_STYLE}</style></head><body>", f"<h1>{escape(title)}</h1>",
-        f'<p class="verdict{sprags}">{escape(report.verdict)}</p>',
-        *(f'<p class="warning">{escape(one)}</p>' for one in report.warnings),
-        *(f"<figure>{svg}<figcaption>{escape(caption)}</figcaption></figure>" for svg, caption in drawn),
-        *(_section(heading, rows) for heading, rows in headed), _section("Data", _data(study)), "</body></html>", "",
-    ]  # fmt: skip
-    return "\n".join(parts)
-
-
-def _section(heading: str, rows: Any) -> str:
-    lines = [f"<tr><td>{escape(name)}</td><td>{escape(value)}</td></tr>" for name, value in rows]
-    return f"<h2>{escape(heading)}</h2>\n<table>{''.join(lines)}</table>" if lines else ""
+    return made.from_string(template).render(title=title, report=report, drawn=drawn, headed=[*headed, ("Data", _data(study))])
 
 
 def _data(study: Study) -> Iterator[tuple[str, str]]:

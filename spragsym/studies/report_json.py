@@ -30,6 +30,7 @@ def as_json(report: Report) -> dict[str, Any]:
     return {
         "mu_jump": report.mu_jump,
         "theta0_jump_deg": report.theta0_jump_deg,
+        "mu0_jump": report.mu0_jump,
         "mu_lowest": report.mu_lowest,
         "theta0_lowest_deg": report.theta0_lowest_deg,
         "kind_lowest": report.kind_lowest or None,

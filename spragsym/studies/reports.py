@@ -35,7 +35,9 @@ class Report(Result):
     ----------
     mu_jump, theta0_jump_deg : float or None
         Friction at which the state of small deformation jumps at this angle, and angle at which it does at this friction; NaN
-        where it never does.
+        where it never does. Of a model whose statics does not take mu0 itself, it is the friction of its law there.
+    mu0_jump : float or None
+        The parameter mu0 of the page at that jump.
     mu_lowest, theta0_lowest_deg : float or None
         The lowest fold: the friction below which it jumps at no angle, ``inf`` where it never does, and its angle.
     kind_lowest : str
@@ -73,6 +75,7 @@ class Report(Result):
 
     mu_jump: float | None
     theta0_jump_deg: float | None
+    mu0_jump: float | None
     mu_lowest: float | None
     theta0_lowest_deg: float | None
     kind_lowest: str
@@ -261,9 +264,9 @@ def _report(
         asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")
     margin = None if mu_jump is None else 100 * (mu_jump / high - 1) if high > 0 else math.inf
     parts: dict[str, Any] = dict(
-        mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu_lowest=lowest[0],
-        theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=working, margin_percent=margin,
-        distance=distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
+        mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu0_jump=mu0_jump,
+        mu_lowest=lowest[0], theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=working,
+        margin_percent=margin, distance=distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
         complete=bool(eq.complete and (not rises or ("mu0" in turns and turns["mu0"].complete))),
         probability=odds, redesign=changes(study.at_full_slip() if faster else study, target) if needed else (),
         needed=needed, target=target, peak=peak, facts=so,

@@ -176,7 +176,8 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
         return
     jump = math.nan if report.mu_jump is None else report.mu_jump
     never = "never" if math.isinf(so.top) else f"at no friction up to {so.top:g}"
-    yield ("jump at this angle", _or_unknown(report.mu_jump, "at friction {:.6g}", never))
+    own = "" if report.mu0_jump == report.mu_jump else f", mu0 = {report.mu0_jump:.6g}"
+    yield ("jump at this angle", _or_unknown(report.mu_jump, "at friction {:.6g}" + own, never))
     if not math.isnan(jump) and high > 0:
         yield ("margin to the largest friction", f"{report.margin_percent:+.1f} %")
         if so.slow:
@@ -256,7 +257,7 @@ def _name(report: Report, state: State) -> str:
 def _described(state: State) -> str:
     word = "stable" if state.stable else f"unstable ({state.statics})"
     if state.settles is None:
-        word = "stable without damping, and whether it settles is up to the damping of the real brake"
+        word = "stable but for damping, which is next to nothing: whether it settles is up to that of the real brake"
     elif not state.stable and state.statics == "stable":
         word = "unstable by the friction law's own damping"
     springs = "".join(

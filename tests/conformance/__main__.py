@@ -1,15 +1,23 @@
-"""The table of all public questions and all models, shipped or named by folders: ``python -m tests.conformance [DIR ...]``.
+"""``python -m tests.conformance``: the table of all public questions and all models.
 
 ``closed`` and ``search`` are ways to an answer, the one that is taken first stands first; ``-`` is ``ModelError``.
+
+``python -m tests.conformance PAGE.py|DIR ... [OPTIONS OF PYTEST]``: the table of these models, and the whole suite for
+each of them; the exit code is that of the tests.
 """
 
 from __future__ import annotations
 
+import os
 import sys
+from itertools import takewhile
+from pathlib import Path
+
+import pytest
 
 import spragsym as ss
 from spragsym import door
-from spragsym.models.load import shipped
+from tests.conformance import models
 
 
 def ways(model: ss.Model, name: str) -> tuple[str, ...]:
@@ -19,19 +27,30 @@ def ways(model: ss.Model, name: str) -> tuple[str, ...]:
     return tuple(found)
 
 
-def table(models: list[ss.Model]) -> list[list[str]]:
+def table(asked: list[ss.Model]) -> list[list[str]]:
     """A row for each question."""
-    head = ["", *(model.name for model in models)]
-    return [head, *([name, *("+".join(ways(model, name)) or "-" for model in models)] for name in sorted(door.INTERFACE))]
+    head = ["", *(model.name for model in asked)]
+    return [head, *([name, *("+".join(ways(model, name)) or "-" for model in asked)] for name in sorted(door.INTERFACE))]
 
 
-def main() -> None:
-    """Print it."""
-    rows = table([ss.load(name) for name in (*shipped(), *sys.argv[1:])])
+def main() -> int:
+    """Print it; then run the tests for what is named."""
+    if {"-h", "--help"} & set(sys.argv):
+        print(__doc__)
+        return 0
+    named = list(takewhile(lambda word: not word.startswith("-"), sys.argv[1:]))
+    asked = [ss.load(models.folder_of(page)) for page in named]
+    rows = table(asked or [models.load(name) for name in models.MODELS])
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
-        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip(), flush=True)
+    if not asked:
+        return 0
+    # Workers are processes of their own, in which the models are those asked for.
+    os.environ[models.ASKED] = os.pathsep.join(model.where for model in asked)
+    workers = str(min(4, os.cpu_count() or 1))
+    return int(pytest.main([str(Path(__file__).parent), "-n", workers, *sys.argv[1 + len(named) :]]))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

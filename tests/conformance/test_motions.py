@@ -3,21 +3,12 @@
 from __future__ import annotations
 
 import pickle
-from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.load import shipped
-
-MOVING = [name for name in shipped() if ss.load(name).about["friction"] is not None]
-
-
-def a_set(name: str) -> Any:
-    """Base values of a model; an angle of 40 degrees where there is none."""
-    model = ss.load(name)
-    return model.Parameters(**({"theta0": np.radians(40.0)} if "theta0" in model.parameters else {}))
+from tests.conformance.models import MOVING, a_set
 
 
 @pytest.mark.parametrize("name", MOVING)

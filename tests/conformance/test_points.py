@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import pickle
-from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.load import shipped
+from tests.conformance.models import MODELS, a_set, load
 
 #: What the contract names, and what may be asked besides.
 ATTRIBUTES = (
@@ -19,14 +17,8 @@ ATTRIBUTES = (
 )  # fmt: skip
 
 
-def a_set(name: str) -> Any:
-    """Base values of a model; an angle of 35 degrees where there is none."""
-    model = ss.load(name)
-    return model.Parameters(**({"theta0": math.radians(35.0)} if "theta0" in model.parameters else {}))
-
-
 @pytest.mark.parametrize("question", ["folds", "flutter_onsets"])
-@pytest.mark.parametrize("name", shipped())
+@pytest.mark.parametrize("name", MODELS)
 def test_points_of_every_model_have_everything(name: str, question: str) -> None:
     p = a_set(name)
     found = getattr(ss, question)(p)
@@ -46,7 +38,7 @@ def test_points_of_every_model_have_everything(name: str, question: str) -> None
         found.nothing  # noqa: B018  # an attribute that is made when asked for
 
 
-@pytest.mark.parametrize("name", [name for name in shipped() if "theta0" in ss.load(name).parameters])
+@pytest.mark.parametrize("name", [name for name in MODELS if "theta0" in load(name).parameters])
 def test_what_ends_at_a_fold_is_what_the_states_beside_it_say(name: str) -> None:
     """Two states fewer beyond it, and where a state goes to there is an equilibrium at the fold's very value."""
     p = a_set(name)

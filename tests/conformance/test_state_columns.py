@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.load import shipped
-from tests.conformance.test_points import a_set
+from tests.conformance.models import MODELS, a_set
 
 
-@pytest.mark.parametrize("name", shipped())
+@pytest.mark.parametrize("name", MODELS)
 def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None:
     p = a_set(name)
     about = p.model.about

@@ -23,9 +23,9 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks import c_target
-from benchmarks.families import EXTREMES, FAMILIES
 from spragsym.kang_nam.statics import adaptive_precision
+from tests.oracles import c_target
+from tests.oracles.families import EXTREMES, FAMILIES
 
 from .verdicts import Definitions, Journal, report, stamp
 

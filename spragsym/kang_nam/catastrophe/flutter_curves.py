@@ -12,7 +12,6 @@ from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from ...exact.companion_roots import by_power, eigenvalues, polished
 from ...exact.polynomials import evaluate
@@ -135,6 +134,8 @@ def _joined(columns: list[_Column]) -> list[FloatArray]:
 
 def _links(before: _Column, column: _Column) -> dict[int, int]:
     """Which root in one column continues which root in the next."""
+    from scipy.optimize import linear_sum_assignment
+
     far = np.abs(column.theta0[:, None] - before.theta0)
     rows, places = np.diag_indices(len(far)) if _same_kind(before, column) else linear_sum_assignment(far)
     return {int(row): int(place) for row, place in zip(rows, places, strict=True) if far[row, place] < _STEP}

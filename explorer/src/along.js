@@ -1,0 +1,132 @@
+// The states along one parameter, searched at many of its values, a few between two pictures.
+
+import uPlot from "uplot";
+import { colours } from "./colours.js";
+import { inward, outward } from "./inputs.js";
+import { createOverlay } from "./overlay.js";
+import { kept } from "./spans.js";
+
+const COLUMNS = 161;
+/** What a picture may wait for, milliseconds. */
+const BUDGET = 8;
+/** Marks of the kinds: told apart by their shapes too. */
+const MARKS = {
+  stable: (ctx, x, y, r) => ctx.arc(x, y, r, 0, 7),
+  divergent: (ctx, x, y, r) => { ctx.moveTo(x - r, y + r); ctx.lineTo(x, y - r); ctx.lineTo(x + r, y + r); ctx.closePath(); },
+  flutter: (ctx, x, y, r) => ctx.rect(x - r, y - r / 2, 2 * r, r),
+  marginal: (ctx, x, y, r) => ctx.rect(x - r / 2, y - r, r, 2 * r),
+};
+
+/**
+ * `field()` is the parameter that is drawn along, `span()` from where to where, `states(value)` those there, `shown()` the value and
+ * the first coordinate of the state of now, `go(value)` is called as the drawing is pressed.
+ */
+export function createAlong(box, { field, span, states, shown, go }, coordinate) {
+  let [colour, points, ask, glass] = [colours(), [], 0, null];
+  const axis = (label, size) => ({
+    label, labelSize: 18, size, labelGap: 0, stroke: () => colour.ink, font: "12px system-ui", labelFont: "13px system-ui",
+    grid: { stroke: () => colour.line, width: 1 }, ticks: { stroke: () => colour.line },
+  });
+  const plot = new uPlot({
+    ...size(), legend: { show: false }, cursor: { show: false },
+    scales: { x: { time: false, range: () => span() }, y: { range: () => spread() } },
+    axes: [axis(() => `${field().symbol}${field().angle ? " in degrees" : ""}`, 34), axis(coordinate, 52)],
+    series: [{}, { paths: () => null, points: { show: false } }],
+    hooks: { draw: [marks, () => draw()] },
+  }, [[0, 1], [0, 1]], box);
+  glass = createOverlay(plot.over);
+
+  function size() {
+    return { width: Math.max(260, box.clientWidth), height: Math.max(220, box.clientHeight) };
+  }
+
+  function spread() {
+    const values = [...points.map(({ y }) => y), shown()?.[1] ?? 0];
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    const room = 0.06 * (high - low) || 0.1;
+    return [low - room, high + room];
+  }
+
+  function marks({ ctx, bbox }) {
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    for (const [kind, mark] of Object.entries(MARKS)) {
+      for (const contact of [true, false]) {
+        ctx.beginPath();
+        ctx[contact ? "fillStyle" : "strokeStyle"] = colour[kind] ?? colour.ink;
+        for (const point of points.filter((one) => one.kind === kind && one.contact === contact)) {
+          const [x, y] = [plot.valToPos(point.x, "x", true), plot.valToPos(point.y, "y", true)];
+          ctx.moveTo(x, y);
+          mark(ctx, x, y, 2.6 * devicePixelRatio);
+        }
+        ctx[contact ? "fill" : "stroke"]();
+      }
+    }
+    ctx.restore();
+  }
+
+  /** Search anew, from the left to the right; what is older is given up. */
+  function renew() {
+    ask += 1;
+    const mine = ask;
+    points = [];
+    let i = 0;
+    const [low, high] = span();
+    const more = () => {
+      if (mine !== ask) {
+        return;
+      }
+      const end = performance.now() + BUDGET;
+      while (i < COLUMNS && performance.now() < end) {
+        const x = low + ((high - low) * (i + 0.5)) / COLUMNS; // off the ends, which may not be allowed
+        points.push(...states(inward(field(), x)).map(({ q, word, contact }) => ({ x, y: q[0], kind: word, contact })));
+        i += 1;
+      }
+      if (i < COLUMNS) {
+        requestAnimationFrame(more);
+      }
+      plot.setData([[0, 1], [0, 1]]);
+    };
+    more();
+  }
+
+  function draw() {
+    const now = shown();
+    glass?.((ctx, width, height) => {
+      if (now) {
+        const [x, y] = [plot.valToPos(outward(field(), now[0]), "x"), now[1] === null ? null : plot.valToPos(now[1], "y")];
+        ctx.strokeStyle = colour.accent;
+        ctx.lineWidth = 1.5;
+        ctx.beginPath();
+        ctx.moveTo(x, 0);
+        ctx.lineTo(x, height);
+        ctx.stroke();
+        if (y !== null) {
+          ctx.beginPath();
+          ctx.lineWidth = 3;
+          ctx.arc(x, y, 7, 0, 7);
+          ctx.stroke();
+        }
+      }
+    });
+  }
+
+  let pending = null;
+  function drag(event) {
+    const first = pending === null;
+    pending = plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x");
+    if (first) {
+      requestAnimationFrame(() => { const value = pending; pending = null; go(inward(field(), kept(field(), span(), value))); });
+    }
+  }
+  plot.over.addEventListener("pointerdown", (event) => { plot.over.setPointerCapture(event.pointerId); drag(event); event.preventDefault(); });
+  plot.over.addEventListener("pointermove", (event) => plot.over.hasPointerCapture(event.pointerId) && drag(event));
+
+  return {
+    renew, draw,
+    resize: () => { plot.setSize(size()); draw(); },
+    recolour: () => { colour = colours(); plot.redraw(false); draw(); },
+  };
+}

@@ -1,0 +1,79 @@
+// A state that is carried along a straight way through the parameters: it stays on its sheet until the sheet ends, and then jumps.
+
+import { belongs, described, newton, search } from "./search.js";
+import { turning } from "./kinds.js";
+
+/** A way begins with so many steps over the whole range of a parameter, and a step is halved at most so often. */
+const STEPS = 200;
+const MOST = 400;
+const HALVINGS = 14;
+/** A way on which the state is lost again and again, as at numbers far from 1, is given up after so many steps or jumps. */
+const PATIENCE = 3000;
+const JUMPS = 8;
+/** No coordinate changes by more in one step. */
+const LONGEST = 0.05;
+
+/** The state that a jump leads to: the nearest that is not divergent. */
+export function landing(states, q) {
+  const far = (state) => Math.hypot(...state.q.map((value, k) => value - q[k]));
+  const left = states.filter(({ stability }) => stability !== "divergent");
+  return left.sort((a, b) => far(a) - far(b))[0] ?? null;
+}
+
+/** The same state a little further, or null if it is not found there. */
+function next(balance, about, { q, contact, sign }) {
+  const at = newton(balance, about, q, contact);
+  if (!at || !belongs(balance, about, at, contact) || Math.max(...at.map((value, k) => Math.abs(value - q[k]))) > LONGEST) {
+    return null;
+  }
+  return turning(balance.stiffness(at, contact)) === sign ? { q: at, contact, sign } : null;
+}
+
+/**
+ * Carries `state` from one point to another. `at(point)` gives the balance there, `spans` how far each parameter's slider reaches.
+ * Returns the state at the end, null if nothing is left, and samples of the way, each `{ point, q, jump }`, without `q` where nothing is.
+ */
+export function carry(at, about, from, to, state, spans) {
+  const samples = [];
+  const done = (reached) => ({ state: reached, decided: true, samples });
+  if (!state) {
+    const reached = landing(search(at(to), about), about.coordinates.map(() => 0));
+    samples.push({ point: to, q: reached?.q, jump: false });
+    return done(reached);
+  }
+  const size = Math.max(...Object.keys(spans).map((name) => Math.abs(to[name] - from[name]) / spans[name]));
+  const longest = 1 / Math.max(1, Math.min(MOST, Math.ceil(STEPS * size)));
+  const shortest = longest * 2 ** -HALVINGS;
+  const between = (share) => Object.fromEntries(Object.keys(to).map((name) => [name, share >= 1 ? to[name] : from[name] + share * (to[name] - from[name])]));
+  let [share, step, jumps] = [0, longest, 0];
+  let now = { ...state, sign: turning(at(from).stiffness(state.q, state.contact)) };
+  for (let tried = 0; share < 1; tried++) {
+    if (tried === PATIENCE || jumps === JUMPS) {
+      const reached = landing(search(at(to), about), now.q);
+      samples.push({ point: to, q: reached?.q, jump: true });
+      return done(reached);
+    }
+    const end = Math.min(1, share + step);
+    const point = between(end);
+    const balance = at(point);
+    const further = next(balance, about, now);
+    if (!further && step > shortest) {
+      step /= 2;
+      continue;
+    }
+    if (further) {
+      now = further;
+    } else {
+      const reached = landing(search(balance, about), now.q);
+      jumps += 1;
+      if (!reached) {
+        samples.push({ point, jump: true });
+        return done(null);
+      }
+      now = { ...reached, sign: turning(balance.stiffness(reached.q, reached.contact)) };
+    }
+    samples.push({ point, q: now.q, jump: !further });
+    [share, step] = [end, Math.min(2 * step, longest)];
+  }
+  return done(described(at(to), now.q, now.contact));
+}

@@ -1,0 +1,16 @@
+// What the lowest fold means, in a sentence.
+
+import { degrees, written } from "../numbers.js";
+
+const KINDS = { cusp: "a cusp", turn: "where the curve of folds turns back", end: "as θ₀ goes to 0" };
+
+/** `shapes` may be null: then there is nothing to say. */
+export function lowestFold(shapes) {
+  if (!shapes) {
+    return "";
+  }
+  const { theta0, mu0, kind } = shapes.lowest;
+  return kind
+    ? `Lowest fold that ends the state of small deformation: μ₀ = ${written(mu0, 6)} at θ₀ = ${written(degrees(theta0), 5)}°, ${KINDS[kind]}. Below that friction it jumps at no inclination (in double precision, not proved).`
+    : "No fold ends the state of small deformation, at any inclination and friction (in double precision, not proved).";
+}

@@ -1,0 +1,136 @@
+// The states of a model, searched by Newton's method from many starts. What is found is a state; that it is all is not proved.
+
+import { kindOf, wordOf, solved } from "./kinds.js";
+
+/** Directions of the springs that a search looks at, all together, and how close they are to a state where all begin. */
+const STARTS = 576;
+const CLOSE = 1e-3;
+/** Places about an anchor where searches begin as well. */
+const [RADII, AROUND] = [[0.05, 0.2, 0.5], 12];
+/** Coordinates that a search begins from without springs: of one or two, and of more. */
+const PLAIN = [-3, -2, -1.3, -0.8, -0.4, -0.15, 0, 0.15, 0.4, 0.8, 1.3, 2, 3];
+const FEW = [-0.5, 0, 0.5];
+const STEPS = 40;
+/** Newton's method has arrived when a step is no longer than this, relative to the coordinates; states closer than SAME are one. */
+const ARRIVED = 1e-12;
+const SAME = 1e-7;
+/** More states than this on one side are one state that is so nearly multiple that steps end all around it. */
+const MANY = 24;
+/** No step of Newton's method is longer. */
+const LONGEST = 0.5;
+
+/** A state near `q`, or null. `along` holds the springs' directions fixed. */
+export function newton(balance, about, q, contact, along) {
+  const gap = about.polynomial ? -1 : about.coordinates.findIndex(({ name }) => name === about.gap);
+  let at = q;
+  for (let i = 0; i < STEPS; i++) {
+    const held = along ?? balance.directions(at);
+    const step = solved(balance.stiffness(at, contact, held), balance.forces(at, contact, held));
+    const length = step ? Math.max(...step.map(Math.abs)) : NaN;
+    if (!Number.isFinite(length)) {
+      return null;
+    }
+    const share = along || length <= LONGEST ? 1 : LONGEST / length;
+    const next = at.map((value, k) => value - share * step[k]);
+    if (contact && gap >= 0 && next[gap] >= 0) {
+      next[gap] = at[gap] / 2; // the law has no root beyond the border
+    }
+    const moved = Math.max(...next.map((value, k) => Math.abs(value - at[k])));
+    at = next;
+    if (moved <= ARRIVED * Math.max(1, ...at.map(Math.abs))) {
+      return at;
+    }
+  }
+  return null;
+}
+
+/** All combinations of one entry of each list, the last entry changing fastest. */
+function products(lists) {
+  return lists.reduce((found, list) => found.flatMap((head) => list.map((entry) => [...head, entry])), [[]]);
+}
+
+/** How far the springs' directions at `q` are from those that gave it: 0 at a state, at most 1 for each spring. */
+function mismatch(balance, q, held) {
+  const along = balance.directions(q);
+  return held.reduce((sum, angle, i) => sum + 0.5 * (1 - along[3 * i] * Math.cos(angle) - along[3 * i + 1] * Math.sin(angle)), 0);
+}
+
+/** Places around the springs' anchors, where directions turn faster than any grid of them. */
+function aroundAnchors(balance, rest) {
+  return balance.vectors(rest).flatMap(([dx, dy]) => RADII.flatMap((radius) => Array.from({ length: AROUND }, (_, k) => {
+    const turn = (2 * Math.PI * (k + 0.5)) / AROUND;
+    return rest.map((value, i) => value + (i === 0 ? dx + radius * Math.cos(turn) : i === 1 ? dy + radius * Math.sin(turn) : 0));
+  })));
+}
+
+/**
+ * Where Newton's method begins. With the springs' directions held the balance has one solution; over a grid of directions, those
+ * that come closest to the directions at their solution are taken.
+ */
+function starts(balance, about, contact) {
+  const rest = about.coordinates.map(({ name }) => (name === about.gap ? (contact ? -0.01 : 0.01) : 0));
+  const springs = balance.vectors(rest).length;
+  // Directions that a rod has, and no mass on a belt, do not make the balance linear.
+  const plain = springs && about.drawn ? [] : products(rest.map(() => (rest.length > 2 ? FEW : PLAIN)));
+  const places = plain.map((q) => q.map((value, k) => value + rest[k]));
+  if (!springs) {
+    return places;
+  }
+  const each = Math.max(8, Math.round(STARTS ** (1 / springs)));
+  const angles = Array.from({ length: each }, (_, k) => (2 * Math.PI * (k + 0.5)) / each - Math.PI);
+  const nodes = products(Array.from({ length: springs }, () => angles)).map((held) => {
+    const q = newton(balance, about, rest, contact, balance.held(held));
+    return { q, far: q ? mismatch(balance, q, held) : Infinity };
+  });
+  const neighbours = (at) => Array.from({ length: springs }, (_, i) => each ** i).flatMap((stride) => {
+    const place = Math.floor(at / stride) % each;
+    return [at + (((place + 1) % each) - place) * stride, at + (((place + each - 1) % each) - place) * stride];
+  });
+  const chosen = nodes.filter(({ q, far }, at) => q && (far < CLOSE || neighbours(at).every((other) => far <= nodes[other].far))).map(({ q }) => q);
+  return [...places, ...chosen, ...aroundAnchors(balance, rest)];
+}
+
+/** Whether a state lies on the side of the contact that it was searched on. */
+export function belongs(balance, about, q, contact) {
+  if (!about.unilateral || about.gap === null) {
+    return true;
+  }
+  const gap = balance.gap(q);
+  return contact ? gap <= 0 : gap > 0;
+}
+
+/** A place with the angles that come around in their first turn. */
+function once({ coordinates }, q) {
+  return q && q.map((value, k) => (coordinates[k].turns ? value - 2 * Math.PI * Math.round(value / (2 * Math.PI)) : value));
+}
+
+/** One state with its kind, which a proof may have told. */
+export function described(balance, q, contact, told = null) {
+  const along = balance.directions(q);
+  const [mass, stiffness] = [balance.mass(q), balance.stiffness(q, contact, along)];
+  const stability = told ?? kindOf(mass, stiffness);
+  return { q, contact, stability, ...wordOf(mass, balance.damping(q, contact), stiffness, stability), along };
+}
+
+/**
+ * States found at a point, on both sides of the contact or on some, in contact first, by ascending first coordinate. Where they can't be told apart the list is empty and has
+ * `undecided`.
+ */
+export function search(balance, about, sides = about.unilateral && about.gap !== null ? [true, false] : [true]) {
+  const found = [];
+  for (const contact of sides) {
+    const mine = [];
+    for (const start of starts(balance, about, contact)) {
+      const q = once(about, newton(balance, about, start, contact));
+      const far = (other) => Math.max(...q.map((value, k) => Math.abs(value - other[k]) / Math.max(1, Math.abs(value))));
+      if (q && belongs(balance, about, q, contact) && !mine.some((other) => far(other) < SAME)) {
+        mine.push(q);
+      }
+    }
+    if (mine.length > MANY) {
+      return Object.assign([], { undecided: true });
+    }
+    found.push(...mine.sort((a, b) => a[0] - b[0]).map((q) => described(balance, q, contact)));
+  }
+  return found;
+}

@@ -1,0 +1,21 @@
+// States by search: what answers for a model that brings no closed forms to the page. Interface: `look`, `begin`, `carry` of a
+// store, and `count` of the states in contact, null where that is undecided.
+
+import { carry, landing } from "./carry.js";
+import { search } from "./search.js";
+
+/** `at(point)` gives the balance of a point, `about` describes the model, `spans` says how far each parameter's slider reaches. */
+export function searched(at, about, spans) {
+  const rest = about.coordinates.map(() => 0);
+  const look = (point) => {
+    const states = search(at(point), about);
+    const undecided = states.undecided ? "Undecided here: the search can't tell the states apart. The command below the table may." : "";
+    return { states, undecided, lost: Boolean(undecided), proved: false };
+  };
+  return {
+    look,
+    count: (point) => { const states = search(at(point), about, [true]); return states.undecided ? null : states.length; },
+    begin: (point, q) => ({ state: landing(look(point).states, q ?? rest), decided: true }),
+    carry: (from, to, state) => carry(at, about, from, to, state, spans),
+  };
+}

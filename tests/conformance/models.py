@@ -1,0 +1,97 @@
+"""The models of the suite: those that are shipped and two that the tests write, or those that it is asked for."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import os
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from filelock import FileLock
+
+import spragsym as ss
+from spragsym.models.load import shipped
+from spragsym.models.parameters import options_of
+
+TESTS = Path(__file__).resolve().parent.parent
+#: Pages of the tests: a torsion spring on a belt that hardens, and a belt that leans, without angles.
+PAGES = (TESTS / "soft_brake.py", TESTS / "pressed.py")
+#: Where ``python -m tests.conformance`` leaves the pages and folders that are asked for, in place of all others.
+ASKED = "SPRAGSYM_CONFORMANCE"
+
+
+def derived(page: Path) -> Path:
+    """The folder of a page: derived once, and again after a change of the page or of the derivation."""
+    from spragsym.derive.emit import write
+    from spragsym.derive.folder import write_page
+
+    kept = TESTS.parent / ".pytest_cache" / "pages"
+    kept.mkdir(parents=True, exist_ok=True)
+    folder = kept / f"{hashlib.sha256(page.read_bytes()).hexdigest()[:16]}_{write.source_hash()[:16]}" / page.stem
+    with FileLock(kept / "lock"):
+        if not folder.is_dir():
+            write_page(page, folder)
+    return folder
+
+
+def folder_of(asked: str) -> Path:
+    """The folder of a model, derived if it is a page that is asked for."""
+    return derived(Path(asked)) if asked.endswith(".py") else Path(asked)
+
+
+def _places() -> dict[str, str]:
+    """What :func:`spragsym.load` takes for each model, by its name."""
+    if ASKED in os.environ:
+        folders = [folder_of(asked) for asked in os.environ[ASKED].split(os.pathsep)]
+        return {ss.load(folder).name: str(folder) for folder in folders}
+    written = [derived(page) for page in PAGES] if find_spec("sympy") else []
+    return {name: name for name in shipped()} | {folder.name: str(folder) for folder in written}
+
+
+PLACES = _places()
+MODELS = tuple(PLACES)
+
+
+def place(name: str) -> str:
+    """What :func:`spragsym.load` and ``--model`` take for a model."""
+    return PLACES.get(name, name)
+
+
+def load(name: str) -> ss.Model:
+    """A model by the name that tests have in brackets."""
+    return ss.load(place(name))
+
+
+#: Those that rub: all that are asked for motions.
+MOVING = tuple(name for name in MODELS if load(name).about["friction"] is not None)
+
+
+def without_base(name: str, degrees: float) -> dict[str, float]:
+    """What a set has to be given: an angle in degrees, 1 for anything else."""
+    model = load(name)
+    return {one: degrees if one in model.about["angles"] else 1.0 for one in model.parameters if one not in model.base}
+
+
+def a_set(name: str, degrees: float = 40.0, **changes: Any) -> Any:
+    """Base values of a model; an angle that has none is of so many degrees."""
+    model = load(name)
+    given = without_base(name, degrees)
+    return model.Parameters(
+        **{one: math.radians(value) if one in model.about["angles"] else value for one, value in given.items()} | changes
+    )
+
+
+def words(name: str, degrees: float = 40.0) -> list[str]:
+    """The options of a command for the same set."""
+    given = without_base(name, degrees)
+    options = [f"{options_of(load(name).about, one)[0]}={value!r}" for one, value in given.items()]
+    return ["--model", place(name), *options]
+
+
+def moved(name: str, *first: str) -> tuple[str, float]:
+    """A parameter to change, the first of those named that the model has or else its last, and its base value."""
+    names = load(name).parameters
+    one = next((wanted for wanted in first if wanted in names), names[-1])
+    return one, float(getattr(a_set(name), one))

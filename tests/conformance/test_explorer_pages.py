@@ -1,0 +1,152 @@
+"""The explorer's page of every model: the same parts and columns, the states that Python proves, and its motion."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.cli.explore import page as page_of
+from tests.conformance.models import MODELS, load, place
+from tests.explorer_pages import WITHOUT_WEBGL, Explorer, chromium
+from tests.support import few
+
+pytest.importorskip("sympy", reason="SymPy is not installed: pages of models are derived")
+
+#: Parts of each page, in their order; of closed forms there may be more.
+PARTS = ["mechanism_part", "plane_part", "along_part", "parameter_part", "built_part"]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with chromium() as started:
+        context = started.new_context(viewport={"width": 1300, "height": 1000}, reduced_motion="reduce")
+        context.add_init_script(WITHOUT_WEBGL)
+        yield context
+
+
+def opened(browser: Any, model: ss.Model, folder: Path) -> Explorer:
+    out = folder / f"{model.name}.html"
+    out.write_text(page_of(model), encoding="utf-8")
+    explorer = Explorer(browser.new_page(), out.as_uri())
+    explorer.open()
+    return explorer
+
+
+def points(model: ss.Model, n: int) -> list[dict[str, float]]:
+    """Random points about the base values."""
+    rng = np.random.default_rng(len(model.name))
+    found = []
+    for _ in range(n):
+        values = {name: value * rng.uniform(0.7, 1.3) for name, value in model.base.items()}
+        found.append(values | {name: rng.uniform(0.3, 1.5) for name in model.parameters if name not in values})
+    return found
+
+
+def compare_states(explorer: Explorer, model: ss.Model, point: dict[str, float], status: str) -> int:
+    """Hold the page's states against those that Python proves, by coordinate and by word; how many there are."""
+    total = 0
+    for contact in model.regimes:
+        eq = model.equilibria(model.Parameters(**point), contact=contact)
+        count = int(eq.count)
+        found = explorer.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": contact})
+        assert (found["status"], found["count"]) == (status, count)
+        where = np.array([getattr(eq, name)[:count] for name in model.coordinates])
+        there = sorted(found["states"], key=lambda state: state[model.coordinates[0]])
+        for slot, state in zip(np.argsort(where[0]), there, strict=True):
+            assert [state[name] for name in model.coordinates] == pytest.approx(where[:, slot], abs=1e-9)
+            assert state["stability"] == ss.Stability(int(eq.stability[slot])).name.lower()
+        total += count
+    return total
+
+
+@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "pad_on_disc", "pressed"))
+def test_every_page_has_the_same_parts_and_the_states_of_python(name: str, browser: Any, tmp_path: Path) -> None:
+    model = load(name)
+    explorer = opened(browser, model, tmp_path)
+    page = explorer.page
+    parts = page.evaluate("[...document.querySelectorAll('main > section[id]')].map(part => part.id)")
+    assert [part for part in parts if part in PARTS] == PARTS
+    assert page.is_visible("#plane_part") == (len(model.axes) == 2)
+    heads = page.evaluate("[...document.querySelectorAll('#states th')].map(cell => cell.textContent)")
+    springs = len(model.about["springs"])
+    assert heads[:3] == ["", "regime", "stability"]
+    assert sum(head.startswith("θ") for head in heads) == sum(bool(re.fullmatch(r"L\S*", head)) for head in heads) == springs
+    assert [heads[-2][:6], heads[-1][:8]] == ["normal", "friction"]
+    ids = page.evaluate("[...document.querySelectorAll('#parameters input[type=text]')].map(box => box.id)")
+    assert [one.removesuffix("_deg") for one in ids] == list(model.parameters)
+    rows = page.evaluate("[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent))")
+    eq, p = model.equilibria(model.cases()[0][1]), model.cases()[0][1]
+    read = [[float(row[k].replace("\u2212", "-")) for row in rows if row[1] != "lift-off"] for k in (-2, -1)]
+    if model.about["contact"]["gap"] is not None:
+        normal = sorted(float(value) for value in eq.contact_force[: int(eq.count)])
+        assert sorted(read[0]) == pytest.approx(normal, rel=1e-4)
+    mu = float(model.friction(p, "friction_at_rest")) if model.about["friction"] else 0.0
+    assert read[1] == pytest.approx([mu * value for value in read[0]], rel=1e-4)
+    command = page.inner_text("#proof").split()
+    assert command[:4] == ["spragsym", "equilibria", "--model", place(name)]
+    status = "ok" if "equilibria" in model.closed else "searched"
+    assert sum(compare_states(explorer, model, point, status) for point in points(model, 3)) >= 3
+    assert explorer.errors == []
+    page.close()
+
+
+@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "pad_on_disc", "pressed"))
+def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> None:
+    """From rest, over lift-offs and overtakings, by steps that are cut at kinks; errors of order h^4."""
+    model = load(name)
+    if model.about["friction"] is None:
+        pytest.skip(f"{name} has no belt")
+    explorer = opened(browser, model, tmp_path)
+    (point,) = points(model, 1)
+    start = [0.05] + [0.0] * (2 * len(model.coordinates) - 1)
+    tr = model.simulate(model.Parameters(**point), start=start, t_end=30.0)
+    run = "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 3000; i++) s = m.step(s, 0.01); return s; }"
+    assert explorer.page.evaluate(run, [point, start]) == pytest.approx(tr.state[:, -1], abs=2e-6)
+    assert explorer.errors == []
+    explorer.page.close()
+
+
+@pytest.mark.thorough
+def test_search_finds_what_the_solver_of_closed_forms_proves(browser: Any, tmp_path: Path) -> None:
+    """The article's page without its closed forms is that of any model, and follows over the same fold."""
+    model = ss.load("kang_nam").search
+    explorer = opened(browser, model, tmp_path)
+    for point in points(model, 20):
+        compare_states(explorer, model, point, "searched")
+    fold = math.degrees(float(ss.folds(ss.Parameters.article(), "theta0").theta0[0]))
+    explorer.page.fill("#theta0_deg", f"{fold + 1:.6f}")
+    said = re.search(r"state ended at θ₀ = ([\d.]+)°", explorer.says())
+    assert said is not None
+    assert float(said[1]) == pytest.approx(fold, abs=0.05)
+    assert explorer.errors == []
+    explorer.page.close()
+
+
+def test_a_plane_without_curves_is_sampled_and_says_so(browser: Any, tmp_path: Path) -> None:
+    """Any two parameters may be on its axes; the article's own plane has its curves and is not sampled."""
+    explorer = opened(browser, ss.load("kang_nam"), tmp_path)
+    page = explorer.page
+    assert page.is_hidden("#sampled")
+    page.select_option("#across", "kappa")
+    assert page.is_visible("#sampled")
+    assert page.input_value("#upward") == "mu0"
+    page.select_option("#upward", "kappa")  # the two change places
+    assert page.input_value("#across") == "mu0"
+    page.select_option("#upward", "theta0")
+    page.focus("#point")
+    before = json.loads(page.evaluate("JSON.stringify([mu0.value, theta0_deg.value])"))
+    page.keyboard.press("Shift+ArrowRight")
+    explorer.settle()
+    after = json.loads(page.evaluate("JSON.stringify([mu0.value, theta0_deg.value])"))
+    assert float(after[0]) > float(before[0])
+    assert after[1] == before[1]
+    assert explorer.errors == []
+    page.close()

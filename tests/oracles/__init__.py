@@ -1,0 +1,1 @@
+"""References that tests, campaigns and benchmarks hold the package against."""

@@ -1,0 +1,126 @@
+"""Flutter onsets against a map of stability refined near 0, π/2 and π; a Markdown table.
+
+``python -m validation.flutter [SETS] [SEED] [SECONDS]``: random parameter sets over several decades, α = 0 in a
+quarter of them, until one of the two limits is reached.
+The states on a grid of θ₀ and their stability are those of :func:`spragsym.equilibria`, which knows nothing of onsets. Between two
+neighbours a state that changes between flutter and no flutter must have its onset listed, with the right side, and a state that does
+not must have none. The grid is finer near 0, π/2 and π, about all that is listed, where a discriminant comes close to 0, and about
+folds, where states change places and nothing can be said of a cell.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections import Counter
+
+import numpy as np
+
+import spragsym as ss
+
+Array = np.ndarray
+
+#: Grid points in the middle, and towards each of 0, π/2 (from both sides) and π, down to :data:`NEAREST`.
+EVEN, TOWARDS, NEAREST = 160, 40, 1e-9
+#: How often the grid is made finer where something comes close.
+ZOOMS = 4
+
+
+def main(sets: int = 10_000, seed: int = 12, seconds: float = 3600) -> int:
+    """Print the table; exit code 1 if an onset is missed or invented."""
+    rng = np.random.default_rng(seed)
+    rows: dict[str, list[int]] = {"alpha > 0": [0] * 5, "alpha = 0": [0] * 5}
+    slowest = spent = 0.0
+    done, end = 0, time.monotonic() + seconds
+    while done < sets and time.monotonic() < end:
+        done += 1
+        p = random_set(rng)
+        begin = time.perf_counter()
+        onsets = ss.flutter_onsets(p, damping=False)
+        elapsed = time.perf_counter() - begin
+        slowest, spent = max(slowest, elapsed), spent + elapsed
+        missed, extra, seen = compare(p, onsets)
+        row = rows["alpha > 0" if p.alpha > 0 else "alpha = 0"]
+        for place, value in enumerate((1, len(onsets), seen, missed, extra)):
+            row[place] += value
+        if missed or extra:
+            print(f"{p!r}: {missed} missed, {extra} extra", file=sys.stderr, flush=True)
+    print("| | sets | onsets listed | seen on the map | missed | extra |")
+    print("|---|---|---|---|---|---|")
+    for name, row in rows.items():
+        print(f"| {name} | {' | '.join(map(str, row))} |")
+    print(f"\n{1e3 * spent / max(done, 1):.1f} ms a call, {1e3 * slowest:.0f} ms at most.")
+    return int(any(row[3] or row[4] for row in rows.values()))
+
+
+def random_set(rng: np.random.Generator) -> ss.Parameters:
+    """Parameters over several decades, half of them where flutter is common: α near 1 + β, σ of its order."""
+    beta = rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)])
+    if rng.random() < 0.5:
+        alpha, sigma = (1 + beta) * rng.uniform(0.1, 1.5), 10 ** rng.uniform(-1, 0.5)
+    else:
+        alpha, sigma = 10 ** rng.uniform(-4, 0.5), 10 ** rng.uniform(-2, 1)
+    return ss.Parameters(
+        mu0=10 ** rng.uniform(-1, 1), kappa=10 ** rng.uniform(-5, 0), alpha=alpha * (rng.random() > 0.25), sigma=sigma, beta=beta
+    )
+
+
+def grid() -> Array:
+    """θ₀ in (0, π), ever closer to 0, π/2 and π."""
+    near = np.geomspace(NEAREST, 0.3, TOWARDS)
+    half = 0.5 * np.pi
+    return np.unique(np.concatenate([np.linspace(0, np.pi, EVEN + 2)[1:-1], near, half - near, half + near, np.pi - near]))
+
+
+def compare(p: ss.Parameters, onsets: ss.Onsets) -> tuple[int, int, int]:
+    """Onsets that the map has and the list has not, the other way round, and those on the map."""
+    theta0, eq = refined_map(p, onsets)
+    flutter = np.where(np.arange(eq.stability.shape[-1]) < eq.count[:, None], eq.stability == ss.Stability.FLUTTER, False)
+    missed = extra = seen = 0
+    for cell in np.flatnonzero(np.diff(eq.count) == 0):  # otherwise a fold is in between, and the states changed places
+        change = flutter[cell + 1].astype(int) - flutter[cell]
+        expected = Counter((int(branch), int(change[branch])) for branch in np.flatnonzero(change))
+        inside = (onsets.theta0 > theta0[cell]) & (onsets.theta0 < theta0[cell + 1])
+        inside &= onsets.side != 0  # a touch, which changes nothing on either side
+        listed = Counter(zip(onsets.branch[inside].tolist(), onsets.side[inside].tolist(), strict=True))
+        seen += expected.total()
+        missed += (expected - listed).total()
+        extra += (listed - expected).total()
+    return missed, extra, seen
+
+
+def refined_map(p: ss.Parameters, onsets: ss.Onsets) -> tuple[Array, ss.Equilibria]:
+    """θ₀ and the states there: the grid, points about everything listed, and more where a discriminant comes near 0."""
+    events = onsets.theta0
+    bounds = np.unique(np.concatenate([[0.0, np.pi], events]))
+    about = [events + distance for size in (1e-3, 1e-6, 1e-9) for distance in (-size, size)]
+    theta0 = np.unique(np.concatenate([grid(), 0.5 * (bounds[1:] + bounds[:-1]), *about]))
+    for zoom in range(ZOOMS + 1):
+        far = np.abs(theta0[:, None] - events).min(axis=-1, initial=1.0)
+        theta0 = theta0[(theta0 > 0) & (theta0 < np.pi) & (far > 1e-12)]
+        eq = ss.equilibria(p.replace(theta0=theta0))
+        near = dips(p, eq)
+        folds = np.flatnonzero((np.diff(eq.count) != 0) & (np.diff(theta0) > 1e-6))
+        if zoom == ZOOMS or not near.size + folds.size:
+            break
+        fine = np.linspace(theta0[near - 1], theta0[near + 1], 13), np.linspace(theta0[folds], theta0[folds + 1], 13)
+        theta0 = np.union1d(theta0, np.concatenate(fine, axis=-1))
+    return theta0, eq
+
+
+def dips(p: ss.Parameters, eq: ss.Equilibria) -> Array:
+    """Points at which the discriminant of a state comes closer to 0 than at the neighbours, without a change of its sign."""
+    mu0, alpha, sigma, beta = p.scalars("mu0", "alpha", "sigma", "beta")
+    s, c = np.sin(eq.theta), np.cos(eq.theta)
+    K11, K22, K21 = sigma * (1 - s * s / eq.L) + alpha, sigma * (1 - c * c / eq.L) + beta + 1, sigma / eq.L * s * c
+    value = (K11 - K22) ** 2 + 4 * (K21 + mu0) * K21
+    left, here, right = value[:-2], value[1:-1], value[2:]
+    same = (np.sign(left) == np.sign(here)) & (np.sign(here) == np.sign(right))
+    size = (K11 - K22) ** 2 + 4 * np.abs((K21 + mu0) * K21)
+    close = np.abs(here) < 0.1 * size[1:-1]
+    found = same & close & (np.abs(here) <= np.abs(left)) & (np.abs(here) <= np.abs(right))
+    return np.unique(np.nonzero(found)[0]) + 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(*(int(argument) for argument in sys.argv[1:4])))

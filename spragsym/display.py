@@ -1,14 +1,17 @@
-"""Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in ``_deg``."""
+"""Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in ``_deg``.
+
+A result says by ``table_model``, ``table_angles`` and ``table_codes`` what its columns are, by ``table_values`` which
+they are, and by ``as_table`` what to show in their place.
+"""
 
 from __future__ import annotations
 
 import enum
 import html
-import importlib
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields, is_dataclass
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -18,17 +21,6 @@ from .exact.decimals import upward
 WHOLE = 6
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
-
-#: Angles among the names that do not begin with ``theta``.
-_ANGLES = {"poles", "width"}
-
-#: Column of codes → module and enumeration that says what they mean.
-_CODES = {
-    "undamped": ("results", "Stability"),
-    "stability": ("results", "Stability"),
-    "regime": ("sweeps", "Regime"),
-    "which": ("dynamics", "Event"),
-}
 
 
 @dataclass(frozen=True)
@@ -42,6 +34,21 @@ class Table:
 
 class Shown:
     """Gives a dataclass a table in a notebook."""
+
+    #: Columns of codes → the enumeration that says what they mean.
+    table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {}
+    #: Angles that are no parameters, coordinates or directions of springs.
+    table_angles: ClassVar[frozenset[str]] = frozenset()
+
+    @property
+    def table_model(self) -> Any:
+        """The model that says which columns are angles; None where a result does not know it."""
+        given = getattr(self, "model", None)
+        return getattr(getattr(self, "parameters", None), "model", None) if given is None else given
+
+    def table_values(self) -> dict[str, Any]:
+        """What stands in the table, by name."""
+        return named_fields(self)
 
     def _repr_html_(self) -> str:
         return "\n".join(_html(table) for table in tables(self))
@@ -74,22 +81,66 @@ def _named(value: Any) -> str:
     return " ".join(repr(value).split())
 
 
-def tables(thing: Any) -> Iterator[Table]:
+@dataclass(frozen=True)
+class Words:
+    """What a table calls its columns, and how it writes what is in them."""
+
+    is_angle: Callable[[str], bool]
+    codes: Mapping[str, type[enum.IntEnum]] = field(default_factory=dict)
+
+    def heading(self, key: str) -> str:
+        """A column's name, of an angle with its unit."""
+        name, blank, rest = key.partition(" ")
+        return f"{name}_deg{blank}{rest}" if self.is_angle(name) else key
+
+    def cell(self, key: str, value: Any) -> str:
+        """A number to ten digits, a code as its word."""
+        if isinstance(value, np.ndarray | np.generic):
+            value = value.item() if value.ndim == 0 else self.listed(key, value)
+        if isinstance(value, tuple):
+            return ", ".join(self.cell("", part) for part in value)
+        if key in self.codes:
+            code = self.codes[key]
+            value = code(value) if value in set(code) else "other"
+        if isinstance(value, enum.Enum):
+            return value.name.lower()
+        if isinstance(value, str):
+            return value
+        if not isinstance(value, float):
+            return str(value)
+        if key == "error":
+            return upward(value)
+        return f"{math.degrees(value) if self.is_angle(key.partition(' ')[0]) else value:.10g}"
+
+    def listed(self, key: str, values: Any) -> str:
+        """The first few numbers of an array."""
+        flat = values.ravel()
+        text = ", ".join(self.cell(key, value) for value in flat[:8])
+        return f"[{text}{', …' if flat.size > 8 else ''}]"
+
+
+def words(thing: Any, above: Words | None = None) -> Words:
+    """Those of a result; of a part that does not know its model, with the angles of what it is a part ``above``."""
+    model = thing.table_model if isinstance(thing, Shown) else None
+    known: Callable[[str], bool] = getattr(model, "is_angle", above.is_angle if above is not None else _by_name)
+    own, codes = (thing.table_angles, thing.table_codes) if isinstance(thing, Shown) else (frozenset(), {})
+    return Words(lambda name: name in own or known(name), codes)
+
+
+def _by_name(name: str) -> bool:
+    """Whether the article's nomenclature calls an angle so."""
+    return name.partition("_")[0] in ("theta", "theta0") and not name.endswith("_deg")
+
+
+def tables(thing: Any, above: Words | None = None) -> Iterator[Table]:
     """The tables of a dataclass: one of its columns, and one of each part that has columns itself."""
-    if hasattr(thing, "as_table"):  # one whose columns are no quantities
+    if hasattr(thing, "as_table"):  # one whose rows are not its fields
         yield thing.as_table()
         return
-    name = type(thing).__name__
-    if name in _KINDS:
-        yield _KINDS[name](thing)
-        return
-    values = _fields(thing)
+    name, said = type(thing).__name__, words(thing, above)
+    values = thing.table_values() if isinstance(thing, Shown) else named_fields(thing)
     if isinstance(values.get("undecided"), np.ndarray):
-        values["undecided"] = _counted(len(values["undecided"]), "box", "boxes")
-    if name == "Events":
-        states = values.pop("state").T
-        numbered = tuple(f"state_{i + 1}" for i in range(len(states)))
-        values |= zip({2: ("x", "vx"), 4: ("x", "y", "vx", "vy")}.get(len(states), numbered), states, strict=True)
+        values["undecided"] = counted(len(values["undecided"]), "box", "boxes")
     if "vary" in values and "values" in values:
         vary, column = values["vary"], values.pop("values")
         if isinstance(vary, str):
@@ -101,122 +152,98 @@ def tables(thing: Any) -> Iterator[Table]:
         values["vary"] = ", ".join(values["vary"])
     single = {key: value for key, value in values.items() if _is_single(value)}
     arrays = {key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim}
-    shape = max((value.shape for key, value in arrays.items() if key not in _ANGLES), key=math.prod, default=())
+    extra = thing.table_angles if isinstance(thing, Shown) else frozenset()
+    shape = max((value.shape for key, value in arrays.items() if key not in extra), key=math.prod, default=())
     columns = {key: value for key, value in arrays.items() if value.shape == shape}
-    single |= {key: _listed(key, value) for key, value in arrays.items() if value.shape != shape}
+    single |= {key: said.listed(key, value) for key, value in arrays.items() if value.shape != shape}
     if columns:
-        yield _columns(_title(name, single, _size(shape)), columns, shape)
+        yield _columns(caption(said, name, single, _size(shape)), columns, shape, said)
     elif single:
-        yield Table(name, *_pairs(single))
+        yield Table(name, *_pairs(single, said))
     for key, value in values.items():
         if is_dataclass(value) and not _is_single(value):
-            yield from _parts(key, tables(value))
+            yield from _parts(key, tables(value, said))
         elif isinstance(value, Sequence) and not isinstance(value, str):
-            yield from _sequence(key, value, values.get("vary", "value"))
+            yield from _sequence(key, value, values.get("vary", "value"), said)
 
 
-# ----------------------------------------------------------------------------------------------- kinds of results
+# ----------------------------------------------------------------------------------------- what tables are made of
 
 
-def _equilibria(eq: Any) -> Table:
-    """A row for each equilibrium, with the parameters that vary over the points."""
-    p, shape = eq.parameters, eq.count.shape
-    every = eq.states
-    shown, cut = _shown(every[0].size)
-    states = tuple(part[shown] for part in every)
-    vary = [key for key, value in _fields(p).items() if value is not None and value.size > 1]
-    kinds, growth = eq.told(states)
-    columns = {"stability": kinds, "undamped": eq.stability[states]}
-    columns |= {name: getattr(eq, name)[states] for name in eq.columns} | {"growth": growth, "error": eq.error[states]}
-    rows = []
-    for row, slot in enumerate(zip(*states, strict=True)):
-        place = tuple(int(i) for i in slot[:-1])
-        given = [_cell(key, np.broadcast_to(getattr(p, key), p.shape)[place]) for key in vary]
-        rows.append((
-            *([_index(place)] if shape else []), *given,
-            *(f"{values[row]:.1e}" if key == "growth" else _cell(key, values[row]) for key, values in columns.items()),
-        ))  # fmt: skip
-    where = {"sliding": "of sliding", "rest": "at rest"}.get(eq.regime, f"in {eq.regime}")
-    number = _counted(every[0].size, "equilibrium", "equilibria")
-    title = f"{number} {where}" + (f" of {math.prod(shape)} points" if shape else "")
-    header = (*(["point"] if shape else []), *map(_heading, (*vary, *columns)))
-    return _with_cut(title + _not_all(eq), header, rows, cut)
-
-
-def _counted(number: int, one: str, many: str) -> str:
+def counted(number: int, one: str, many: str) -> str:
+    """How many there are."""
     return f"{number} {one if number == 1 else many}"
 
 
-def _not_all(found: Any) -> str:
+def not_all(found: Any) -> str:
     """Why a result is not complete."""
     return "" if found.complete else f"; not complete: {'; '.join(found.remarks)}"
 
 
-def _points(found: Any) -> Table:
-    """A row for each point: the parameters that vary, the state, what ends there or begins, and what else is known of it."""
-    columns = {name: getattr(found, name) for name in (*found.vary, *found.columns)}
-    if hasattr(found, "criticality"):
-        more = ("omega", "branch", "count", "side")
-        columns |= {name: getattr(found, name) for name in more if hasattr(found, name)}
-        columns |= {"kind": found.kind, "criticality": found.criticality}
-    else:
-        columns["kind"] = found.kind
-    if "fold" in found.kind:
-        columns |= {"ends": found.ends, "when": found.when} | {f"{name}_after": column for name, column in found.after.items()}
-    columns["error"] = found.error
-    rows = [tuple(_cell(name, column[row]) for name, column in columns.items()) for row in range(len(found))]
-    shown, cut = _shown(len(rows))
-    ends = found.region[-len(found.vary) :].tolist()
-    spans = (
-        f"{_heading(name)} from {_cell(name, low)} to {_cell(name, high)}"
-        for name, (low, high) in zip(found.vary, ends, strict=True)
-    )
-    title = f"{_counted(len(found), 'point', 'points')} along {', '.join(spans)}{_not_all(found)}"
-    return _with_cut(title, tuple(map(_heading, columns)), [rows[i] for i in shown], cut)
+def caption(said: Words, name: str, single: Mapping[str, Any], size: str) -> str:
+    """What a result is, the numbers in it, and how many rows there are."""
+    return ", ".join([name, *(f"{said.heading(key)} = {said.cell(key, value)}" for key, value in single.items()), size])
 
 
-def _trajectory(tr: Any) -> Table:
-    """First, smallest, largest and last value of each coordinate, in place of all samples."""
-    rows = [
-        (key, *(_cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
-        for key, values in ((key, getattr(tr, key)) for key in tr.components)
-    ]
-    known = {key: value for key, value in _fields(tr).items() if _is_single(value)}
-    events = {} if tr.events is None else {"events": len(tr.events)}
-    title = _title(f"Trajectory, t = {_cell('t', tr.t[0])} to {_cell('t', tr.t[-1])}", known | events, f"{len(tr.t)} samples")
-    return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
+def shown(count: int) -> tuple[list[int], int | None]:
+    """Rows to show, and the place of the gap if rows are left out."""
+    if count <= ROWS:
+        return list(range(count)), None
+    half = ROWS // 2
+    return [*range(half), *range(count - half, count)], half
 
 
-#: Results with a table of their own.
-_KINDS = {
-    "Equilibria": _equilibria,
-    "Points": _points,
-    "Onsets": _points,
-    "Trajectory": _trajectory,
-}
+def with_cut(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]], cut: int | None) -> Table:
+    """A table with a row of dots where others are left out."""
+    if cut is not None:
+        rows = [*rows[:cut], ("…",) * len(header), *rows[cut:]]
+    return Table(title, header, tuple(rows))
 
 
-def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...]) -> Table:
-    shown, cut = _shown(math.prod(shape))
+def index(place: tuple[int, ...]) -> str:
+    """Where in an array a row is of."""
+    return ", ".join(map(str, place))
+
+
+def named_fields(thing: Any) -> dict[str, Any]:
+    """Fields by name; in place of a mapping of arrays its items, broadcast to one shape."""
+    out: dict[str, Any] = {}
+    for each in fields(thing):
+        value = getattr(thing, each.name)
+        # Private attributes are not shown, columns that are held in a mapping are.
+        if not each.repr and each.name != getattr(type(thing), "held_in", None):
+            continue
+        if isinstance(value, Mapping):
+            shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
+            end = f"_{each.name}" if each.name in ("before", "after") else ""
+            out |= {f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
+        elif value is not None:
+            out[each.name] = value
+    return out
+
+
+def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...], said: Words) -> Table:
+    some, cut = shown(math.prod(shape))
     used = {key: value for key, value in columns.items() if value.dtype.kind != "U" or (value != "").any()}
-    header = (*(["point"] if len(shape) > 1 else []), *map(_heading, used))
+    header = (*(["point"] if len(shape) > 1 else []), *map(said.heading, used))
     rows = []
-    for row in shown:
+    for row in some:
         place = tuple(int(i) for i in np.unravel_index(row, shape))
-        rows.append((*([_index(place)] if len(shape) > 1 else []), *(_cell(key, value[place]) for key, value in used.items())))
-    return _with_cut(title, header, rows, cut)
+        rows.append((*([index(place)] if len(shape) > 1 else []), *(said.cell(key, value[place]) for key, value in used.items())))
+    return with_cut(title, header, rows, cut)
 
 
-def _sequence(key: str, things: Sequence[Any], vary: str) -> Iterator[Table]:
+def _sequence(key: str, things: Sequence[Any], vary: str, above: Words) -> Iterator[Table]:
     """A row for each of several parts of one kind, arrays by their extremes; the field ``value`` is headed ``vary``."""
     if not things:
         yield Table(f"{key}: none")
         return
-    rows = [_renamed(_extents(_fields(thing)), vary) if is_dataclass(thing) else {"": thing} for thing in things]
-    shown, cut = _shown(len(rows))
-    header = ("", *map(_heading, rows[0]))
-    body = [(str(i), *(_cell(name, value) for name, value in rows[i].items())) for i in shown]
-    yield _with_cut(key, header, body, cut)
+    said = words(things[0], above)
+    rows = [_renamed(_extents(named_fields(thing)), vary) if is_dataclass(thing) else {"": thing} for thing in things]
+    some, cut = shown(len(rows))
+    header = ("", *map(said.heading, rows[0]))
+    body = [(str(i), *(said.cell(name, value) for name, value in rows[i].items())) for i in some]
+    yield with_cut(key, header, body, cut)
 
 
 def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -239,26 +266,6 @@ def _parts(key: str, found: Iterator[Table]) -> Iterator[Table]:
         yield Table(f"{key}: {table.title}", table.header, table.rows)
 
 
-# -------------------------------------------------------------------------------------------------- words of them
-
-
-def _fields(thing: Any) -> dict[str, Any]:
-    """Fields by name; in place of a mapping of arrays its items, broadcast to one shape."""
-    out: dict[str, Any] = {}
-    for field in fields(thing):
-        value = getattr(thing, field.name)
-        # Private attributes are not shown, columns that are held in a mapping are.
-        if not field.repr and field.name != getattr(type(thing), "held_in", None):
-            continue
-        if isinstance(value, Mapping):
-            shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
-            end = f"_{field.name}" if field.name in ("before", "after") else ""
-            out |= {f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
-        elif value is not None:
-            out[field.name] = value
-    return out
-
-
 def _is_single(value: Any) -> bool:
     """Whether something fits on the line above a table."""
     if type(value).__name__ in ("Parameters", "PhysicalParameters"):
@@ -268,70 +275,12 @@ def _is_single(value: Any) -> bool:
     return not is_dataclass(value) and (isinstance(value, str) or not isinstance(value, Sequence))
 
 
-def _title(name: str, single: Mapping[str, Any], size: str) -> str:
-    return ", ".join([name, *(f"{_heading(key)} = {_cell(key, value)}" for key, value in single.items()), size])
-
-
 def _size(shape: tuple[int, ...]) -> str:
     return f"{shape[0]} rows" if len(shape) == 1 else f"{' × '.join(map(str, shape))} points"
 
 
-def _listed(key: str, values: Any) -> str:
-    flat = values.ravel()
-    text = ", ".join(_cell(key, value) for value in flat[:8])
-    return f"[{text}{', …' if flat.size > 8 else ''}]"
-
-
-def _pairs(single: Mapping[str, Any]) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    return ("", "value"), tuple((_heading(key), _cell(key, value)) for key, value in single.items())
-
-
-def _shown(count: int) -> tuple[list[int], int | None]:
-    """Rows to show, and the place of the gap if rows are left out."""
-    if count <= ROWS:
-        return list(range(count)), None
-    half = ROWS // 2
-    return [*range(half), *range(count - half, count)], half
-
-
-def _with_cut(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]], cut: int | None) -> Table:
-    if cut is not None:
-        rows = [*rows[:cut], ("…",) * len(header), *rows[cut:]]
-    return Table(title, header, tuple(rows))
-
-
-def _is_angle(key: str) -> bool:
-    name = key.partition(" ")[0]
-    return name in _ANGLES or (name.startswith("theta") and not name.endswith("_deg"))
-
-
-def _heading(key: str) -> str:
-    name, blank, rest = key.partition(" ")
-    return f"{name}_deg{blank}{rest}" if _is_angle(key) else key
-
-
-def _index(place: tuple[int, ...]) -> str:
-    return ", ".join(map(str, place))
-
-
-def _cell(key: str, value: Any) -> str:
-    """A number to ten digits, a code as its word."""
-    if isinstance(value, np.ndarray | np.generic):
-        value = value.item() if value.ndim == 0 else _listed(key, value)
-    if isinstance(value, tuple):
-        return ", ".join(_cell("", part) for part in value)
-    if isinstance(value, str):
-        return value
-    if isinstance(value, enum.Enum):
-        return value.name.lower()
-    if key in _CODES:
-        module, enumeration = _CODES[key]
-        return str(getattr(importlib.import_module(f".{module}", __package__), enumeration)(value).name.lower())
-    if not isinstance(value, float):
-        return str(value)
-    if key == "error":
-        return upward(value)
-    return f"{math.degrees(value) if _is_angle(key) else value:.10g}"
+def _pairs(single: Mapping[str, Any], said: Words) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
+    return ("", "value"), tuple((said.heading(key), said.cell(key, value)) for key, value in single.items())
 
 
 # ------------------------------------------------------------------------------------------------- as HTML, as text

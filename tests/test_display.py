@@ -208,6 +208,38 @@ def test_results_of_models_have_the_rows_of_the_article_s() -> None:
     assert "2 points along theta0_deg from 0 to 180; not complete: 3 boxes are too wide" in str(open_box)
 
 
+def test_the_model_says_which_columns_are_angles() -> None:
+    """Not their names: psi and phi are angles of models that are not the article's, and theta_k may be a stiffness of a page."""
+    belt = ss.load("inclined_belt")
+    p = belt.Parameters(theta0=0.8, mu0=0.5, kappa=0.007, psi=0.2)
+    header, *rows = Tables(ss.equilibria(p.replace(psi=[0.1, 0.2]))._repr_html_()).rows
+    assert {row[header.index("psi_deg")] for row in rows} == {f"{np.degrees(psi):.10g}" for psi in (0.1, 0.2)}
+    folds = ss.folds(p, vary="psi")
+    header, *rows = Tables(folds._repr_html_()).rows
+    np.testing.assert_allclose([float(row[header.index("psi_deg")]) for row in rows], np.degrees(folds.psi))
+    rod = ss.load("sprag_rod")
+    moved = ss.simulate(rod.Parameters(theta0=0.8, mu0=0.3, kappa=0.1), t_end=20.0, phi0=0.1, backend="scipy")
+    rows = {row[0]: row[1:] for row in Tables(moved._repr_html_()).rows}
+    assert float(rows["phi_deg"][0]) == pytest.approx(np.degrees(0.1))
+    assert "vphi" in rows
+    assert not rod.is_angle("vphi")
+    assert not belt.is_angle("kappa")
+
+
+def test_codes_and_components_stand_under_their_names() -> None:
+    """A motion's events have the coordinates of its own model; what is a code in an array is a word in the table."""
+    rod = ss.load("stick_slip")
+    events = ss.simulate(rod.Parameters(), t_end=60.0, backend="scipy", **{f"{rod.coordinates[0]}0": 1.0}).events
+    assert events is not None
+    assert len(events)
+    header, *rows = Tables(events._repr_html_()).rows
+    assert header == ["t", "which", *rod.coordinates, *rod.rates]
+    assert {row[1] for row in rows} <= {event.name.lower() for event in ss.Event}
+    if not LONG_MOTIONS_TAKE_MINUTES:
+        header, *rows = Tables(RESULTS["FateMap"]()._repr_html_()).rows
+        assert [row[header.index("kind")] for row in rows] == ["rest", "rest"]
+
+
 def test_the_jump_of_a_path_is_in_its_table() -> None:
     path = RESULTS["Path"]()
     rows = Tables(path._repr_html_()).rows

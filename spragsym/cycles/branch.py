@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..dynamics.field import Field
 from ..dynamics.flows import carrier, flow
 from ..dynamics.shooting import Loop, extent, rate
 from ..errors import ConvergenceError, ParameterError
@@ -100,9 +101,14 @@ class CycleBranch(Result):
     lowest: FloatArray
     highest: FloatArray
     stable: NDArray[np.bool_]
-    cycles: Sequence[Cycle] = field(repr=False)
+    cycles: Cycles = field(repr=False)
     events: tuple[CycleEvent, ...]
     to: tuple[float, float] = field(repr=False)
+
+    @property
+    def table_model(self) -> Field | None:
+        """It knows whether the parameter is an angle."""
+        return self.cycles.field
 
     def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
         """A cycle on the other branch at an event, where :func:`cycle_branch` can begin.

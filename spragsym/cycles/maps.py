@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,6 +75,8 @@ class FateMap(Result):
         What decides the kind, or would.
     model : Model
     """
+
+    table_codes: ClassVar[Mapping[str, type[Kind]]] = {"kind": Kind}
 
     inputs: dict[str, FloatArray]
     t_end: float

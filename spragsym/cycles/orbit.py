@@ -99,6 +99,11 @@ class Cycle(Result):
         """The model."""
         return self.loop.field
 
+    @property
+    def table_model(self) -> Field:
+        """It knows which names are angles."""
+        return self.loop.field
+
     def require(self, field: Field, name: str) -> None:
         """Raise unless this is a cycle of that field: another's would be taken for what it is not."""
         own = self.field
@@ -188,6 +193,11 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
 
 class Cycles(Sequence[Cycle]):
     """The cycles that closed loops are, each made when it is asked for first."""
+
+    @property
+    def field(self) -> Field | None:
+        """The model, if there is a cycle."""
+        return self._loops[0].field if self._loops else None
 
     def __init__(self, loops: tuple[Loop, ...], fly: Fly, backend: str) -> None:
         self._loops, self._fly, self._backend = loops, fly, backend
@@ -285,7 +295,7 @@ def _events(loop: Loop) -> Events:
         name = loop.field.borders[crossing.border].crossings[0 if crossing.sign > 0 else 1].upper()
         kinds.append(Event[name] if name in Event.__members__ else -1)
     states = np.array([crossing.state for crossing in crossings]).reshape(-1, loop.field.size)
-    return Events(np.array([crossing.t for crossing in crossings]), states, np.array(kinds, dtype=np.intp))
+    return Events(np.array([crossing.t for crossing in crossings]), states, np.array(kinds, dtype=np.intp), loop.field.components)
 
 
 def _range(samples: PiecewisePolynomial, force: Any) -> tuple[float, float]:

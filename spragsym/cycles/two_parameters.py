@@ -9,6 +9,7 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair
+from ..dynamics.field import Field
 from ..dynamics.flows import carrier
 from ..dynamics.shooting import Loop, looped, solved
 from ..errors import ConvergenceError, ParameterError
@@ -49,6 +50,11 @@ class EventCurve(Result):
     periods: FloatArray
     how: tuple[str, str]
     cycles: tuple[Cycle, ...] = field(repr=False)
+
+    @property
+    def table_model(self) -> Field | None:
+        """It knows which parameters are angles."""
+        return self.cycles[0].field if self.cycles else None
 
 
 def cycle_events(

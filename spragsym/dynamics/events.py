@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,16 +26,28 @@ class Events(Result):
         Coordinates and rates there: y = 0 or x' = V to 1e-12.
     which : ndarray of int, shape (k,)
         Codes of :class:`Event`.
+    components : tuple of str
+        Names of the coordinates and rates.
     """
+
+    table_codes: ClassVar[Mapping[str, type[Event]]] = {"which": Event}
 
     t: FloatArray
     state: FloatArray
     which: NDArray[np.intp]
+    components: tuple[str, ...] = field(repr=False)
 
     def __len__(self) -> int:
         return len(self.t)
 
     def of(self, *kinds: Event) -> Events:
         """The events of some kinds only."""
-        chosen = np.isin(self.which, kinds)
-        return Events(self.t[chosen], self.state[chosen], self.which[chosen])
+        return self.select(np.isin(self.which, kinds))
+
+    def select(self, chosen: NDArray[np.bool_]) -> Events:
+        """The events that are marked."""
+        return replace(self, t=self.t[chosen], state=self.state[chosen], which=self.which[chosen])
+
+    def table_values(self) -> dict[str, Any]:
+        """Time, what happened, and the state by its names."""
+        return {"t": self.t, "which": self.which, **dict(zip(self.components, self.state.T, strict=True))}

@@ -108,6 +108,8 @@ class Field:
         How many numbers at the end of a mode go with the place alone.
     curved : bool
         Whether a level is no linear function of the state.
+    is_angle : callable
+        ``is_angle(name)`` of a parameter or a coordinate.
     aloft : callable
         ``aloft(constants)`` of many motions, (N, C): for each whether a state, (m,), is above the belt for good; never where
         that is not known.
@@ -130,12 +132,18 @@ class Field:
     again: tuple[str, ...] = ()
     ways: int = 0
     curved: bool = False
+    is_angle: Callable[[str], bool] = "".__eq__
     aloft: Callable[[FloatArray], list[Callable[[FloatArray], bool]]] = never
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""
         first = self.modes[0]
         return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of the numbers in a state: the coordinates, then their rates as pages call them."""
+        return (*self.coordinates, *(f"v{name}" for name in self.coordinates))
 
     @property
     def size(self) -> int:

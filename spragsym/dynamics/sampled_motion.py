@@ -90,8 +90,7 @@ class Recorded(Result):
         error = None if self.error is None else np.interp(late.t, self.t, self.error)
         events = self.events
         if events is not None:
-            kept = events.t >= transient
-            events = Events(events.t[kept], events.state[kept], events.which[kept])
+            events = events.select(events.t >= transient)
         return self._with(late.t, late.states, events, error)
 
     def mean(self, transient: float | None = None, *, of: str | None = None) -> float:

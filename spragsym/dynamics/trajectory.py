@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..display import Table, caption, words
 from ..door import model_of
 from ..errors import ParameterError, ParameterTypeError
 from ..files import storage
@@ -77,6 +78,18 @@ class Trajectory(Recorded):
             raise AttributeError(f"a motion of {self.model.name} has no {name!r}{hint(name, self.components)}")
         row: FloatArray = self.state[self.components.index(name)]
         return row
+
+    def as_table(self) -> Table:
+        """First, smallest, largest and last value of each coordinate and rate, in place of all samples."""
+        said, t = words(self), self.t
+        rows = [
+            (said.heading(key), *(said.cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
+            for key, values in zip(self.components, self.state, strict=True)
+        ]
+        known: dict[str, Any] = {"model": self.model.name, "p": self.p, "rtol": self.rtol, "backend": self.backend}
+        known |= {} if self.events is None else {"events": len(self.events)}
+        title = caption(said, f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}", known, f"{len(t)} samples")
+        return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""
@@ -314,5 +327,5 @@ def state_of(model: Any, start: ArrayLike | None) -> FloatArray:
 
 def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
     solution = integrators.integrate(problem, backend)
-    events = Events(solution.event_t, solution.event_states, solution.event_kinds)
+    events = Events(solution.event_t, solution.event_states, solution.event_kinds, (*model.coordinates, *model.rates))
     return Trajectory(model, p, solution.samples.t, solution.samples.states, events, problem.rtol, backend)

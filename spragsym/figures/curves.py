@@ -18,7 +18,7 @@ from ..parameters import FloatArray, ParameterSet
 from ..results.equilibria import Equilibria, Stability, columns_of
 from ..results.paths import Path
 from ..results.points import Points
-from .labels import is_angle, window, with_unit
+from .labels import window, with_unit
 from .style import BLACK, LINES, Table, own_axes, styled
 
 #: Names of axes in the article's figures.
@@ -46,7 +46,7 @@ class Branch:
     def shown(self, name: str) -> FloatArray:
         """A column or the parameter as an axis shows it: angles in degrees."""
         value: FloatArray = self.values if name == self.vary else self.states[name]
-        return np.degrees(value) if is_angle(self.model, name) else value
+        return np.degrees(value) if self.model.is_angle(name) else value
 
 
 def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
@@ -218,8 +218,8 @@ def mark_folds(
     inside = (low <= along) & (along <= high)
     x, y = along[inside], getattr(turns, quantity)[inside]
     model = turns.parameters.model
-    x = np.degrees(x) if is_angle(model, turns.vary[0]) else x
-    y = np.degrees(y) if is_angle(model, quantity) else y
+    x = np.degrees(x) if model.is_angle(turns.vary[0]) else x
+    y = np.degrees(y) if model.is_angle(quantity) else y
     style: dict[str, Any] = {
         "linestyle": "none",
         "marker": "o",
@@ -288,7 +288,7 @@ def table_of(curves: Sequence[Branch], **same: float) -> Table:
     columns["branch"] = np.repeat(np.arange(len(curves)), [curve.values.size for curve in curves])
     columns["stability"] = np.repeat([c.stability.name.lower() for c in curves], [c.values.size for c in curves])
     for name in (first.vary, *first.states):
-        key = f"{name}_deg" if is_angle(first.model, name) else name
+        key = f"{name}_deg" if first.model.is_angle(name) else name
         columns[key] = np.concatenate([curve.shown(name) for curve in curves])
     return columns
 
@@ -317,7 +317,7 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
         ))  # fmt: skip
         head, begin = ([jump.value], [after]), stop
     pieces.append((np.concatenate([head[0], values[begin:]]), np.concatenate([head[1], states[begin:]])))
-    if is_angle(path.parameters.model, path.vary):
+    if path.parameters.model.is_angle(path.vary):
         pieces = [(np.degrees(value), state) for value, state in pieces]
     return pieces
 

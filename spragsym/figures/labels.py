@@ -23,23 +23,16 @@ def label(model: Model, name: str) -> str:
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
     own = name in entries and entries[name]["quantity"] == name
     letters = entries[name]["symbol"] if own else symbol(name)
-    return f"${letters}$ (deg)" if is_angle(model, name) else f"${letters}$"
+    return f"${letters}$ (deg)" if model.is_angle(name) else f"${letters}$"
 
 
 def with_unit(model: Model, name: str) -> str:
     """The same with what the model measures it in."""
-    if is_angle(model, name):
+    if model.is_angle(name):
         return label(model, name)
     scales = {entry["name"]: entry["scale"] for entry in model.about["coordinates"]}
     scale = scales.get(name, "1" if name in model.parameters else model.about["scales"]["length"])
     return f"{label(model, name)} ({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
-
-
-def is_angle(model: Model, name: str) -> bool:
-    """Whether a parameter, a coordinate or the direction of a spring is an angle."""
-    turning = {entry["name"] for entry in model.about["coordinates"] if entry["unit"] == "rad"}
-    own = {entry["name"] for entry in model.about["parameters"]}
-    return name in model.about["angles"] or name in turning or (name.partition("_")[0] == "theta" and name not in own)
 
 
 def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:

@@ -13,12 +13,12 @@ from ..models.hopf_curves import OnsetCurves
 from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
-from .labels import Between, is_angle, label, window
+from .labels import Between, label, window
 from .style import BLACK, GREEN, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
 
 
 def _shown(model: Model, name: str, values: Any) -> Any:
-    return np.degrees(values) if is_angle(model, name) else values
+    return np.degrees(values) if model.is_angle(name) else values
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:

@@ -112,6 +112,14 @@ class Model:
         """Names of the coordinates."""
         return tuple(entry["name"] for entry in self.about["coordinates"])
 
+    def is_angle(self, name: str) -> bool:
+        """Whether a parameter, a coordinate, the direction of a spring, or what is told of them after a jump, is an angle."""
+        name = name.removesuffix("_before").removesuffix("_after")
+        turning = {entry["name"] for entry in self.about["coordinates"] if entry["unit"] == "rad"}
+        if name in (*self.parameters, *self.coordinates):
+            return name in self.about["angles"] or name in turning
+        return name.partition("_")[0] == "theta"
+
     @property
     def rates(self) -> tuple[str, ...]:
         """Names of their rates."""

@@ -60,5 +60,10 @@ class BifurcationSet(Result):
     lines: Mapping[str, FloatArray] = field(default_factory=dict, repr=False)
     undecided: FloatArray = field(default_factory=lambda: np.empty((0, 0, 2)))
 
+    @property
+    def table_model(self) -> Any:
+        """It knows which parameters are angles."""
+        return self.cusps.parameters.model
+
     def __len__(self) -> int:
         return len(self.curves)

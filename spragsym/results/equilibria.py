@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Protocol, Self
+from typing import Any, ClassVar, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
+from ..display import Result, Table, counted, index, not_all, shown, with_cut, words
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 
@@ -121,6 +122,8 @@ class Equilibria(Result):
         Of closed forms only: points that are a fold to the last digit that could be tried: one state stands in two slots.
     """
 
+    table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {"undamped": Stability}
+
     parameters: Any
     contact: bool
     count: NDArray[Any]
@@ -166,6 +169,30 @@ class Equilibria(Result):
         if self.undecided:
             raise ConvergenceError(self.undecided[0].reason)
         return self
+
+    def as_table(self) -> Table:
+        """A row for each equilibrium, with the parameters that vary over the points."""
+        p, shape, said = self.parameters, self.count.shape, words(self)
+        every = self.states
+        some, cut = shown(every[0].size)
+        states = tuple(part[some] for part in every)
+        vary = [name for name in p.ranges if getattr(p, name) is not None and getattr(p, name).size > 1]
+        kinds, growth = self.told(states)
+        columns = {"stability": kinds, "undamped": self.stability[states]}
+        columns |= {name: getattr(self, name)[states] for name in self.columns} | {"growth": growth, "error": self.error[states]}
+        rows = []
+        for row, slot in enumerate(zip(*states, strict=True)):
+            place = tuple(int(i) for i in slot[:-1])
+            given = [said.cell(key, np.broadcast_to(getattr(p, key), p.shape)[place]) for key in vary]
+            rows.append((
+                *([index(place)] if shape else []), *given,
+                *(f"{values[row]:.1e}" if key == "growth" else said.cell(key, values[row]) for key, values in columns.items()),
+            ))  # fmt: skip
+        where = {"sliding": "of sliding", "rest": "at rest"}.get(self.regime, f"in {self.regime}")
+        number = counted(every[0].size, "equilibrium", "equilibria")
+        caption = f"{number} {where}" + (f" of {math.prod(shape)} points" if shape else "")
+        header = (*(["point"] if shape else []), *map(said.heading, (*vary, *columns)))
+        return with_cut(caption + not_all(self), header, rows, cut)
 
     def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:
         """``kind`` and ``growth`` of some states only, by their indices into the columns."""

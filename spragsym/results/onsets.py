@@ -47,6 +47,12 @@ class Onsets(Points):
         Why an onset is undecided; empty for the others.
     """
 
+    @property
+    def table_columns(self) -> dict[str, NDArray[Any]]:
+        """The frequency, what closed forms know, and how dangerous each is."""
+        more = {name: getattr(self, name) for name in ("omega", "branch", "count", "side") if hasattr(self, name)}
+        return {**more, "kind": self.kind, "criticality": self.criticality}
+
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
         """The :class:`~spragsym.models.normal_forms.NormalForm` of each, or why it has none."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,8 @@ class Path(Columns, held_in="places"):
     ``stable`` and ``kind`` are those of the full linearization, made when they are asked for; on a fold ``kind`` is
     ``"marginal"`` unless something else grows there.
     """
+
+    table_codes: ClassVar[Mapping[str, type[Stability]]] = {"stability": Stability}
 
     parameters: Any
     vary: str

@@ -10,7 +10,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
+from ..display import Result, Table, counted, not_all, shown, with_cut, words
 from ..parameters import FloatArray
 from .equilibria import Equilibria, columns_of, one_each
 
@@ -101,6 +101,28 @@ class Points(Result):
     def coordinates(self) -> dict[str, FloatArray]:
         """The model's coordinates by their names."""
         return {name: getattr(self, name) for name in self.parameters.model.coordinates}
+
+    @property
+    def table_columns(self) -> dict[str, NDArray[Any]]:
+        """What is told of each point but where it is: what happens there."""
+        return {"kind": self.kind}
+
+    def as_table(self) -> Table:
+        """A row for each point: the parameters that vary, the state, what ends there or begins, and what else is known of it."""
+        said = words(self)
+        columns = {name: getattr(self, name) for name in (*self.vary, *self.columns)} | self.table_columns
+        if "fold" in self.kind:
+            columns |= {"ends": self.ends, "when": self.when} | {f"{name}_after": column for name, column in self.after.items()}
+        columns["error"] = self.error
+        some, cut = shown(len(self))
+        rows = [tuple(said.cell(name, column[row]) for name, column in columns.items()) for row in some]
+        ends = self.region[-len(self.vary) :].tolist()
+        spans = (
+            f"{said.heading(name)} from {said.cell(name, low)} to {said.cell(name, high)}"
+            for name, (low, high) in zip(self.vary, ends, strict=True)
+        )
+        caption = f"{counted(len(self), 'point', 'points')} along {', '.join(spans)}{not_all(self)}"
+        return with_cut(caption, tuple(map(said.heading, columns)), rows, cut)
 
     @property
     def ends(self) -> NDArray[np.str_]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,6 +32,8 @@ class Sensitivity(Result):
         The sweep over θ₀ that the jump was looked for in, shape (len(V), len(d), number of angles).
     """
 
+    table_angles: ClassVar[frozenset[str]] = frozenset({"width"})
+
     V: FloatArray
     d: FloatArray
     theta0: FloatArray
@@ -39,6 +41,11 @@ class Sensitivity(Result):
     after: FloatArray
     width: float
     sweep: Sweep
+
+    @property
+    def table_model(self) -> Any:
+        """That of the sweep."""
+        return self.sweep.model
 
 
 def sensitivity(

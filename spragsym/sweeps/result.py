@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +54,8 @@ class Sweep(Result):
     model : Model
         The model.
     """
+
+    table_codes: ClassVar[Mapping[str, type[Regime]]] = {"regime": Regime}
 
     inputs: dict[str, FloatArray]
     t_end: float

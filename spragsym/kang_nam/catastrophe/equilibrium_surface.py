@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,6 +13,7 @@ from ...display import Result
 from ...errors import ParameterError
 from ...generated import catastrophe as _catastrophe
 from ...parameters import RANGES, FloatArray, Parameters, as_numbers
+from ...results.equilibria import Stability
 from ..statics import kernel
 from .fixed_parameters import FIXED
 
@@ -21,6 +24,8 @@ class Surface(Result):
 
     Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
     """
+
+    table_codes: ClassVar[Mapping[str, type[Stability]]] = {"stability": Stability}
 
     theta: FloatArray
     theta0: FloatArray

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -22,6 +22,8 @@ class LinearSprag(Result):
     ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the θ₀ in (0, π) of the poles, two
     at the last axis, NaN where there are none.
     """
+
+    table_angles: ClassVar[frozenset[str]] = frozenset({"poles"})
 
     x: FloatArray
     y: FloatArray

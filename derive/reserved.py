@@ -4,11 +4,13 @@ from __future__ import annotations
 
 #: What results of models and columns of their files are called; for coordinates and parameters alike.
 RESULTS = frozenset((
-    "after", "amplitude", "angles", "columns", "complete", "contact", "contact_lost", "coordinates", "count", "criticality", "crossing", "crossing_error", "cycle",
-    "cycle_mean", "cycle_rms", "cycle_vy", "cycle_x", "cycle_y", "decided", "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t",
-    "growth", "held_in", "jumps", "kind", "lyapunov", "lyapunov_error", "marginal", "mean", "mean_y", "model", "mu", "normal_forms", "omega",
-    "parameters", "period", "places", "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability", "stable",
-    "states", "told", "undecided", "values", "vary", "when", "whole", "why", "xp",
+    "after", "amplitude", "angles", "as_table", "columns", "complete", "contact", "contact_lost", "coordinates", "count", "criticality",
+    "crossing", "crossing_error", "cycle", "cycle_mean", "cycle_rms", "cycle_vy", "cycle_x", "cycle_y", "decided", "distance",
+    "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "growth", "held_in", "jumps", "kind", "lyapunov",
+    "lyapunov_error", "marginal", "mean", "mean_y", "model", "mu", "normal_forms", "omega", "parameters", "period", "places", "pushing",
+    "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability",
+    "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "told", "undecided", "values",
+    "vary", "when", "whole", "why", "xp",
 ))  # fmt: skip
 
 #: What else a motion and its sweep are asked for; a coordinate would hide it.
@@ -34,9 +36,10 @@ OF_COMMANDS = frozenset((
 ))  # fmt: skip
 
 #: What sets of parameters have besides their values.
-OF_SETS = frozenset(
-    ("broadcast", "given", "model", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned", "where")
-)
+OF_SETS = frozenset((
+    "broadcast", "given", "model", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned", "table_angles",
+    "table_codes", "table_model", "table_values", "where",
+))  # fmt: skip
 
 #: Keys of a file with a user's own data, where quantities stand by their names on the page.
 OF_FILES = frozenset(("friction", "model"))

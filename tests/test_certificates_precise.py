@@ -174,7 +174,7 @@ def test_the_radius_of_a_cusp_holds_every_number(dps: int, arith: Arithmetic) ->
                 assert min(gaps) <= one.radius <= mpmath.mpf(10) ** -(dps + spare) * size * 1.01
         assert rough.count == exact.count
         if values[1] == "1.5":  # α = 1 + β
-            assert (rough.polynomial, rough.sines, rough.count) == ((), (), 0)
+            assert (rough.polynomial, rough.sines, rough.count) == ((), (), None)
         else:
             assert rough.count == len(rough.sines) > 0
             assert all(high - low <= Fraction(1, 2**64) for low, high in rough.sines)

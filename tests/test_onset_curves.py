@@ -14,6 +14,7 @@ import spragsym as ss
 from spragsym.models.balance import Balance
 from spragsym.models.stability import linearization
 from tests.support import model_of
+from tests.test_documents import ROOT
 from validation.criticality import accelerations
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
@@ -281,3 +282,43 @@ def test_what_is_refused() -> None:
         ss.onset_curves(p, n=1)
     with pytest.raises(ss.ParameterError, match="is not a parameter of damped"):
         ss.onset_curves(p, ("mu0", "nu"))
+
+
+def falling(folder: Path) -> Any:
+    """The article's model with a friction that falls with the speed, and a damper along the belt alone."""
+    text = (ROOT / "derive/models/stribeck.py").read_text(encoding="utf-8").replace("from ..model", "from spragsym.derive.model")
+    damper = 'c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.001, becomes="zeta_x")\n'
+    text = text.replace("d = page.parameter(", f"{damper}d = page.parameter(")
+    return model_of(text.replace("page.friction(", "page.damper(c_x, along=x)\npage.friction("), "falling", folder)
+
+
+def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses(tmp_path: Path) -> None:
+    """The trace of A is 0 there, by hand. Each pair has a curve: of three states two have two, the one that diverges one."""
+    pytest.importorskip("sympy")
+    p = falling(tmp_path).Parameters(theta0=0.8)
+    found = ss.onset_curves(p, ("V", "zeta_x"), 10, between={"V": (0.2, 2.0), "zeta_x": (0.0, 0.01)})
+    assert found.complete
+    assert found.remarks == ()
+    assert len(found.curves) == 5
+    for curve in found.curves:
+        assert (curve.criticality == "undecided").all()
+        for k in range(len(curve.V)):
+            P = {name: float(getattr(p, name)) for name in p.model.parameters} | {"V": float(curve.V[k])}
+            A = by_hand("stribeck", P, np.array([curve.x[k], curve.y[k]]))
+            assert curve.zeta_x[k] == pytest.approx(np.trace(A), abs=1e-12)
+            A[2, 2] -= curve.zeta_x[k]
+            assert np.abs(np.linalg.eigvals(A) - 1j * curve.omega[k]).min() < 1e-9 or curve.omega[k] < 1e-3
+    (point,) = np.flatnonzero(found.points.kind == "BT")
+    end = next(curve.zeta_x.max() for curve in found.curves if curve.omega.min() < 1e-3)
+    assert found.points.zeta_x[point] == pytest.approx(end)
+    onsets = ss.flutter_onsets(p.replace(V=0.65), vary="zeta_x", between={"zeta_x": (0.0, 0.01)})
+    assert onsets.complete
+    assert (onsets.kind == "hopf").all()
+    assert len(onsets) == 5
+
+
+def test_what_curves_leave_out_is_said() -> None:
+    """Where friction alone damps, and its slope changes its sign, every pair crosses; those onsets are on no curve."""
+    found = ss.onset_curves(ss.load("stribeck").Parameters(), ("theta0", "V"), n=2, between={"V": (0.01, 2.0)})
+    assert not found.complete
+    assert any("the slope of the friction law is 0" in text for text in found.remarks)

@@ -63,7 +63,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
         written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(found))
     curves = [{"criticality": curve.criticality.tolist(), **_columns(case, curve, along)} for curve in found.curves]
     points = _points(case, found, along)
-    undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), list(found.points.remarks)
+    undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), list(found.remarks)
     if json_output:
         told = {"curves": curves, "points": points, "complete": found.complete, "undecided": undecided, "remarks": remarks}
         print_json({"model": case.model.name, "parameters": case.told(), **told})
@@ -78,7 +78,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
     elif not found.complete:
         click.echo("Onsets: not complete")
     for remark in remarks:
-        click.echo(f"Points on them: {remark}")
+        click.echo(f"Onsets: {remark}")
     click.echo(f"Onsets: sought on {n} lines of either parameter; a curve that closes between two of them is not seen")
 
 

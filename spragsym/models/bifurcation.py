@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ParameterError
-from ..exact.interval_arrays import FloatArray
+from ..exact.interval_arrays import FloatArray, Intervals
 from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
 from .balance import Balance
@@ -21,6 +21,7 @@ from .fold_curves import FoldCurves
 from .forces import Model
 from .points import given_column, ranges, search
 from .regions import by_hand
+from .remarks import of_boxes
 
 #: Rounds in which points are joined to those next to them.
 ROUNDS = 4
@@ -74,18 +75,20 @@ def bifurcation_set(
     found = on_lines(balance, vary, Fold(), given, spans, n, rows_of(balance, vary, found_cusps), asked)
     curves = [Curve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains]
     complete = found_cusps.complete and found.whole and not found.undecided.shape[0]
-    return BifurcationSet(tuple(vary), tuple(curves), found_cusps, complete, found.lines, found.undecided)
+    remarks = (*found.remarks, *(f"of cusps: {text}" for text in found_cusps.remarks))
+    return BifurcationSet(tuple(vary), tuple(curves), found_cusps, complete, found.lines, found.undecided, remarks)
 
 
 @dataclass(frozen=True)
 class OnLines:
-    """Points of a kind on lines: in order along curves, the lines of each parameter, boxes that are left, whether that is all."""
+    """Points of a kind on lines, in order along curves, and the lines; boxes that are left, and what is known of them."""
 
     curves: FoldCurves
     chains: list[FloatArray]
     lines: dict[str, FloatArray]
     undecided: FloatArray
     whole: bool
+    remarks: tuple[str, ...]
 
 
 def require_lines(n: Any) -> None:
@@ -120,12 +123,16 @@ def on_lines(
         left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
     states = np.concatenate([*rows, more], axis=1)
     undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
+    boxes = np.moveaxis(undecided, 0, -1)
+    boxes = np.stack([-boxes[:, 0], boxes[:, 1]])
+    varied = dict(zip(vary, Intervals(boxes[:, balance.n :]), strict=True))
+    remarks = of_boxes(balance, np.repeat(given, boxes.shape[2], axis=1), boxes, varied)
     reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
     scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
     curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
     chains = [curves.smooth(states[:, places]) for places in _chains(curves, states, near)]
-    return OnLines(curves, chains, lines, undecided, whole)
+    return OnLines(curves, chains, lines, undecided, whole, tuple(f"on lines: {text}" for text in remarks))
 
 
 def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:

@@ -134,8 +134,8 @@ class Hopf(Plain):
 class Damped(Plain):
     """A condition on the coefficients of det(λ² M + λ C + K).
 
-    Where nothing but the slope c of the friction law damps, and that the coordinate ``along``, the odd ones are c times what
-    they are for c = 1, and the even ones do not depend on it. Then 1 stands for c: else all holds where c is 0.
+    Where C has one entry c, of the coordinate ``along``, the odd ones are c times what they are for c = 1, and the even ones do
+    not depend on it. Then 1 stands for c: else all holds where c is 0.
     """
 
     order = 0
@@ -182,8 +182,8 @@ class DoubleHopf(Damped):
         return a[1], a[3]
 
 
-class FrictionHopf(Plain):
-    """As :class:`Hopf`, where nothing but the slope of the friction law damps, and that the coordinate ``along``.
+class UndampedMode(Plain):
+    """As :class:`Hopf`, where only the coordinate ``along`` is damped, by whatever it may be: a mode in which it does not move.
 
     Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ² M. A pair ± i ω is where A
     and B have a common root, however small c is; it is divided out.
@@ -202,6 +202,27 @@ class FrictionHopf(Plain):
         B = cofactor(rows, self.along, self.along)
         rows[self.along][self.along] = Polynomial([0])
         return (_resultant(_trimmed(B), _trimmed(determinant(rows))),)
+
+
+class NoDamping(Plain):
+    """The damping of the coordinate ``along`` is 0: if nothing else damps, every pair of the state crosses there."""
+
+    order = 0
+
+    def __init__(self, along: int) -> None:
+        self.along = along
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The entry of C."""
+        return (at.damping()[self.along][self.along],)
+
+
+class FoldWithoutDamping(NoDamping):
+    """That at a fold."""
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The determinant, and the entry of C."""
+        return (determinant(at.slopes()), *super().equations(at))
 
 
 class NoSlope(Plain):

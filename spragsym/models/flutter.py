@@ -16,18 +16,15 @@ from ..exact.jets import Jet, gradient
 from ..results.onsets import Onsets, onsets_of
 from ..results.points import Points
 from . import stability
-from .balance import NOTHING, Balance, matrix
-from .bifurcation_conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .balance import NOTHING, Balance
+from .bifurcation_conditions import FLAT, Flutter, Hopf, NoDamping, NoSlope, UndampedMode
+from .damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
 from .defining_systems import Augmented, Condition
 from .model import Model
 from .points import Found, arranged, endless, given_column, nothing, picked, ranges, search
 from .regions import by_hand
 from .seen import VALUES, with_seen
 
-#: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
-FAR = 1.0
-#: Number of states at which it is looked at whether anything damps: some are in contact.
-PLACES = 64
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 
@@ -63,23 +60,24 @@ def flutter_onsets(
     Onsets
         Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
         or ``"seen"``: floats see a pair cross there, where the search was not complete, and no proof succeeds;
-        ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where nothing damps at all and the slope
-        of the friction law changes its sign, every pair of a state crosses, and each has a row.
+        ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where all damping changes its sign
+        at once, by a falling friction law against a damper, every pair of a state crosses, and each has a row.
 
     Notes
     -----
-    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Where the slope of the
-    friction law is all that damps, it is a factor of Hurwitz's determinant and taken out: what is left, and the slope, are
-    searched for on their own. An end of the range at which C vanishes is no onset. Points where a real pair ± λ has the sum 0, or
-    two real λ meet, are roots as well and left out.
+    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Where one coordinate
+    only is damped, that entry of C is a factor of Hurwitz's determinant and taken out: what is left, and the entry, or the
+    slope of the friction law where it is that, are searched for on their own. An end of the range at which C vanishes is no
+    onset. Points where a real pair ± λ has the sum 0, or two real λ meet, are roots as well and left out.
     """
     balance = Balance(model, contact=True)
     spans, asked = ranges(model, (vary,), between or {}), by_hand(balance.coordinates, within)
     given = given_column(p, balance.parameters, (vary,))
-    along = _damped_by_friction_alone(balance, given, spans)
-    slope = None if along is None else _slope_over(balance, given, spans)
+    along = damped_by_friction_alone(balance, given, spans)
+    slope = None if along is None else slope_over(balance, given, spans)
+    only = only_damped(balance, given, (vary,), spans) if along is None else along
     if damping is None:
-        damping = _is_damped(balance, given, spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
+        damping = is_damped(balance, given, spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
 
     flat = False
 
@@ -98,79 +96,29 @@ def flutter_onsets(
                 seen.append(_part(balance, vary, given, replace(out, roots=picked(more, ~followed)), "seen", frequencies))
         return _part(balance, vary, given, out, kind, frequencies)
 
-    conservative = _is_conservative(balance, given, spans)
+    conservative = is_conservative(balance, given, spans)
     if not damping and conservative:
         # All κ are real and change with K without leaving the real line: where two meet they pass each other.
         parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans, asked), "flutter", _meeting)]
     elif not damping:
         parts = [searched(Flutter(), "flutter", _meeting)]
-    elif slope is None or along is None or balance.n == 1:
+    elif only is None or balance.n == 1:
         parts = [searched(Hopf(), "hopf", _crossing)]
     else:
         parts = []
         if not conservative:
             # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
-            parts.append(searched(FrictionHopf(along), "hopf", partial(_without, along)))
-        if not parts or slope.holds_zero().any():
+            parts.append(searched(UndampedMode(only), "hopf", partial(_without, only)))
+        if slope is None:
+            parts.append(searched(NoDamping(only), "hopf", _every))
+        elif not parts or slope.holds_zero().any():
             parts.append(searched(NoSlope(), "hopf", _every))
             flat = True
     parts[1:1] = seen
     return onsets_of(_joined(balance, p, vary, given, parts, flat, endless(model, (vary,), between or {})))
 
 
-# ------------------------------------------------------------------------------------------------------- what damps
-
-
-def _is_damped(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
-    """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
-    point = np.repeat(np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given), PLACES, axis=1)
-    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(0.01, 3.0, PLACES)
-    with np.errstate(all="ignore"):
-        C = stability.linearization(balance, states, point)[1]
-    return bool((np.isfinite(C) & (C != 0)).any())
-
-
-def _damped_by_friction_alone(balance: Balance, given: FloatArray, spans: FloatArray) -> int | None:
-    """The coordinate that friction opposes, if nothing else damps for any parameter of the range; None if that is not known."""
-    friction = balance.model.about["friction"]
-    if friction is None or friction["along"] not in balance.coordinates:
-        return None
-    if balance.model.about["dampers"]:
-        values, shape = _over(balance, given, spans)
-        states = [Intervals.between(np.full(shape, -FAR), np.full(shape, FAR)) for _ in range(balance.n)]
-        directions = [Intervals(np.ones((2, *shape))) for _ in range(3 * balance.springs)]
-        C = matrix(balance.damping(states, directions, values, pushing=0), shape)
-        # They are known on their own in lift-off.
-        if not balance.opens or not C.magnitude.max() <= NOTHING:
-            return None
-    return balance.coordinates.index(friction["along"])
-
-
-def _over(balance: Balance, given: FloatArray, spans: FloatArray) -> tuple[dict[str, Any], tuple[int, ...]]:
-    """Arguments of generated functions over a range."""
-    low, high = (np.where(np.isnan(given), end, given) for end in spans[0])
-    with np.errstate(all="ignore"):
-        return balance.arguments(balance.prepared(Intervals.between(low, high))), (1,)
-
-
-def _slope_over(balance: Balance, given: FloatArray, spans: FloatArray) -> Intervals:
-    """The slope of the friction law over a range."""
-    values, shape = _over(balance, given, spans)
-    with np.errstate(all="ignore"):
-        return stacked([balance.slope(values)], shape)[0]
-
-
-def _is_conservative(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
-    """Whether K is symmetric all over a range: there is no friction, and the page's other forces have a potential."""
-    low, high = spans[0]
-    values, shape = _over(balance, given, spans)
-    if low == high == 0:  # exactly, also for a parameter that never is
-        values |= {
-            name: 0 for name, fixed in zip(balance.parameters, given[:, 0], strict=True) if np.isnan(fixed) and name in values
-        }
-    with np.errstate(all="ignore"):
-        friction = stacked([balance.friction(values)], shape)[0]
-    return bool(balance.model.about.get("symmetric")) and bool(friction.magnitude.max() <= NOTHING)
+# ------------------------------------------------------------------------------------------ ends of the range
 
 
 def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> Found:
@@ -291,7 +239,7 @@ def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, l
     for end in (-span[0], span[1]) if left.shape[2] else ():
         here = int(((-left[0, -1] <= end) & (end <= left[1, -1])).sum())
         why = ""
-        if _is_conservative(balance, given, np.array([[end, end]])):
+        if is_conservative(balance, given, np.array([[end, end]])):
             why = ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
         remarks += [f"{here} of {left.shape[2]} undecided boxes hold the end {vary} = {end:g} of the range{why}"] if here else []
     return tuple(remarks)

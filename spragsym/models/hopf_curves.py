@@ -21,7 +21,17 @@ from ..results.points import Points
 from . import stability
 from .balance import Balance
 from .bifurcation import on_lines, require_lines, rows_of
-from .bifurcation_conditions import BogdanovTakens, Damped, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
+from .bifurcation_conditions import (
+    BogdanovTakens,
+    Damped,
+    DoubleHopf,
+    FoldWithoutDamping,
+    Hopf,
+    NoDamping,
+    UndampedMode,
+    ZeroHopf,
+)
+from .damping import only_damped, slope_ends
 from .defining_systems import Condition
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
@@ -34,6 +44,8 @@ if TYPE_CHECKING:
 SAME = 1e-9
 #: Halvings by which a point with l₁ = 0 is enclosed.
 HALVINGS = 30
+#: C over K below which a state is as good as undamped.
+UNDAMPED = 1e-6
 #: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
 KINDS: Mapping[str, type[Damped]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "HH": DoubleHopf}
 
@@ -76,6 +88,8 @@ class OnsetCurves(Result):
         Whether all onsets on all lines, and all points, are decided.
     undecided : ndarray
         Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2): coordinates, then parameters.
+    remarks : tuple of str
+        Why the result is not complete: what is known of these boxes, and what was not searched.
     """
 
     vary: tuple[str, ...]
@@ -85,6 +99,7 @@ class OnsetCurves(Result):
     lines: Mapping[str, FloatArray] = field(repr=False)
     complete: bool
     undecided: FloatArray
+    remarks: tuple[str, ...]
 
     def __len__(self) -> int:
         return len(self.curves)
@@ -118,53 +133,85 @@ def onset_curves(
 
     Notes
     -----
-    Source: F = 0 and Hurwitz's determinant along 2 n lines, as for :func:`spragsym.models.flutter.flutter_onsets`; two points are
-    neighbours only if no line separates them. A curve that closes between two lines is not seen.
+    Source: F = 0 and Hurwitz's determinant along 2 n lines, as for :func:`spragsym.models.flutter.flutter_onsets`; two points
+    are neighbours only if no line separates them. A curve that closes between two lines is not seen. Where the only
+    coordinate that is damped has no damping, by a falling friction law against a damper, every pair crosses, and each is a
+    curve without l₁.
     """
     require_lines(n)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
-    condition = _condition(balance)
-    points = _points(balance, p, vary, given, spans)
+    only = only_damped(balance, given, vary, spans) if balance.n > 1 else None
+    dampers = bool(model.about["dampers"])
+    points = _points(balance, p, vary, given, spans, only)
     ends = rows_of(balance, vary, points)[:, points.kind == "BT"]
-    found = on_lines(balance, vary, condition, given, spans, n, ends)
+    free = _hardly_damped(balance, vary, given, ends) & (only is not None)
+    rest, ends = ends[:, free], ends[:, ~free]
+    found = on_lines(balance, vary, Hopf() if only is None else UndampedMode(only), given, spans, n, ends)
     lines = _Lines(model, balance, tuple(vary), given, found.curves, ends)
     curves, changes = [], []
     for chain in found.chains:
         for states in lines.oscillating(chain):
             forms = lines.forms(states)
-            curves.append(lines.curve(states, forms))
+            curves.append(lines.curve(states, lines.omegas(states), forms))
             changes += lines.changes(states, forms)
+    undecided, whole, said = found.undecided, found.whole, found.remarks
+    if only is not None and not dampers:
+        low, high = slope_ends(balance, given, vary, spans)
+        if low < 0 < high:  # an end of the range at which friction vanishes is none
+            text = (
+                "where the slope of the friction law is 0 nothing damps and every pair crosses: flutter_onsets lists these onsets"
+            )
+            whole, said = False, (*said, f"{text}; the slope is between {low:.3g} and {high:.3g} here")
+    if only is not None and dampers:
+        flat = on_lines(balance, vary, NoDamping(only), given, spans, n, rest)
+        lines = _Lines(model, balance, tuple(vary), given, flat.curves, rest)
+        curves += [curve for chain in flat.chains for curve in lines.of_all_pairs(chain)]
+        undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
     names = (*vary, *balance.coordinates, "error")
     rows = np.array(changes).reshape(-1, len(names)).T
-    complete = points.complete and not found.undecided.shape[0]
+    complete = points.complete and whole and not len(undecided)
+    remarks = (*said, *_undamped(balance, vary, given, undecided), *(f"of points: {it}" for it in points.remarks))
     return OnsetCurves(
-        tuple(vary), tuple(curves), points, dict(zip(names, rows, strict=True)), found.lines, complete, found.undecided
+        tuple(vary), tuple(curves), points, dict(zip(names, rows, strict=True)), found.lines, complete, undecided, remarks
     )  # fmt: skip
 
 
-def _condition(balance: Balance) -> Condition:
-    """Where a pair crosses: without the slope of the friction law as a factor where that is all that damps."""
-    along = _damped_by_friction(balance)
-    return Hopf() if along is None else FrictionHopf(along)
+def _hardly_damped(balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+    """Where C is next to nothing beside K."""
+    if not states.shape[1]:
+        return np.zeros(0, dtype=np.bool_)
+    point = np.repeat(given, states.shape[1], axis=1)
+    point[[balance.parameters.index(name) for name in vary]] = states[balance.n :]
+    with np.errstate(all="ignore"):
+        _, C, K = stability.linearization(balance, states[: balance.n], point)
+        hardly: NDArray[np.bool_] = np.abs(C).max(axis=(0, 1)) <= UNDAMPED * np.abs(K).max(axis=(0, 1))
+    return hardly
 
 
-def _damped_by_friction(balance: Balance) -> int | None:
-    """The coordinate along which the friction law damps, where nothing else damps any of several."""
-    friction = balance.model.about["friction"]
-    alone = friction is not None and friction["along"] in balance.coordinates and not balance.model.about["dampers"]
-    return balance.coordinates.index(friction["along"]) if alone and balance.n > 1 else None
+def _undamped(balance: Balance, vary: Sequence[str], given: FloatArray, undecided: FloatArray) -> tuple[str, ...]:
+    """Of boxes in whose middle hardly anything damps: where C is 0 every pair crosses at once, and no root is isolated."""
+    number = int(_hardly_damped(balance, vary, given, undecided.mean(axis=2).T).sum()) if len(undecided) else 0
+    if not number:
+        return ()
+    text = f"of {len(undecided)} undecided boxes C is at most {UNDAMPED:g} times K: where it vanishes every pair crosses at once"
+    return (f"on lines: in {number} {text}, and such onsets are not isolated",)
 
 
-def _points(balance: Balance, p: Any, vary: Sequence[str], given: FloatArray, spans: FloatArray) -> Points:
-    """All points of all kinds."""
-    kinds, parts, along = [], [], _damped_by_friction(balance)
-    for kind, condition in KINDS.items():
-        # With friction's damping alone the coefficient of λ³ is its slope times a mass.
-        if (kind == "HH" and (balance.n != 2 or along is not None)) or (kind == "ZH" and balance.n < 2):
+def _points(
+    balance: Balance, p: Any, vary: Sequence[str], given: FloatArray, spans: FloatArray, only: int | None
+) -> Points:  # fmt: skip
+    """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
+    kinds, parts = [], []
+    sought: list[tuple[str, Condition]] = [(kind, condition(only)) for kind, condition in KINDS.items()]
+    if only is not None and balance.model.about["dampers"]:
+        sought.insert(1, ("BT", FoldWithoutDamping(only)))
+    for kind, condition in sought:
+        # With one coordinate damped the coefficient of λ³ is that damping times a mass.
+        if (kind == "HH" and (balance.n != 2 or only is not None)) or (kind == "ZH" and balance.n < 2):
             continue
-        found = search(balance, vary, condition(along), given, spans)
+        found = search(balance, vary, condition, given, spans)
         middle = found.roots.middle
         kept = np.array([kind == "BT" or _oscillates(balance, given, vary, state, kind) for state in middle.T], dtype=np.bool_)
         parts.append(replace(found, roots=picked(found.roots, kept)))
@@ -178,6 +225,11 @@ def _roots(balance: Balance, given: FloatArray, vary: Sequence[str], state: Floa
     point[[balance.parameters.index(name) for name in vary], 0] = state[balance.n :]
     M, C, K = (part[:, :, 0] for part in stability.linearization(balance, state[: balance.n, None], point))
     return stability.roots(M, C, K)
+
+
+def frequencies(roots: NDArray[np.complex128]) -> list[float]:
+    """ω of the pairs ± i ω among the roots of a state that nothing damps, ascending."""
+    return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
 
 
 def _oscillates(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray, kind: str) -> bool:
@@ -205,11 +257,25 @@ class _Lines:
         """
         if not states.shape[1]:
             return []
-        omega = np.array([self.omega(state) for state in states.T])
+        omega = self.omegas(states)
         off = np.abs(states[:, :, None] - self.ends[:, None]) / self.curves.scale[:, None, None]
         kept = (omega > 0) | (off.max(axis=0) < SAME).any(axis=1)
         cuts = np.flatnonzero(np.diff(kept)) + 1
         return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[0]]
+
+    def of_all_pairs(self, chain: FloatArray) -> list[OnsetCurve]:
+        """A curve for each pair, on the parts of a chain of states without damping that have as many."""
+        modes = [frequencies(_roots(self.balance, self.given, self.vary, state)) for state in chain.T]
+        cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
+        return [
+            self.curve(chain[:, part], np.array([modes[row][mode] for row in part]), [None] * len(part))
+            for part in np.split(np.arange(len(modes)), cuts)
+            for mode in range(len(modes[part[0]]) if len(part) else 0)
+        ]
+
+    def omegas(self, states: FloatArray) -> FloatArray:
+        """ω at each point."""
+        return np.array([self.omega(state) for state in states.T])
 
     def omega(self, state: FloatArray) -> float:
         """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
@@ -237,11 +303,11 @@ class _Lines:
         except Undecided:
             return None
 
-    def curve(self, states: FloatArray, forms: Sequence[NormalForm | None]) -> OnsetCurve:
+    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | None]) -> OnsetCurve:
         """The points with what is known of them."""
         n = self.balance.n
         values = dict(zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True))
-        values["omega"] = np.array([self.omega(state) for state in states.T])
+        values["omega"] = omega
         values["lyapunov"] = np.array([np.nan if form is None else form.lyapunov for form in forms])
         values["lyapunov_error"] = np.array([np.inf if form is None else form.lyapunov_error for form in forms])
         return OnsetCurve(values)

@@ -45,12 +45,13 @@ class BifurcationSet(Result):
     cusps : Points
         All cusps of the region, proved.
     complete : bool
-        Whether these are all: of closed forms always; of a search all folds on all ``lines``, and all cusps. ``cusps.remarks``
-        says what was not searched.
+        Whether these are all: of closed forms always; of a search all folds on all ``lines``, and all cusps.
     lines : mapping
         For each parameter the values at which all folds along the other one are known; empty where closed forms need none.
     undecided : ndarray
         Lower and upper ends of the boxes on lines that are not decided, shape (boxes, unknowns, 2): coordinates, then parameters.
+    remarks : tuple of str
+        Why the result is not complete: what is known of these boxes, and what was not searched.
     """
 
     vary: tuple[str, ...] = field(repr=False)
@@ -59,6 +60,7 @@ class BifurcationSet(Result):
     complete: bool
     lines: Mapping[str, FloatArray] = field(default_factory=dict, repr=False)
     undecided: FloatArray = field(default_factory=lambda: np.empty((0, 0, 2)))
+    remarks: tuple[str, ...] = ()
 
     @property
     def table_model(self) -> Any:

@@ -126,8 +126,8 @@ class CuspProof(Sequence[PreciseCusp]):
         3 s² = 2 instead, and by search.
     sines : tuple of (Fraction, Fraction)
         Disjoint intervals, each proved to hold one of its real roots.
-    count : int
-        Number of different real roots there by Sturm's theorem, which ``sines`` matches: the proof.
+    count : int or None
+        Number of different real roots there by Sturm's theorem, which ``sines`` matches: the proof. None without a polynomial.
     """
 
     cusps: tuple[PreciseCusp, ...]
@@ -135,7 +135,7 @@ class CuspProof(Sequence[PreciseCusp]):
     region: Mapping[str, tuple[float, float]]
     polynomial: tuple[Fraction, ...] = ()
     sines: tuple[tuple[Fraction, Fraction], ...] = ()
-    count: int = 0  # type: ignore[assignment]  # not Sequence's count
+    count: int | None = None  # type: ignore[assignment]  # not Sequence's count
 
     def __getitem__(self, index: Any) -> Any:
         return self.cusps[index]

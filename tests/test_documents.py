@@ -287,6 +287,19 @@ def test_pages_that_are_linked_exist() -> None:
         assert (DOCS / f"{name}.md").is_file(), name
 
 
+def test_files_that_contributing_names_exist() -> None:
+    """By their whole path, or its end where the sentence has said the room; but for those that a reader is to write."""
+    tracked = [
+        str(path.relative_to(ROOT))
+        for room in ("derive", "spragsym", "tests", "explorer/src")
+        for path in (ROOT / room).rglob("*.*")
+    ]
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    to_write = ("spragsym/cli/NAME.py", "derive/emit/targets/text/__init__.py")
+    for name in set(re.findall(r"`([\w/.]+\.(?:py|js|c|toml|html))`", text)) - {*to_write}:
+        assert (ROOT / name).is_file() or any(path.endswith(f"/{name}") for path in tracked), name
+
+
 @needs_a_quick_integrator
 def test_code_cells_of_the_pages_run() -> None:
     """What ``make docs`` executes, the page on clusters apart, which test_sweeps runs."""

@@ -21,11 +21,11 @@ import sympy as sp
 
 from derive.emit import statements
 from derive.emit.targets.python import algebra
-from derive.kang_nam import catalogue as functions
-from derive.kang_nam import mechanics, stability
+from derive.kang_nam import catalogue, mechanics, stability
 from derive.kang_nam import nomenclature as nm
-from spragsym.generated import motion as _motion
+from derive.kang_nam.catalogue import motion
 from spragsym.generated import stability as _stability
+from spragsym.generated.models.kang_nam import motion as _motion
 
 _SIDE = nm.side
 _CALLS = 2000
@@ -58,7 +58,7 @@ def subjects() -> tuple[Subject, ...]:
     K = stability.stiffness()
     in_K = (nm.c, nm.s, nm.L, nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar)
     state = (nm.x, nm.y, nm.vx, nm.vy)
-    length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
+    length = mechanics.spring_length()
     equations = mechanics.motion()
     regime = {nm.mu: mechanics.smooth_friction(_SIDE), nm.n: mechanics.contact_family()}
     rates = [
@@ -71,7 +71,7 @@ def subjects() -> tuple[Subject, ...]:
     rhs, jacobian_of_rhs = inspect.unwrap(_motion.regime_rhs), inspect.unwrap(_motion.regime_jacobian)
 
     def rhs_and_jacobian(*values: Any) -> tuple[Any, ...]:
-        return rhs(*values, xp=math), jacobian_of_rhs(*values, xp=math)
+        return rhs(*values, 1, xp=math), jacobian_of_rhs(*values, 1, xp=math)
 
     return (
         Subject("K", in_K, tuple(K), inspect.unwrap(_stability.stiffness), "stability", "stiffness"),
@@ -137,11 +137,11 @@ def _error(result: Any, exact: list[mpmath.mpf]) -> float:
 
 
 def _ours(subject: Subject) -> Outcome:
-    modules = {module.name: module for module in functions.modules()}
+    modules = {module.name: module for module in (*catalogue.modules(), motion.module())}
     names = {subject.function, subject.function.replace("jacobian", "rhs")}
     wanted = tuple(one for one in modules[subject.module].functions if one.name in names)
     begin = time.perf_counter()
-    texts = [algebra.definition(one, nm.quantities()) for one in wanted]
+    texts = [algebra.definition(one) for one in wanted]
     seconds = time.perf_counter() - begin
     operations = sum(statements.straight_line(one).operations for one in wanted)
     lines = sum(text.count("\n") for text in texts)

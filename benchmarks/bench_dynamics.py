@@ -22,7 +22,6 @@ from spragsym.dynamics.classify import classify
 from spragsym.dynamics.motions import Motions
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.with_heyoka import compiled_for
-from spragsym.generated import motion
 from spragsym.sweeps import rms_sweep, sensitivity
 from spragsym.sweeps.workers import pool
 
@@ -35,7 +34,7 @@ FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copys
 
 def plain(theta0: float, rtol: float, method: str) -> float:
     """RMS of x as a user of ``solve_ivp`` gets it: the same field, over the kinks, Simpson's rule."""
-    algebra = inspect.unwrap(motion.rhs)
+    algebra = inspect.unwrap(ss.load("kang_nam").motion.rhs)
     constants = (math.cos(theta0), math.sin(theta0), 0.5, 0.007, 0.007, 0.1, 0.0, V, D)
 
     def field(_: float, state: np.ndarray) -> tuple[float, ...]:

@@ -95,8 +95,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
         return 1
     files = _step("emit", lambda: emission.render(outcome))
-    if not options.variant:
-        files |= _step("models", shipped_models)
+    files |= _step("models", lambda: models(variant=options.variant))
     write.write(files, options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of the count theorem and "
@@ -108,14 +107,16 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
-def shipped_models() -> dict[str, str]:
-    """The folders of the shipped pages below ``generated/models``."""
+def models(*, variant: bool = False) -> dict[str, str]:
+    """The folders of the shipped pages below ``generated/models``; in a variant that of the article's only."""
     shared: folder.Shared = {}
     files = {"models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'}
     for path in pages.shipped():
+        if variant and path.stem != ARTICLE:
+            continue
         model = pages.read(path)
         files |= {f"models/{model.name}/{name}": text for name, text in folder.render(model, write.header(), shared).items()}
-        if model.name == ARTICLE:  # its page of the explorer is written without SymPy
+        if model.name == ARTICLE and not variant:  # its page of the explorer is written without SymPy
             files |= {f"javascript/{name}": text for name, text in export.for_the_browser(model, write.header()).items()}
     return files
 

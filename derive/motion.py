@@ -11,7 +11,7 @@ import sympy as sp
 from . import laws
 from .algebra import difference
 from .emit.function import Function, Module, Results
-from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number, waves
+from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, elastic, number, waves
 from .model import acceleration_of
 
 Row = tuple[sp.Expr, ...]
@@ -114,23 +114,27 @@ class Motion:
     @cached_property
     def stored(self) -> sp.Expr:
         """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the contact's."""
+        springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
+        return self._apart + sum((elastic(line, k) + k * line.rest**2 / 2 for line, k in springs), sp.S.Zero)
+
+    @cached_property
+    def energy(self) -> sp.Expr:
+        """The same with the springs' as k (l − r)²/2, which loses no digits where they are hardly deformed: l² is dx² + dy²."""
+        springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
+        return self._apart + sum((k * (line.l - line.rest) ** 2 / 2 for line, k in springs), sp.S.Zero)
+
+    @cached_property
+    def _apart(self) -> sp.Expr:
+        """Without the springs along lines."""
         it = self.model
-        work = self.work
         contact = it.contact_energy
         if it.gap is None:
             contact = sp.S.Zero
         elif it.in_coordinates:
             contact = sp.expand(contact.subs(DEPTH, -it.gap))
-        return it.kinetic + it.potential + self.constant - work + (PUSHING if it.unilateral else 1) * contact
-
-    @cached_property
-    def constant(self) -> sp.Expr:
-        """Half the squares of the undeformed lengths, which make the springs' energy k (l − r)²/2."""
-        it = self.model
-        return sum(
-            (-sp.diff(it.potential, line.l) * line.rest / 2 for line in it.lines),
-            sp.S.Zero,
-        )
+        springs = (elastic(line, k) for line, k in zip(it.lines, it.stiffnesses, strict=True))
+        potential = sp.expand(it.potential - sum(springs, sp.S.Zero))
+        return it.kinetic + potential - self.work + (PUSHING if it.unilateral else 1) * contact
 
     @cached_property
     def work(self) -> sp.Expr:
@@ -258,7 +262,7 @@ def module(model: Mechanics) -> Module:
                      (*place, *accelerations, *model.arguments, SIDE),
                      tuple(motion.rate(layer, accelerations) for layer in layers), "rates of (z_1, …)"),
             *_turns(motion, function, moving, (*place, *accelerations, *model.arguments), ways),
-            function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.stored,
+            function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.energy,
                      "energy"),
             function("friction_power", "Rate at which friction changes that energy.", regime, motion.friction_power, "power"),
             function("damper_power", "Rate at which dampers change it, never positive.", moving, motion.damper_power, "power"),

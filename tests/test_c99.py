@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import inspect
 import math
 import re
 import shutil
@@ -23,9 +24,10 @@ from scipy.optimize import brentq
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
-from spragsym.generated import equilibrium, motion, stability
+from spragsym.generated import equilibrium, laws, stability
+from spragsym.generated.models.kang_nam import motion
 from spragsym.kang_nam.statics import adaptive_precision, kernel
-from tests.oracles import languages
+from tests.oracles import article_motion, languages
 from tests.oracles.families import EXTREMES, FAMILIES
 from tests.support import lowest_sets
 
@@ -58,9 +60,9 @@ pytestmark = pytest.mark.skipif(not COMPILERS, reason="no C compiler on this mac
 
 # ----------------------------------------------------------------------------------------------------- driver
 
-#: Generated functions in the header: name, arguments, number of results.
+#: Generated functions in the header: name, names of the arguments, number of results.
 ALGEBRA = {
-    match[1]: (len(match[2].split(",")), int(match[3] or 1))
+    match[1]: (tuple(argument.split()[-1] for argument in match[2].split(",")), int(match[3] or 1))
     for match in re.finditer(r"spragsym_status spragsym_(\w+)\((double [^)]*?),\s+double (?:\*result|result\[(\d+)\])\)", HEADER)
 }
 
@@ -71,11 +73,11 @@ def calls() -> str:
         f"void call_{name}(long points, const double *in, double *out, int *status);\n"
         f"void call_{name}(long points, const double *in, double *out, int *status) {{\n"
         f"    for (long i = 0; i < points; i++) {{\n"
-        f"        const double *const a = in + {count} * i;\n"
-        f"        status[i] = (int)spragsym_{name}({', '.join(f'a[{k}]' for k in range(count))},\n"
+        f"        const double *const a = in + {len(arguments)} * i;\n"
+        f"        status[i] = (int)spragsym_{name}({', '.join(f'a[{k}]' for k in range(len(arguments)))},\n"
         f"                                         out + {results} * i);\n"
         f"    }}\n}}\n"
-        for name, (count, results) in ALGEBRA.items()
+        for name, (arguments, results) in ALGEBRA.items()
     )
     every = " ".join(f"call_{name}(1, numbers, results, status);" for name in ALGEBRA)
     return (
@@ -392,17 +394,28 @@ def test_sanitizers(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ALGEBRA)
 def test_algebra_is_that_of_python(library: ctypes.CDLL, name: str) -> None:
     """Operation for operation; only exp may differ in its last digit."""
-    module = next(module for module in (equilibrium, stability, motion) if name in module.__all__)
-    count, results = ALGEBRA[name]
-    arguments = np.random.default_rng(3).uniform(0.1, 1.5, (500, count)) * np.random.default_rng(4).choice([-1, 1], (500, count))
+    module = next(module for module in (equilibrium, stability, laws, motion) if name in module.__all__)
+    names, results = ALGEBRA[name]
+    size = 500, len(names)
+    arguments = np.random.default_rng(3).uniform(0.1, 1.5, size) * np.random.default_rng(4).choice([-1, 1], size)
     ours, status = np.empty((500, results)), np.full(500, -1, np.intc)
     getattr(library, f"call_{name}")(ctypes.c_long(500), _pointer(arguments), _pointer(ours), _pointer(status))
     assert not status.any()
-    theirs = np.column_stack([np.ravel(value) for value in _leaves(getattr(module, name)(*arguments.T))])
-    if module is motion or name == "damping":
+    function = getattr(module, name)
+    theirs = np.column_stack([np.ravel(value) for value in _leaves(function(**_named(function, names, arguments)))])
+    if module in (laws, motion) or name == "damping":
         np.testing.assert_allclose(ours, theirs, rtol=1e-13, atol=1e-14)
     else:
         np.testing.assert_array_equal(ours, theirs)
+
+
+def _named(function: Any, names: tuple[str, ...], arguments: Any) -> dict[str, Any]:
+    """Arguments by their names in Python; one that C leaves out is 1: an exponential is felt, and on others nothing depends."""
+    taken = [name for name in inspect.signature(function).parameters if name != "xp"]
+    spelled = {"cos_theta": "cos", "sin_theta": "sin"} | ({"nbar": "pushing"} if "pushing" in taken else {})
+    given = {spelled.get(name, name): column for name, column in zip(names, arguments.T, strict=True)}
+    assert given.keys() <= set(taken)
+    return {name: given.get(name, np.ones(len(arguments))) for name in taken}
 
 
 def _leaves(value: Any) -> list[Any]:
@@ -676,9 +689,8 @@ def _motion(V: float, d: float, start: Any, end: float) -> tuple[Any, list[int]]
     nbar, side, time, state, met = 1, 1 if start[2] < V else -1, 0.0, start, [0, 0]
 
     def rate(_: float, now: Any) -> Any:
-        x, y, vx, vy = now
-        values = motion.regime_rhs(x, y, vx, vy, c0, s0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side)
-        return [vx, vy, *map(float, values)]
+        constants = (c0, s0, mu0, kappa, alpha, sigma, beta, V, d)
+        return [*now[2:], *article_motion.accelerations(now, constants, bool(nbar), side)]
 
     def belt(_: float, now: Any) -> float:
         return float(now[1])

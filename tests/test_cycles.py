@@ -29,7 +29,7 @@ from spragsym.dynamics import bifurcation_functions, multipliers, shooting
 from spragsym.dynamics.field import Border, Field
 from spragsym.dynamics.flows import carrier
 from spragsym.exact.decimals import exactly
-from spragsym.generated import motion
+from spragsym.generated import laws
 from validation import basins as validate_basins
 from validation import branches as validate_branches
 from validation import cycles as validate_cycles
@@ -84,7 +84,7 @@ def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
     assert -tr.y.min() == pytest.approx(slow.contact_force[1], abs=1e-4)
     assert slow.contact_force[0] == 0
     x, y, _, _ = tr(np.linspace(0, slow.period, 40001))
-    force = 0.1 * (motion.spring_length(x, y, math.cos(slow.values[0]), math.sin(slow.values[0])) - 1)
+    force = 0.1 * (laws.spring_length(x, y, math.cos(slow.values[0]), math.sin(slow.values[0])) - 1)
     assert slow.spring_force == pytest.approx((force.min(), force.max()), abs=1e-8)
 
 

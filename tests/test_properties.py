@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import spragsym as ss
-from spragsym.generated import equilibrium, motion, stability
+from spragsym.generated import equilibrium, laws, stability
 
 #: What the solver promises, over max(1, |value|).
 TOLERANCE = 1e-12
@@ -63,7 +63,7 @@ def test_equilibria_balance_on_the_unit_circle(p: ss.Parameters, contact: bool) 
         assert max(map(abs, residuals)) < 20 * TOLERANCE * scale * max(1.0, *rest)
         assert L > 0
         assert (y < 0) == contact
-        assert math.isclose(motion.spring_length(x, y, c0, s0), L, rel_tol=0, abs_tol=8 * TOLERANCE * scale)
+        assert math.isclose(laws.spring_length(x, y, c0, s0), L, rel_tol=0, abs_tol=8 * TOLERANCE * scale)
 
 
 @given(points())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import inspect
 import math
 from dataclasses import asdict, replace
 from types import SimpleNamespace
@@ -20,26 +19,24 @@ from spragsym.dynamics.measures import Course
 from spragsym.dynamics.periodic_orbit import Closed
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
-from spragsym.generated import motion
 from spragsym.kang_nam.statics import solver
 from spragsym.sweeps import basin, rms_sweep
+from tests.oracles import article_motion
 from validation import regimes as validate_regimes
 
 BELT = {"V": 0.5, "d": 10.0}
 SLOW = ss.Parameters.article(theta0=np.radians(42))
-FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copysign(1.0, z) if z else 0.0)
 
 needs_heyoka = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="long motions take SciPy minutes")
 
 
 def plain(p: ss.Parameters, V: float, d: float, start: list[float], t_end: float, method: str = "DOP853"):
     """The motion by ``solve_ivp``, which knows nothing of kinks."""
-    algebra = inspect.unwrap(motion.rhs)
     theta0, *rest = p.scalars("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
     constants = (math.cos(theta0), math.sin(theta0), *rest, V, d)
 
     def field(_, state):
-        return (state[2], state[3], *algebra(*state.tolist(), *constants, xp=FLOATS))
+        return (state[2], state[3], *article_motion.everywhere(state.tolist(), constants))
 
     return solve_ivp(field, (0, t_end), start, method=method, rtol=1e-10, atol=1e-13, dense_output=True)
 

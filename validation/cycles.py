@@ -5,9 +5,7 @@
 
 from __future__ import annotations
 
-import inspect
 import math
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,9 +13,7 @@ from scipy.integrate import solve_ivp
 
 import spragsym as ss
 from spragsym.dynamics import shooting
-from spragsym.generated import motion
-
-_FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
+from tests.oracles import article_motion
 
 #: Kind, inclination in degrees, and a state near it.
 CASES = (
@@ -35,7 +31,6 @@ CASES = (
 
 def once_round(cycle: ss.Cycle) -> tuple[Any, Any]:
     """End and derivative of one round, piece by piece between SciPy's events."""
-    rhs, slopes = inspect.unwrap(motion.regime_rhs), inspect.unwrap(motion.regime_jacobian)
     theta0, *rest = cycle.values
     constants = (math.cos(theta0), math.sin(theta0), *rest)
     V = constants[-2]
@@ -46,9 +41,11 @@ def once_round(cycle: ss.Cycle) -> tuple[Any, Any]:
 
         def rates(_: float, z: Any, mode: tuple[int, int] = mode) -> Any:
             state = z[:4].tolist()
-            lower = np.array(slopes(*state, *constants, *mode, xp=_FLOATS), dtype=float) @ z[4:].reshape(4, 4)
+            lower = np.array(article_motion.slopes(state, constants, *mode)) @ z[4:].reshape(4, 4)
             upper = z[12:20].reshape(2, 4)
-            return np.concatenate([state[2:], rhs(*state, *constants, *mode, xp=_FLOATS), upper.ravel(), lower.ravel()])
+            return np.concatenate(
+                [state[2:], article_motion.accelerations(state, constants, *mode), upper.ravel(), lower.ravel()]
+            )
 
         def leaves(_: float, z: Any, mode: tuple[int, int] = mode) -> float:
             return float((1 - 2 * mode[0]) * z[1] + 1e-12)

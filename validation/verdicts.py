@@ -3,7 +3,7 @@
 ``python -m validation.verdicts FILE [N [FIRST]]``: N motions (120 unless given) judged by ``ss.fate``, from number FIRST on:
 100 at random, and from number 100 on those from rest where irregular ones are common, at a steep friction law and a slow belt
 (even numbers), and transients at the base values (odd ones). Finished ones stand in FILE, one a line, and the same command goes on
-from there. Each verdict is held against SciPy's DOP853 with its own events, on the generated algebra alone, begun where the library's
+from there. Each verdict is held against SciPy's DOP853 with its own events, on equations written by hand, begun where the library's
 motion ended:
 
 - rest: 3000 time units later the motion comes no farther from the equilibrium than before, or stays within 1e-6 of it;
@@ -18,23 +18,19 @@ hold is printed below the table.
 
 from __future__ import annotations
 
-import inspect
 import math
 import sys
 import time
 from collections import Counter
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym.generated import motion
+from tests.oracles import article_motion
 from validation.parts import numbered
-
-_FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
 
 #: How long a motion is followed by the library; among irregular ones.
 T_END, LONGER = 20_000.0, 40_000.0
@@ -45,7 +41,6 @@ RANDOM = 100
 
 def carried(values: tuple[float, ...], state: Any, span: float, rtol: float = 1e-11) -> tuple[Any, int]:
     """Where the motion is after a while, and how often it crossed y = 0, piece by piece between SciPy's events."""
-    rhs = inspect.unwrap(motion.regime_rhs)
     theta0, *rest = values
     constants, V = (math.cos(theta0), math.sin(theta0), *rest), rest[-2]
     state, clock, crossed = np.array(state, dtype=float), 0.0, 0
@@ -54,7 +49,7 @@ def carried(values: tuple[float, ...], state: Any, span: float, rtol: float = 1e
         mode = (contact, side)
 
         def rates(_: float, z: Any, mode: tuple[int, int] = mode) -> Any:
-            return [*z[2:], *rhs(*z.tolist(), *constants, *mode, xp=_FLOATS)]
+            return [*z[2:], *article_motion.accelerations(z.tolist(), constants, *mode)]
 
         def leaves(_: float, z: Any, mode: tuple[int, int] = mode) -> float:
             return float((1 - 2 * mode[0]) * z[1] + 1e-12)

@@ -7,7 +7,7 @@ from pathlib import Path
 from ..emit import language, targets, double_double_kernel, write
 from . import article, bounds, ledger, mechanics
 from . import nomenclature as nm
-from .catalogue import modules
+from .catalogue import modules, motion
 
 #: Algebra that a library in another language offers to its callers.
 PUBLIC = (
@@ -40,12 +40,13 @@ def render(outcome: ledger.Ledger) -> dict[str, str]:
 
 def material(digest: str) -> targets.Material:
     """What every target prints."""
-    parts = modules()
+    parts, of_page = modules(), (motion.module(),)
     solver = kernel()
     arithmetic = language.read(_GENERAL / "double_double.py")
-    functions = {function.name: function for module in parts for function in module.functions}
+    functions = {function.name: function for module in (*parts, *of_page) for function in module.functions}
     return targets.Material(
         modules=parts,
+        of_page=of_page,
         kernel=solver,
         counts=bounds.counts(solver, functions),
         quantities=mechanics.quantities(),

@@ -36,11 +36,12 @@ _WITH_UNITS = {nm.V: nm.V_dim, nm.creep: nm.d_dim}
 
 def page() -> Page:
     """The article's page, which states the assumptions."""
-    return _model().page
+    return of_page().page
 
 
 @cache
-def _model() -> Mechanics:
+def of_page() -> Mechanics:
+    """What its equations of motion are made of."""
     found = pages.read(pages.SHIPPED / "kang_nam.py").mechanics
     _require(found)
     return found
@@ -110,7 +111,7 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
     """An expression of the general way in the article's symbols: in x, y, and L for the length of the inclined spring."""
     names: dict[sp.Basic, sp.Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
     scaled = {number(datum): symbol_of(datum) for datum in page().parameters}
-    names |= scaled if model is _model() else {datum.symbol: _measured(datum) for datum in page().parameters}
+    names |= scaled if model is of_page() else {datum.symbol: _measured(datum) for datum in page().parameters}
     known = {
         *(unit.symbol for unit in page().units), *model.coordinates, *model.rates,
         *(part for angle in model.angles for part in (angle.c, angle.s)),
@@ -144,7 +145,7 @@ def compression() -> sp.Expr:
 @cache
 def spring_length() -> sp.Expr:
     """The same distance over L_0."""
-    return _length(_model())
+    return _length(of_page())
 
 
 def replace_length(expression: sp.Expr) -> sp.Expr:
@@ -186,7 +187,7 @@ def measured_motion() -> Motion:
 @cache
 def motion() -> Motion:
     """The dimensionless equations of motion, (8) and (9), at rest (12) and (13), in x, y and the spring length L."""
-    return _motion(_model(), nm.n)
+    return _motion(of_page(), nm.n)
 
 
 @cache
@@ -225,7 +226,7 @@ def contact_force() -> sp.Expr:
 @cache
 def contact_law() -> sp.Expr:
     """n(y), (11): the contact force over its scale; less its slope is n̄, (29)."""
-    return _contact(_model())
+    return _contact(of_page())
 
 
 @cache
@@ -241,12 +242,12 @@ def friction() -> sp.Expr:
     sliding = page().sliding
     assert sliding is not None
     law = expression_of(sliding.law(sliding.belt - page().rate(sliding.along)))
-    return in_article(_model(), _model().scaled(law))
+    return in_article(of_page(), of_page().scaled(law))
 
 
 def smooth_friction(side: sp.Expr) -> sp.Expr:
     """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V = x'."""
-    return in_article(_model(), laws.smooth_friction(_model(), felt=True)).subs(nm.side, side)
+    return in_article(of_page(), laws.smooth_friction(of_page(), felt=True)).subs(nm.side, side)
 
 
 @cache
@@ -260,17 +261,11 @@ def sliding_forces() -> tuple[sp.Expr, sp.Expr]:
 @cache
 def steady_friction() -> sp.Expr:
     """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12) takes."""
-    return in_article(_model(), laws.friction_at_speed(_model()))
-
-
-@cache
-def energy() -> sp.Expr:
-    """Kinetic and potential energy over k_c L_0², with the preload and, for n̄ = 1, the contact spring."""
-    return in_article(_model(), General(_model()).stored)
+    return in_article(of_page(), laws.friction_at_speed(of_page()))
 
 
 @cache
 def without_spring() -> tuple[sp.Expr, sp.Expr]:
     """Minus the forces at rest in contact, but for the inclined spring's."""
-    along, across = (in_article(_model(), row).subs({nm.mu: nm.mu0, nm.nbar: 1}) for row in _model().residuals_apart)
+    along, across = (in_article(of_page(), row).subs({nm.mu: nm.mu0, nm.nbar: 1}) for row in of_page().residuals_apart)
     return along, across

@@ -19,7 +19,6 @@ from ..assumed import MU0_RANGE, D, V
 from ..dynamics import simulate
 from ..dynamics.regimes import Regime
 from ..generated import equilibrium as _equilibrium
-from ..generated import motion as _motion
 from ..models.load import USUAL, load
 from ..parameters import NAMES, FloatArray, Parameters
 from ..results import Jump
@@ -362,8 +361,8 @@ def limit_cycle() -> Found:
 def linearized_growth(p: Parameters, x: float, y: float, V: float, d: float) -> float:
     """The largest real part of the linearization at an equilibrium, the damping that (27) leaves out included."""
     theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*NAMES)
-    along, across = _motion.regime_jacobian(
-        x, y, 0.0, 0.0, np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, V, d, 1, 1
+    along, across = _MODEL.motion.regime_jacobian(
+        x, y, 0.0, 0.0, np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, V, d, pushing=1, side=1, near1=1
     )
     jacobian = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], along, across], dtype=float)
     return float(np.linalg.eigvals(jacobian).real.max())

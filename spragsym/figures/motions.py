@@ -6,7 +6,7 @@ import numpy as np
 
 from ..assumed import D, V
 from ..dynamics import simulate
-from ..generated import motion
+from ..generated import laws
 from ..parameters import Parameters
 from ..sweeps import Workers, rms_sweep
 from .captions import BASE_TEXT, MODEL
@@ -18,7 +18,7 @@ def figure_3() -> Sheet:
     """Friction over the speed of the mass, and contact force over its displacement."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.3)
     speed = np.unique(np.concatenate([np.linspace(-0.5, 1.5, 401), V + np.linspace(-1e-9, 1e-9, 2)]))
-    friction = motion.friction(speed, 1.0, V, D)
+    friction = laws.friction(speed, 1.0, V, D)
     left.axhline(0, color=GREY, linewidth=0.5)
     for part in (speed < V, speed > V):
         left.plot(speed[part], friction[part], color=BLACK)
@@ -29,7 +29,7 @@ def figure_3() -> Sheet:
     right.set_xticks(np.arange(-0.1, 0.11, 0.05))
     y = np.array([-0.1, 0.0, 0.1])
     # Without spring and preload the acceleration across the belt, (9), is the contact force, (11).
-    _, contact = motion.rhs(0.0, y, 0.0, 0.0, 1.0, 0.0, mu0=0.0, kappa=0.0, alpha=0.0, sigma=0.0, beta=0.0, V=V, d=D)
+    _, contact = MODEL.motion.rhs(0.0, y, 0.0, 0.0, 1.0, 0.0, mu0=0.0, kappa=0.0, alpha=0.0, sigma=0.0, beta=0.0, V=V, d=D)
     contact = contact + 0.0  # a table shows 0 as 0, not as -0
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06, ha="left")

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..generated import motion
+from ..generated.models.kang_nam import motion
 from ..parameters import NAMES, FloatArray, Parameters
 
 #: A well: x and y of its bottom, and the energy of its brim.
@@ -76,8 +76,9 @@ def _held(known: tuple[Well, ...], constants: tuple[float, ...], state: FloatArr
 
 
 def _potential(x: Any, y: Any, *constants: Any, xp: Any = np) -> Any:
-    """Energy at rest, without contact."""
-    return _energy(x, y, 0.0, 0.0, *constants, 0, xp=xp)
+    """Energy at rest, without contact: friction, V and d are nothing to it."""
+    cos0, sin0, *rest = constants
+    return _energy(x, y, 0.0, 0.0, cos0, sin0, 0.0, *rest, 0.0, 0.0, 0, xp=xp)
 
 
 def _stationary_on_the_surface(

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..dynamics.regimes import SETTLED
-from ..generated import motion
+from ..generated import laws
 from ..parameters import FloatArray, Parameters
 
 
@@ -19,7 +19,7 @@ def rest_index(p: Parameters, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
     rows = np.isfinite(x)
     if rows.any():
         given = {name: np.broadcast_to(getattr(p, name), x.shape)[rows] for name in p.ranges}
-        given["mu0"] = motion.friction(np.zeros_like(given["V"]), given["mu0"], given["V"], given["d"])
+        given["mu0"] = laws.friction(np.zeros_like(given["V"]), given["mu0"], given["V"], given["d"])
         found = equilibria(Parameters(**given))
         away = np.hypot(found.x - x[rows][:, None], found.y - y[rows][:, None])
         away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..display import Result
-from ..generated import motion as _motion
+from ..generated import laws
 from ..parameters import FloatArray
 
 
@@ -51,7 +51,7 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     moving = speed[speed > 0]
 
     def shape(d: float) -> FloatArray:
-        return np.asarray(_motion.friction(0.0, 1.0, speed, d))
+        return np.asarray(laws.friction(0.0, 1.0, speed, d))
 
     def best(d: float) -> float:
         rise = shape(d)

@@ -46,13 +46,19 @@ class Material:
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     #: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine, itself before them if it is used.
     angles: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    of_page: tuple[Module, ...] = ()  #: further modules, which Python has in the folder of the model's page
     arithmetic: Source = NOTHING  #: double-double numbers
     widened: Source = NOTHING  #: the kernel a second time, on these
 
     @property
+    def all_modules(self) -> tuple[Module, ...]:
+        """What a library has that stands alone."""
+        return (*self.modules, *self.of_page)
+
+    @property
     def algebra(self) -> dict[str, Function]:
         """Generated functions by name."""
-        return {function.name: function for module in self.modules for function in module.functions}
+        return {function.name: function for module in self.all_modules for function in module.functions}
 
     @property
     def both_kernels(self) -> Source:

@@ -45,11 +45,3 @@ def further(
     for value in (names or {}).values():
         free |= sp.sympify(value).free_symbols
     return tuple(symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free and symbol not in listed)
-
-
-def added(arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
-    """The terms by which a changed assumption exceeds the arrangement of the published model; zeros if nothing was changed."""
-    return tuple(
-        sp.factor_terms(unit_circles.difference(equilibrium.spell_out(theirs), equilibrium.spell_out(ours)))
-        for ours, theirs in zip(arranged, derived, strict=True)
-    )

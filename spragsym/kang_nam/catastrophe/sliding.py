@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...generated import motion as _motion
+from ...generated import laws
 from ...parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_numbers
 
 
@@ -38,4 +38,4 @@ def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
     0.496631
     """
     speed = np.abs(as_numbers("V", V))
-    return np.asarray(_motion.friction(0.0, as_numbers("mu0", mu0, NOT_NEGATIVE), speed, as_numbers("d", d, POSITIVE)))
+    return np.asarray(laws.friction(0.0, as_numbers("mu0", mu0, NOT_NEGATIVE), speed, as_numbers("d", d, POSITIVE)))

@@ -59,7 +59,7 @@ def _contents(material: Material, own: dict[str, str]) -> str:
             first = re.search(r"^%\w+\s+(.*)$", text, re.MULTILINE)
             lines += _listed(f"{name.removesuffix('.m'):18} - {first[1] if first else ''}", 2)
     lines += ["", f"  {material.library}.algebra holds the generated algebra:"]
-    for module in material.modules:
+    for module in material.all_modules:
         lines += _listed(", ".join(it.name for it in module.functions), 4)
     lines += ["", "  Their arguments:"]
     for symbol in dict.fromkeys(str(symbol) for it in material.algebra.values() for symbol in it.accepted):

@@ -69,10 +69,6 @@ function [ends, text, remedy] = range(name)
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
     case 'm_v'
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
-    case 'mu'
-      ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
-    case 'n'
-      ends = [0, Inf, 0, 1]; text = '[0, Inf)'; remedy = '';
     case 'nbar'
       ends = [0, 1, 0, 0]; text = '[0, 1]'; remedy = '';
     case 'side'

@@ -70,6 +70,26 @@ def generated(name: str) -> ModuleType:
     return importlib.import_module(f"{generated_package.__name__}.{name}")
 
 
+def in_python(name: str, names: Sequence[str]) -> Callable[..., Any]:
+    """A function that a library in another language has, in Python: of arguments in that library's order, by its names for them.
+
+    Of the page's functions it leaves out what nothing depends on, and the factor of an exponential, which it always feels.
+    """
+    function = _function(name)
+    taken = [argument for argument in inspect.signature(function).parameters if argument != "xp"]
+    spelled = {"cos_theta": "cos", "sin_theta": "sin"} | ({"nbar": "pushing"} if "pushing" in taken else {})
+    given = [spelled.get(argument, argument) for argument in names]
+    assert set(given) <= set(taken), name
+    return lambda *values: function(**{**dict.fromkeys(taken, 1.0), **dict(zip(given, values, strict=True))})
+
+
+def _function(name: str) -> Callable[..., Any]:
+    modules = map(
+        generated, ("catastrophe", "equilibrium", "laws", "linear_sprag", "scales", "stability", "models.kang_nam.motion")
+    )
+    return next(getattr(module, name) for module in modules if name in module.__all__)
+
+
 def exact_onsets(*values: Fraction | int) -> list[flutter_proofs.Onset]:
     """Onsets of flutter for exact mu0, kappa, alpha, sigma, beta."""
     arith = intervals.arithmetic()

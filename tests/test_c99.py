@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import inspect
 import math
 import re
 import shutil
@@ -24,12 +23,10 @@ from scipy.optimize import brentq
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
-from spragsym.generated import equilibrium, laws, stability
-from spragsym.generated.models.kang_nam import motion
 from spragsym.kang_nam.statics import adaptive_precision, kernel
 from tests.oracles import article_motion, languages
 from tests.oracles.families import EXTREMES, FAMILIES
-from tests.support import lowest_sets
+from tests.support import in_python, lowest_sets
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "driver.c"
@@ -394,28 +391,18 @@ def test_sanitizers(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ALGEBRA)
 def test_algebra_is_that_of_python(library: ctypes.CDLL, name: str) -> None:
     """Operation for operation; only exp may differ in its last digit."""
-    module = next(module for module in (equilibrium, stability, laws, motion) if name in module.__all__)
     names, results = ALGEBRA[name]
     size = 500, len(names)
     arguments = np.random.default_rng(3).uniform(0.1, 1.5, size) * np.random.default_rng(4).choice([-1, 1], size)
     ours, status = np.empty((500, results)), np.full(500, -1, np.intc)
     getattr(library, f"call_{name}")(ctypes.c_long(500), _pointer(arguments), _pointer(ours), _pointer(status))
     assert not status.any()
-    function = getattr(module, name)
-    theirs = np.column_stack([np.ravel(value) for value in _leaves(function(**_named(function, names, arguments)))])
-    if module in (laws, motion) or name == "damping":
+    function = in_python(name, names)
+    theirs = np.column_stack([np.ravel(np.broadcast_to(value, 500)) for value in _leaves(function(*arguments.T))])
+    if names[0] in ("x", "vx") or name == "damping":  # with an exponential
         np.testing.assert_allclose(ours, theirs, rtol=1e-13, atol=1e-14)
     else:
         np.testing.assert_array_equal(ours, theirs)
-
-
-def _named(function: Any, names: tuple[str, ...], arguments: Any) -> dict[str, Any]:
-    """Arguments by their names in Python; one that C leaves out is 1: an exponential is felt, and on others nothing depends."""
-    taken = [name for name in inspect.signature(function).parameters if name != "xp"]
-    spelled = {"cos_theta": "cos", "sin_theta": "sin"} | ({"nbar": "pushing"} if "pushing" in taken else {})
-    given = {spelled.get(name, name): column for name, column in zip(names, arguments.T, strict=True)}
-    assert given.keys() <= set(taken)
-    return {name: given.get(name, np.ones(len(arguments))) for name in taken}
 
 
 def _leaves(value: Any) -> list[Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import json
 import math
+import re
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,7 +20,7 @@ from spragsym.cli import cli
 from spragsym.parameters import NAMES
 from tests.oracles import languages
 from tests.oracles.languages import NODE, STABILITY, answers, values
-from tests.support import few, generated, lowest_sets
+from tests.support import few, in_python, lowest_sets
 from tests.test_documents import ROOT, fenced
 
 MODULE = ROOT / "generated" / "javascript" / "spragsym.mjs"
@@ -73,13 +74,15 @@ def test_algebra_is_that_of_python() -> None:
     """Every generated function at random arguments; exp may be rounded otherwise by an engine."""
     rng = np.random.default_rng(18)
     calls, expected = [], []
-    modules = ("catastrophe", "equilibrium", "linear_sprag", "motion", "scales", "stability")
-    functions = [(name, getattr(module, name)) for module in map(generated, modules) for name in module.__all__]
-    assert len(functions) > 50
-    for name, function in functions:
-        given = [float(value) for value in rng.uniform(0.2, 0.9, function.__wrapped__.__code__.co_argcount)]
+    declared = re.findall(
+        r"^  (\w+)\(((?:\w+: number(?:, )?)+)\): ", MODULE.with_suffix(".d.ts").read_text(encoding="utf-8"), re.M
+    )
+    assert len(declared) > 60
+    for name, arguments in declared:
+        names = re.findall(r"(\w+): number", arguments)
+        given = [float(value) for value in rng.uniform(0.2, 0.9, len(names))]
         calls.append((f"algebra.{name}", *given))
-        expected.append(function(*given))
+        expected.append(in_python(name, names)(*given))
     for (name, *_), ours, theirs in zip(calls, values(calls), expected, strict=True):
         flat = np.array(np.concatenate([np.ravel(part) for part in _leaves(ours)]))
         assert flat == pytest.approx(np.concatenate([np.ravel(part) for part in _leaves(theirs)]), rel=1e-14, abs=1e-15), name

@@ -77,6 +77,7 @@ def test_states_as_near_to_the_anchor_as_the_torsion_spring_is_weak_are_found(mo
     assert (nearest > tau).all()
 
 
+@pytest.mark.thorough
 def test_without_torsion_and_hardening_the_article_comes_back(model: Any) -> None:
     rng = np.random.default_rng(2)
     n = 40
@@ -120,6 +121,7 @@ def test_turned_by_half_a_turn_it_pushes_away_from_the_ray(model: Any) -> None:
     assert np.abs(across[there & (length > 1e-6)]).max() < 1e-9
 
 
+@pytest.mark.thorough
 def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
     """A proved region holds the states of any larger one; here those of the scalar equation, which knows no region."""
     rng = np.random.default_rng(9)

@@ -761,6 +761,7 @@ def test_worst_cases_are_documented() -> None:
         assert re.search(rf"\| `{name}` \| {operations}( for each 64 points)? \|", page)
 
 
+@pytest.mark.thorough
 def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
     out = tmp_path / "sprag"
     arguments = ["export", "--language", "c", "--out", str(out)]

@@ -531,6 +531,7 @@ def test_nothing_has_drifted() -> None:
     assert drift_without(LONG_MOTIONS if LONG_MOTIONS_TAKE_MINUTES else ()) == []
 
 
+@pytest.mark.thorough
 def test_nothing_has_drifted_but_what_takes_long_motions() -> None:
     """The fate of rest is bisected motion by motion."""
     assert drift_without(LONG_MOTIONS if LONG_MOTIONS_TAKE_MINUTES else ("fig-7b-fate",)) == []

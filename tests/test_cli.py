@@ -105,6 +105,7 @@ def test_critical_frictions_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["jumps"][0]["mu0"] == found["mu_jump"] == ss.jump_value(ss.Parameters.article(theta0=math.radians(40.0)))
 
 
+@pytest.mark.thorough
 def test_what_is_undecided_is_not_called_none(capsys: pytest.CaptureFixture[str]) -> None:
     assert invoke("critical", "--model", "trolley", "--theta0", "40") == DONE
     text = capsys.readouterr().out
@@ -314,6 +315,7 @@ def test_the_window_follows_the_end(t_end: str, tmp_path: Path, capsys: pytest.C
 # ------------------------------------------------------------------------------------------------- files of a sweep
 
 
+@pytest.mark.thorough
 def test_a_file_has_the_degrees_that_were_typed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     xarray = pytest.importorskip("xarray")
     pandas = pytest.importorskip("pandas")
@@ -653,6 +655,7 @@ def test_no_color_is_respected(
     assert bool(re.search(rb"\x1b\[[\d;]*3[0-7]m", shown)) == colour
 
 
+@pytest.mark.thorough
 @needs_posix
 def test_ctrl_c_ends_cleanly(tmp_path: Path, start: Start) -> None:
     process = start("simulate", "--theta0", "49", "--t-end", "1e6", "--backend", "scipy", cwd=tmp_path)
@@ -691,6 +694,7 @@ def end_as_documented(arguments: list[str]) -> None:
         assert re.fullmatch(r"spragsym: .*\n", text), text
 
 
+@pytest.mark.thorough
 @given(
     st.sampled_from(["equilibria", "bifurcation"]), st.lists(st.tuples(FLAGS, NUMBERS), max_size=5), st.lists(NUMBERS, max_size=1)
 )  # fmt: skip

@@ -65,7 +65,7 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
             pytest.param("mode_coupling", "mu0", {}, id="mode_coupling"),
             pytest.param("trolley", "theta0", {}, id="trolley"),
         ],
-        "damped", "stribeck",
+        "stribeck",
     ),
 )  # fmt: skip
 def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values: dict[str, float]) -> None:
@@ -79,6 +79,7 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
             assert bound < 1e-5 * max(abs(found), 1e-3)
 
 
+@pytest.mark.thorough
 def test_a_torsion_spring_against_equations_written_by_hand(tmp_path: Path) -> None:
     pytest.importorskip("sympy")
     from spragsym.derive import folder
@@ -287,6 +288,7 @@ def test_a_table_says_it_too(stick_slip: Any) -> None:
     assert "criticality" in stick_slip._repr_html_()
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 def test_the_page_on_onsets() -> None:
     page = DOCS / "onsets.md"

@@ -30,6 +30,7 @@ from spragsym.dynamics.field import Border, Field
 from spragsym.dynamics.flows import carrier
 from spragsym.exact.decimals import exactly
 from spragsym.generated import laws
+from tests.support import few
 from validation import basins as validate_basins
 from validation import branches as validate_branches
 from validation import cycles as validate_cycles
@@ -512,6 +513,7 @@ def test_as_many_points_are_followed_as_is_said(next_to_a_grazing: ss.CycleBranc
     assert all(followed[side] == 16 for side in ends)
 
 
+@pytest.mark.thorough
 def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
     """The turn that touches it is none of the first point's, and below the border again at the second one."""
     begun, _ = validate_branches.begun(1109)
@@ -582,6 +584,7 @@ def test_rounding_does_not_decide_between_a_cycle_and_itself() -> None:
     assert "as rounding decides" not in str(told.value)
 
 
+@pytest.mark.thorough
 def test_a_motion_that_cannot_be_followed_is_undecided() -> None:
     found = ss.fate(at(42.0), V=0.5, d=1e6, t_end=1000.0)
     assert found.kind == "undecided"
@@ -597,6 +600,7 @@ def test_the_time_scale_is_that_of_a_state_that_is_named() -> None:
     assert "at steady sliding, x = 0.135231, y = -0.0134205, deviations die out" in why
 
 
+@pytest.mark.thorough
 def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
     found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **BELT)
     assert found.saddle == "equilibrium"
@@ -623,6 +627,7 @@ def test_one_cycle_at_both_ends_is_one_fate() -> None:
         )
 
 
+@pytest.mark.thorough
 def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where an attractor can't be followed over all of the bracket, it is taken for another one until the bracket is narrow."""
     followed = fate_boundaries.followed
@@ -662,7 +667,7 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
 
 
-@pytest.mark.parametrize("number", [56, 174])
+@pytest.mark.parametrize("number", few([56, 174], 174))
 def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
     """Irregular transients at the ends: by another tolerance, or begun 1e-12 beside, they come to something else."""
     p, settings = of_call(number)
@@ -670,6 +675,7 @@ def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
         ss.fate_boundary(p, **settings)
 
 
+@pytest.mark.thorough
 def test_a_motion_that_takes_longer_has_no_other_fate() -> None:
     """One of four that begin within rounding settles after t = 40 000 only; that rounding decides was said of it."""
     p, settings = of_call(189)
@@ -725,6 +731,7 @@ def test_a_boundary_beside_others_is_told_where_rounding_does_not_decide(monkeyp
     assert [low < island[0] < high or low < island[1] < high for low, high in found.others] == [True, True]
 
 
+@pytest.mark.thorough
 def test_a_cycle_is_followed_on_its_own_sheet() -> None:
     """Newton's method alone finds a stable cycle of another sheet at the other value, where the one at hand has long halved."""
     drawn, _ = validate_branches.begun(252)
@@ -737,6 +744,7 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
         attractors.followed_cycle(begun.field, begun, values, begun.backend)
 
 
+@pytest.mark.thorough
 def test_what_has_not_settled_is_no_fate() -> None:
     """An end is a transient that is irregular for 40 000 time units."""
     with pytest.raises(
@@ -798,7 +806,7 @@ def test_random_verdicts_are_confirmed_by_another_driver(number: int) -> None:
     assert line["kind"] != "undecided"
 
 
-@pytest.mark.parametrize("name", ["damped", "kang_nam"])
+@pytest.mark.parametrize("name", few(["damped", "kang_nam"], "damped"))
 def test_the_time_scale_is_that_on_which_motions_die_out(name: str) -> None:
     p = ss.load(name).Parameters(theta0=np.radians(30.0), d=2.0)
     found = ss.fate(p)
@@ -939,6 +947,7 @@ def test_at_the_anchor_there_is_no_motion() -> None:
             failing()
 
 
+@pytest.mark.thorough
 def test_where_the_belt_stands_still() -> None:
     still = {"V": 0.0, "d": 10.0}
     with pytest.raises(ss.ConvergenceError, match="decays to rest"):
@@ -1039,7 +1048,7 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
     assert proved["stable"] is True
 
 
-@pytest.mark.parametrize("digits", [10, 25, *(pytest.param(each, marks=pytest.mark.thorough) for each in (60, 200))])
+@pytest.mark.parametrize("digits", few([10, 25, 60, 200], 10))
 def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int) -> None:
     """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
     pytest.importorskip("flint")
@@ -1278,7 +1287,7 @@ def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
         ss.precise.prove_cycle(slow, digits=3)
 
 
-@pytest.mark.parametrize("low", [0.06, 0.085, pytest.param(0.05, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("low", few([0.06, 0.085, 0.05], 0.085))
 def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> None:
     """Whatever the range: at 0.085 it went on over its end, at 0.06 it turned onto the shorter cycle through a fold of none."""
     p = ss.Parameters(

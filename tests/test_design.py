@@ -624,6 +624,7 @@ def test_without_a_spring_along_the_belt_angles_are_as_exact() -> None:
 # --------------------------------------------------------------------------------------------------- what varies together
 
 
+@pytest.mark.thorough
 def test_a_probability_with_correlated_normals_is_that_of_plain_samples() -> None:
     from scipy.stats import norm
 

@@ -152,7 +152,7 @@ def test_every_result_is_known_here() -> None:
     assert kinds <= set(RESULTS)
 
 
-@pytest.mark.parametrize("kind", few(RESULTS, *(RESULTS.keys() - {"FateBoundary", "EventCurve"})))
+@pytest.mark.parametrize("kind", few(RESULTS, *(RESULTS.keys() - {"FateBoundary", "EventCurve", "BasinBoundary"})))
 def test_a_notebook_gets_a_table(kind: str) -> None:
     if kind in LONG_MOTIONS and LONG_MOTIONS_TAKE_MINUTES:
         pytest.skip(LONG_MOTIONS_TAKE_MINUTES)

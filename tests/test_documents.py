@@ -69,7 +69,10 @@ MODULES = sorted(
 )
 
 #: Modules whose examples take seconds; their tests have the same calls.
-LONG_EXAMPLES = ("spragsym.cycles.fate_boundaries", "spragsym.cycles.branch", "spragsym.cycles.two_parameters")
+LONG_EXAMPLES = (
+    "spragsym.cycles.fate_boundaries", "spragsym.cycles.branch", "spragsym.cycles.two_parameters",
+    "spragsym.cycles.basin_boundaries", "spragsym.models.model",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -175,6 +178,7 @@ def furthest(points: np.ndarray, outline: np.ndarray) -> float:
     return float(np.linalg.norm(points[:, None] - nearest, axis=2).min(axis=1).max())
 
 
+@pytest.mark.thorough
 def test_the_picture_is_what_the_library_draws(tmp_path: Path) -> None:
     """The same bytes under two hash seeds; and, where matplotlib is the pinned one, the committed picture to 0.6 points, which is
     a cell of its grid: another machine's last digits may put a point of the grid on the other side of a fold."""

@@ -113,6 +113,7 @@ def print_wrongly(monkeypatch: pytest.MonkeyPatch) -> None:
 _run = check.run
 
 
+@pytest.mark.thorough
 @pytest.mark.usefixtures("quick")
 def test_a_failed_check_writes_nothing_and_names_the_row(
     target: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -127,6 +128,7 @@ def test_a_failed_check_writes_nothing_and_names_the_row(
     assert "untouched" in told
 
 
+@pytest.mark.thorough
 @pytest.mark.usefixtures("quick")
 def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     print_wrongly(monkeypatch)

@@ -184,6 +184,7 @@ def python_states(point: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float6
     return np.degrees(found.theta[: int(found.count)])
 
 
+@pytest.mark.thorough
 def test_numbers_are_pythons_at_ten_thousand_points(explorer: Explorer) -> None:
     rng = np.random.default_rng(18)
     n = 10_000
@@ -231,6 +232,7 @@ def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) 
         assert float(angle) == pytest.approx(math.degrees(theirs.theta0), rel=1e-4)
 
 
+@pytest.mark.thorough
 def test_a_fold_crossed_by_mouse_in_both_directions(explorer: Explorer) -> None:
     """Low sheet → jump over the upper fold → back without a return → home over the other fold."""
     fold = math.degrees(float(ss.folds(BASE).theta0[0]))
@@ -524,6 +526,7 @@ def test_anchor_and_mass_are_dragged(explorer: Explorer) -> None:
     page.click("#still")
 
 
+@pytest.mark.thorough
 def test_the_surface_is_drawn(browser: Any, url: str) -> None:
     explorer = Explorer(browser.new_page(viewport={"width": 1000, "height": 800}), url)
     explorer.open()
@@ -539,6 +542,7 @@ def test_the_surface_is_drawn(browser: Any, url: str) -> None:
     assert amber > 500
 
 
+@pytest.mark.thorough
 def test_a_phone(browser: Any, url: str) -> None:
     """Narrow, dark, by touch, and without WebGL."""
     context = browser.new_context(

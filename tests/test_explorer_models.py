@@ -120,6 +120,7 @@ page.friction(x, phase, lambda v: link * tanh(pace * v))
 '''
 
 
+@pytest.mark.thorough
 def test_a_page_of_anybody_is_text_and_its_names_are_its_own(browser: Any, tmp_path: Path) -> None:
     """Meanings with markup and quotes, parameters called as elements and as an angle of a link; a folder with a space."""
     folder, out = tmp_path / "my pages", tmp_path / "clash.html"

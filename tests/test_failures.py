@@ -218,6 +218,7 @@ integrators.measure = killed
 """
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(sys.platform != "linux", reason="lists processes as Linux does")
 def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("heyoka")

@@ -493,6 +493,7 @@ def test_data_are_written_to_twelve_digits(tmp_path: Path, sheets: dict[str, She
     assert all(len(line) <= 100 for line in (tmp_path / "figure_4.txt").read_text(encoding="utf-8").splitlines())
 
 
+@pytest.mark.thorough
 def test_command(tmp_path: Path) -> None:
     result = CliRunner().invoke(command, ["--only", "12", "13", "--out", str(tmp_path), "--format", "png,svg", "--workers", "1"])
     assert result.exit_code == 0, result.output

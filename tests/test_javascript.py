@@ -196,6 +196,7 @@ def test_cusps_are_those_that_python_proves() -> None:
         assert np.array(ours) == pytest.approx(np.array(exact), rel=1e-8, abs=1e-8), given
 
 
+@pytest.mark.thorough
 def test_the_lowest_fold_is_that_python_proves() -> None:
     sets = [{name: float(getattr(p, name)) for name in NAMES[2:]} for p in lowest_sets(24)]
     kinds = set()

@@ -22,6 +22,7 @@ BASE = ss.Parameters.article(theta0=None, mu0=None)
 BELOW_THE_CUSP = ss.Parameters(kappa=1.0358981051019952e-4, alpha=0.24472716045424348, sigma=5.3945973456418015, beta=0.0)
 
 
+@pytest.mark.thorough
 def test_every_step_of_the_proof_holds() -> None:
     steps = derived.steps()
     assert len({step.claim for step in steps}) == len(steps) >= 13
@@ -121,6 +122,7 @@ def test_alpha_goes_to_zero_continuously() -> None:
     assert frictions[-1] < 1e-5
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("changes", [
     {"kappa": 1e-12}, {"kappa": 1e-9, "sigma": 3.0, "alpha": 0.2}, {"beta": 1e4}, {"alpha": 1.0}, {"alpha": 3.0, "beta": 2.0},
     {"alpha": 50.0, "sigma": 7.0}, {"kappa": 0.1, "sigma": 0.1}, {"kappa": 1.0, "sigma": 2.0},

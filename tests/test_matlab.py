@@ -138,6 +138,7 @@ def test_folds_and_cusps_are_those_that_python_proves(package: Path, changes: di
         assert ours == pytest.approx(getattr(folds, name), rel=1e-9, abs=1e-9), name
 
 
+@pytest.mark.thorough
 def test_the_lowest_fold_is_that_python_proves(package: Path) -> None:
     sets = lowest_sets(4)
     program = ""

@@ -76,7 +76,7 @@ def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     assert np.array_equal(outcome[outcome != OPEN] == ENDS, jumps[outcome != OPEN])
 
 
-@pytest.mark.parametrize("name", few(["two_springs", "cubic_contact", "inclined_belt"], "inclined_belt"))
+@pytest.mark.parametrize("name", few(["two_springs", "cubic_contact", "inclined_belt"]))
 def test_outcomes_of_points_are_those_of_states_followed_one_by_one(name: str) -> None:
     model = ss.load(name)
     box = Splitting(*sets(model, {"theta0": (0.9, 1.2), "mu0": (0.1, 0.4)}), "mu0", 0.0)
@@ -87,6 +87,7 @@ def test_outcomes_of_points_are_those_of_states_followed_one_by_one(name: str) -
         assert one == (SAFE if end is None else ENDS)
 
 
+@pytest.mark.thorough
 def test_pieces_lie_about_the_folds_of_all_their_points() -> None:
     """The state is proved to go on below all, and to have ended above: nearly no farther apart than the folds themselves."""
     box = Splitting(*sets(SEARCH, {**BOX, "mu0": (0.3, 0.9)}), "mu0", 0.0)
@@ -105,6 +106,7 @@ def test_pieces_lie_about_the_folds_of_all_their_points() -> None:
     assert np.median(np.divide(told, spread)) < 4
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)])
 def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
     found = SEARCH.jump_probability(sets(SEARCH, BOX), n=256, rng=1, replicates=2, max_boxes=boxes)
@@ -161,6 +163,7 @@ def test_probability_bracket_and_shares_are_those_of_a_closed_form(tmp_path: Pat
     np.testing.assert_allclose(model.jump_value(model.Parameters(kappa=np.array([0.5, 1.0]))), [2 * A, A], rtol=1e-12)
 
 
+@pytest.mark.thorough
 def test_the_bracket_of_a_law_without_an_end() -> None:
     """Its tail counts as open."""
     model, law = ss.load("inclined_belt"), stats.gamma(900, scale=1 / 3000)
@@ -185,6 +188,7 @@ def test_another_state_is_not_taken_for_the_followed_one() -> None:
         assert linked == [True, False, False]
 
 
+@pytest.mark.thorough
 def test_at_a_fold_and_without_friction() -> None:
     model = ss.load("inclined_belt")
     end = first_end(model, model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
@@ -252,6 +256,7 @@ def test_tolerances_of_five_quantities_are_proved() -> None:
     assert not (ss.jump_value(p, "mu0") <= inside["mu0"]).any()
 
 
+@pytest.mark.thorough
 def test_a_fold_just_above_a_box_is_no_obstacle() -> None:
     """Where no tube goes over the fold below the box's upper end, one goes up to that end."""
     ranges = {"theta0": (1.122806, 1.134091), "mu0": (0.863472, 0.87215), "sigma": (0.06078, 0.061391)}

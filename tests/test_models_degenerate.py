@@ -101,6 +101,7 @@ def with_a_line(monkeypatch):
     return ss.load("mode_coupling")
 
 
+@pytest.mark.thorough
 def test_a_line_of_equilibria_is_said_in_a_line(with_a_line):
     model = with_a_line
     p = model.Parameters(mu0=0.0, alpha=0.0)
@@ -188,6 +189,7 @@ def printed(*words):
     return json.loads(result.stdout)
 
 
+@pytest.mark.thorough
 def test_commands_for_a_model_say_what_the_articles_own_say():
     folds, want = (printed("folds", "--vary", "theta0", "--method", way) for way in ("search", "closed"))
     assert folds["complete"]
@@ -217,6 +219,7 @@ def test_a_path_of_a_model_says_what_the_articles_own_says():
     assert len(one["jumps"]) == 1
 
 
+@pytest.mark.thorough
 def test_what_is_undecided_is_listed(with_a_line):
     told = printed("folds", "--model", "mode_coupling", "--mu0", "0", "--alpha", "0", "--vary", "sigma")
     assert not told["complete"]

@@ -34,7 +34,14 @@ def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[
 MODELS = ["kang_nam", "damped", "stribeck", "trolley", "two_springs", "mode_coupling", "stick_slip"]
 
 
-@pytest.mark.parametrize(("name", "method"), [("kang_nam", "closed"), *((name, "search") for name in MODELS)])
+@pytest.mark.parametrize(
+    ("name", "method"),
+    [
+        ("kang_nam", "closed"),
+        *((name, "search") for name in MODELS[:2]),
+        *(pytest.param(name, "search", marks=pytest.mark.thorough) for name in MODELS[2:]),
+    ],
+)
 def test_stable_is_only_what_does_not_grow(name: str, method: str) -> None:
     model, rng = ss.load(name), np.random.default_rng(5)
     seen = set()
@@ -94,6 +101,7 @@ def test_what_the_article_calls_stable_after_the_jump_grows() -> None:
     assert abs(eq.growth[2] - float(most)) < 1e-14
 
 
+@pytest.mark.thorough
 def test_words_of_a_path_are_those_of_its_states() -> None:
     """Each state of a path, in Python and as printed, beyond the jump too."""
     p = ss.Parameters.article(theta0=np.radians(40.0))

@@ -226,6 +226,7 @@ def test_a_state_that_oscillates_does_not_pass_for_stable(capsys: pytest.Capture
     assert growth[0] > 0 > growth[1]
 
 
+@pytest.mark.thorough
 def test_the_motion_of_a_model_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("matplotlib")
     words = ("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20")

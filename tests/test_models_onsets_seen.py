@@ -75,6 +75,7 @@ def chain(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
     return ss.load(Path(once("chain", derived)))
 
 
+@pytest.mark.thorough
 def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
     """Where the growth of the only state changes its sign; that there is no other one is not said."""
     found = pad.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
@@ -86,6 +87,7 @@ def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
     assert any("floats see no other" in text for text in found.remarks)
 
 
+@pytest.mark.thorough
 def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     """Without dampers every pair crosses where the slope of the law is 0, at mu_s from (mu (1 − exp(−d v)))′ = 0 at V."""
     V, v_s, d, mu_k = 0.2, 0.3, 20.0, 0.2
@@ -97,6 +99,7 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("damping", "kind"), [(None, "hopf"), (False, "flutter")])
 def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
     chain: Any, monkeypatch: pytest.MonkeyPatch, damping: bool | None, kind: str
@@ -117,6 +120,7 @@ def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
         assert beside.stability[:, 0].tolist() == [ss.Stability.STABLE, ss.Stability.FLUTTER]
 
 
+@pytest.mark.thorough
 def test_what_is_not_decided_is_not_called_none(pad: Any) -> None:
     told = CliRunner().invoke(cli, ["bifurcation", "--model", pad.where, "--vary", "mu_s=0.1:0.4"]).output
     assert "Onsets: none" not in told
@@ -160,6 +164,7 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0
 '''
 
 
+@pytest.mark.thorough
 def test_a_mode_that_nothing_damps_hides_no_onset(tmp_path: Path) -> None:
     """Its pair is on the axis for all frictions, so that no condition tells where another one gets there."""
     pytest.importorskip("sympy")

@@ -304,6 +304,7 @@ def test_a_law_whose_slope_is_a_quotient_of_an_angle(models: dict[str, Any]) -> 
         assert np.allclose(slopes, want, rtol=1e-9)
 
 
+@pytest.mark.thorough
 def test_curves_of_folds_of_different_turns_are_not_joined(models: dict[str, Any]) -> None:
     """An arm that turns around many times has a curve of folds in each turn; they end at the borders of the plane."""
     model = models["rubbing_arm"]

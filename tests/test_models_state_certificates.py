@@ -40,7 +40,7 @@ def fails(eq: Any, claim: str) -> Any:
 
 
 @pytest.mark.parametrize("claim", CLAIMS)
-@pytest.mark.parametrize("number", few(range(40), 0, 1, 2, 3))
+@pytest.mark.parametrize("number", few(range(40), 1, 2, 3))
 def test_nothing_is_said_that_closed_forms_contradict(number: int, claim: str) -> None:
     rng = np.random.default_rng([7, number])
     low, high = a_box(ARTICLE, rng)

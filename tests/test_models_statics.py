@@ -249,6 +249,7 @@ def test_hopf_points_with_dampers_are_where_a_pair_crosses():
     assert np.abs(growth).max() < 1e-5
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("to", few([1.5, np.pi], 1.5))  # each takes seconds, and the first lies before 1.5
 @pytest.mark.parametrize(
     ("name", "more"),
@@ -386,6 +387,7 @@ def test_what_does_not_vary_is_refused():
 # -------------------------------------------------------------------------------------- the plane, and paths in it
 
 
+@pytest.mark.thorough
 def test_bifurcation_set_is_the_articles():
     found = model("kang_nam").bifurcation_set(model("kang_nam").Parameters(theta0=1.0), n=12, between={"mu0": (0.0, 1.0)})
     assert found.complete

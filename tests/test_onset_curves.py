@@ -13,7 +13,7 @@ from scipy import optimize
 import spragsym as ss
 from spragsym.models.balance import Balance
 from spragsym.models.stability import linearization
-from tests.support import model_of
+from tests.support import few, model_of
 from tests.test_documents import ROOT
 from validation.criticality import accelerations
 
@@ -29,7 +29,7 @@ def damped(number: int) -> Any:
     return ss.load("damped").Parameters(**SETS[number])
 
 
-@pytest.fixture(scope="module", params=[0, 1])
+@pytest.fixture(scope="module", params=few([0, 1], 0))
 def found(request: pytest.FixtureRequest) -> tuple[Any, Any]:
     p = damped(request.param)
     return p, ss.onset_curves(p, n=12, between=BETWEEN)
@@ -79,6 +79,7 @@ def test_other_lines_cross_the_curves_as_often_as_they_have_onsets(found: tuple[
         assert np.sort(crossings) == pytest.approx(np.sort(onsets.mu0), abs=2e-3)
 
 
+@pytest.mark.thorough
 def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> None:
     """On a map of eigenvalues, a pair crosses the axis between two frictions where an onset lies between them, and only there."""
     p, curves = found
@@ -142,6 +143,7 @@ page.friction(x, V, lambda v: 2 * mu_s * v * v_s / (v**2 + v_s**2))
 '''
 
 
+@pytest.mark.thorough
 def test_a_double_hopf_point_in_closed_form(tmp_path: Path) -> None:
     """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its roots are imaginary."""
     pytest.importorskip("sympy")
@@ -163,6 +165,7 @@ def test_a_double_hopf_point_in_closed_form(tmp_path: Path) -> None:
     assert {tuple(np.sign(row).tolist()) for row in near} == {(1, 1), (1, -1), (-1, 1), (-1, -1)}
 
 
+@pytest.mark.thorough
 def test_bogdanov_takens_points() -> None:
     """Two zero eigenvalues of equations written by hand, at a fold; a curve of onsets ends there."""
     p = damped(1)
@@ -187,6 +190,7 @@ def test_bogdanov_takens_points() -> None:
         assert min(np.hypot(theta0 - P["theta0"], mu0 - P["mu0"]) for theta0, mu0 in ends) < 0.05
 
 
+@pytest.mark.thorough
 def test_zero_hopf_points(with_folds: Any) -> None:
     """One eigenvalue 0 and a pair on the axis, of equations written by hand; l₁ has a pole there, and no change is claimed."""
     points = with_folds.points
@@ -226,6 +230,7 @@ def columns(p: Any) -> Any:
     return np.array([[float(value)] for value in p.scalars(*p.model.parameters)])
 
 
+@pytest.mark.thorough
 def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
     pytest.importorskip("matplotlib")
     from spragsym import figures
@@ -238,6 +243,7 @@ def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
     assert ends[0][1] == ends[1][0]
 
 
+@pytest.mark.thorough
 def test_the_command_lists_the_curves_and_the_points_on_them(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     asked = ["onsets", "--model", "stick_slip", "--vary", "V=0:1", "--vary", "zeta=0:2", "--n", "8"]
     told = json.loads(_printed([*asked, "--json"], capsys))
@@ -292,6 +298,7 @@ def falling(folder: Path) -> Any:
     return model_of(text.replace("page.friction(", "page.damper(c_x, along=x)\npage.friction("), "falling", folder)
 
 
+@pytest.mark.thorough
 def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses(tmp_path: Path) -> None:
     """The trace of A is 0 there, by hand. Each pair has a curve: of three states two have two, the one that diverges one."""
     pytest.importorskip("sympy")

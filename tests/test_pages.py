@@ -326,6 +326,7 @@ def test_groups_follow_from_the_units() -> None:
 # ------------------------------------------------------------------------------------------------ the article's page
 
 
+@pytest.mark.thorough
 def test_the_general_way_gives_the_article() -> None:
     assert all(page_equivalence.identities().values())
 

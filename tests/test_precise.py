@@ -217,6 +217,7 @@ def _run_threads(number: int, seconds: float) -> None:
     assert not faults, faults[:5]
 
 
+@pytest.mark.thorough
 def test_threads_give_the_bits_of_one() -> None:
     _run_threads(3, 0.7)
 

@@ -170,6 +170,7 @@ def test_shares_that_the_samples_do_not_resolve_are_not_told() -> None:
     assert [said for _, said in texts._indices(lost)] == ["not told by 8192 samples, of which too few differ"]
 
 
+@pytest.mark.thorough
 def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off(tmp_path: Path) -> None:
     from spragsym.studies.jump_verdicts import certificate, chance
 
@@ -210,6 +211,7 @@ def test_mu0_and_d_of_one_fit_are_correlated(tmp_path: Path) -> None:
     assert together == pytest.approx(study.fit.correlation, abs=0.1)
 
 
+@pytest.mark.thorough
 def test_a_design_that_sprags_within_its_tolerances_only_is_called_so_and_gets_changes() -> None:
     found = ss.Study(brake(mu0=0.34), tolerance={"k": "15 %", "k_c": "15 %", "theta0": "2 deg"}).report(n=1024, oscillation=False)
     assert found.mu_jump > 0.34
@@ -257,6 +259,7 @@ def test_answers_that_would_mislead_come_with_a_warning(name: str) -> None:
     assert not any(part in one for one in plain.warnings)
 
 
+@pytest.mark.thorough
 def test_a_belt_known_within_limits_makes_the_friction_less_sure(tmp_path: Path) -> None:
     file = tmp_path / "brake.toml"
     file.write_text(BRAKE.replace('"1.2 m/s"', '"[0, 0.3] m/s"').replace('"10 s/m"', '"[5, 10] s/m"'), encoding="utf-8")
@@ -288,6 +291,7 @@ def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
     assert not any("grows slowly" in one for one in found.warnings)
 
 
+@pytest.mark.thorough
 def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: ss.Report, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     for name in ("a.html", "b.html"):
@@ -653,6 +657,7 @@ def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) 
     assert "http" not in text.replace("http://www.w3.org", "")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "rows",
     [
@@ -807,6 +812,7 @@ def test_a_law_of_which_a_quantity_is_missing_says_nothing_of_a_speed(tmp_path: 
     assert not any("so slow" in one for one in found.warnings)
 
 
+@pytest.mark.thorough
 def test_a_motion_falls_only_where_steady_sliding_holds_it(tmp_path: Path) -> None:
     """By another integrator: after 9000 units of time it swings for ever, by 5.5 mm peak to peak, where sliding is unstable."""
     found = told(tmp_path, "kang_nam", {"theta0": "120 deg", "V": "1 m/s", "d": "3 s/m"}, oscillation=True, probability=False)
@@ -924,7 +930,7 @@ def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> N
 # ------------------------------------------------------------------------------------------------------- one set of facts
 
 
-@pytest.mark.parametrize("seed", few(list(range(7, 40)), 7, 8, 11, 12, 14, 19, 28))
+@pytest.mark.parametrize("seed", few(list(range(7, 40)), 7, 8, 11, 12))
 def test_no_two_statements_of_a_report_contradict_each_other(seed: int) -> None:
     text = validate_reports.brake(1, seed).report(n=64, oscillation=seed % 4 == 0, redesign=False).text()
     assert len(validate_reports.statements(text)) >= 5
@@ -953,6 +959,7 @@ def test_contradictions_are_seen(pair: tuple[str, str]) -> None:
         assert validate_reports.statements(one)
 
 
+@pytest.mark.thorough
 def test_a_slow_belt_is_judged_up_to_full_slip() -> None:
     """d V = 0.3: 26 % of the friction works. The speed by hand: mu0 (1 − exp(−d V)) = the friction of the jump."""
     found = ss.Study(brake(mu0=0.5, V=0.03)).report(redesign=False)
@@ -971,6 +978,7 @@ def test_a_slow_belt_is_judged_up_to_full_slip() -> None:
     assert "5 % above the largest that you have, 0.35" in small.verdict
 
 
+@pytest.mark.thorough
 def test_what_comes_to_rest_has_no_amplitude_and_no_forces() -> None:
     found = ss.Study(brake(mu0=0.5, V=0.03)).report(probability=False, redesign=False)
     lives = found.oscillation

@@ -66,6 +66,7 @@ def test_an_empty_sweep_is_empty() -> None:
     assert rms_sweep(P.replace(theta0=np.zeros(0)), **SHORT).rms.shape == (0,)
 
 
+@pytest.mark.thorough
 def test_the_same_bits_from_any_map() -> None:
     one = rms_sweep(P, **SHORT)
     assert_same(one, rms_sweep(P, **SHORT, workers=2))
@@ -275,6 +276,7 @@ def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: 
     assert not partial.exists()
 
 
+@pytest.mark.thorough
 @needs_posix
 def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
     path = tmp_path / "rms.nc"

@@ -72,6 +72,7 @@ def test_equilibria_of_two_springs_are_not_those_of_one() -> None:
     assert int(ss.count(ss.Parameters(*(getattr(q, name) for name in NAMES)))) == 3
 
 
+@pytest.mark.thorough
 def test_folds_of_a_cubic_contact_are_not_those_of_a_linear_one() -> None:
     p = a_set("cubic_contact").replace(gamma=3000.0)
     assert ss.folds(p, "mu0").mu0.round(4).tolist() == [0.5998]
@@ -157,6 +158,7 @@ def test_two_ways_to_one_answer() -> None:
         ss.equilibria(p, method="guess")
 
 
+@pytest.mark.thorough
 def test_what_has_jumped_has_two_witnesses() -> None:
     """By the signs of one polynomial, and by tubes; both are what jump values say."""
     rng = np.random.default_rng(3)
@@ -174,6 +176,7 @@ def test_what_has_jumped_has_two_witnesses() -> None:
         ss.load("stribeck").have_jumped(a_set("stribeck"))
 
 
+@pytest.mark.thorough
 def test_a_design_is_one_of_its_model() -> None:
     """Quantities with units stand for a set of the model, and for none of another."""
     brake = {"m": 0.35, "k_c": 1.5e6, "L_0": 0.038, "theta0": 0.9, "mu0": 0.3, "F_L": 420.0, "k_x": 9e3, "k": 1.8e5, "k_y": 0.0}

@@ -1,4 +1,7 @@
-"""MATLAB and Octave: a package folder with a file a function, and the examples that the model brings."""
+"""MATLAB and Octave: a package folder, a file for each function that is called by hand and one for each namespace, and examples.
+
+A namespace is a class without objects, whose static methods are called ``library.algebra.name(...)``.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ import json
 import math
 import re
 import textwrap
+from collections.abc import Iterable
 
 from ...expressions import number
 from ...quantities import Quantity
@@ -15,6 +19,7 @@ from . import algebra, kernel
 
 #: The model's files that begin with this stand beside the package folder.
 _EXAMPLE = "example_"
+_ALGEBRA = "Generated algebra, for arrays of any one size; nested results come one after the other."
 _PRIMITIVES = ("where.m", "larger.m", "smaller.m", "cube_root.m")
 _INPUT = ("parameters.m", "numbers.m", "shown.m", "whole.m")
 
@@ -23,16 +28,28 @@ def render(material: Material) -> dict[str, str]:
     """The files of the package, and examples."""
     package = f"+{material.library}"
     own = {name: text for name, text in material.runtime.get("matlab", {}).items() if name.endswith(".m")}
-    texts = {f"{package}/+algebra/{name}.m": algebra.definition(it) for name, it in material.algebra.items()}
+    texts = {f"{package}/algebra.m": _namespace("algebra", _ALGEBRA, map(algebra.definition, material.algebra.values()))}
     if material.kernel.routines:
-        texts |= {f"{package}/+kernel/{name}": text for name, text in kernel.render(material).items()}
-        texts |= {f"{package}/+kernel/{name}": runtime(__file__, name) for name in _PRIMITIVES}
+        routines = (*kernel.render(material), *(runtime(__file__, name) for name in _PRIMITIVES))
+        texts[f"{package}/kernel.m"] = _namespace("kernel", _said(material), routines)
     if own:
-        texts |= {f"{package}/+input/{name}": runtime(__file__, name) for name in _INPUT}
-        texts[f"{package}/+input/range.m"] = _ranges(material)
+        checks = (*(runtime(__file__, name) for name in _INPUT), _ranges(material))
+        texts[f"{package}/input.m"] = _namespace("input", "Checks of what is given.", checks)
     texts |= {name if name.startswith(_EXAMPLE) else f"{package}/{name}": text for name, text in own.items()}
     texts[f"{package}/Contents.m"] = _contents(material, own)
     return {name: _spoken(text, _words(material)) for name, text in texts.items()}
+
+
+def _namespace(name: str, summary: str, functions: Iterable[str]) -> str:
+    """A class of static methods."""
+    methods = "\n".join(textwrap.indent(text, "    ") for text in functions)
+    head = "\n".join(algebra.comment(f"{name.upper()}  {summary}", ""))
+    return f"classdef {name}\n{head}\n  methods (Static)\n{methods}  end\nend\n"
+
+
+def _said(material: Material) -> str:
+    """The first line of the kernel's docstring."""
+    return (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
 
 
 def _words(material: Material) -> dict[str, str]:
@@ -65,8 +82,7 @@ def _contents(material: Material, own: dict[str, str]) -> str:
     for symbol in dict.fromkeys(str(symbol) for it in material.algebra.values() for symbol in it.accepted):
         lines += _listed(f"{symbol:10} - {material.quantities[symbol].meaning}", 4)
     if material.kernel.routines:
-        said = (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
-        lines += ["", *_listed(f"{material.library}.kernel: {said}", 2)]
+        lines += ["", *_listed(f"{material.library}.kernel: {_said(material)}", 2)]
     return "".join(f"% {line}".rstrip() + "\n" for line in lines)
 
 

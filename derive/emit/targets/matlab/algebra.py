@@ -1,4 +1,4 @@
-"""Generated algebra in MATLAB: a function a file, for arrays of any one size; nested results come one after the other."""
+"""Generated algebra in MATLAB, for arrays of any one size; nested results come one after the other."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from ...function import Function
 from ...statements import flatten, straight_line
 from ..python.algebra import NAMES, DividingPrinter
 
-WIDTH = 124
+#: Of a function, which is indented by four.
+WIDTH = 122
 
 
 class MatlabPrinter(DividingPrinter):
@@ -30,7 +31,7 @@ def elementwise(expression: sp.Expr) -> str:
 
 
 def definition(function: Function) -> str:
-    """The file of one function."""
+    """One function."""
     body = straight_line(function)
     results = list(flatten(body.results))
     names = [f"result{place}" for place in range(1, len(results) + 1)]
@@ -39,7 +40,7 @@ def definition(function: Function) -> str:
     lines = [
         *wrapped(f"function {returned} = {function.name}({given})"),
         *comment(
-            f"{function.name.upper()}  {function.summary} Returns {function.returns}, elements one after the other. "
+            f"{function.name.upper()}  {function.summary} Returns {function.returns}. "
             f"Source: {function.equations}. Operations: {body.operations}.", ""
         ),
     ]  # fmt: skip

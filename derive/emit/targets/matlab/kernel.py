@@ -1,4 +1,4 @@
-"""The kernel's functions in MATLAB, a file each: records become structures of columns, and both sides of a choice are computed."""
+"""The kernel's functions in MATLAB: records become structures of columns, and both sides of a choice are computed."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from .algebra import WIDTH, comment, wrapped
 _TAKEN = frozenset({"single", "balance"})
 
 
-def file_name(name: str) -> str:
+def method_name(name: str) -> str:
     """What a routine is called in the package."""
     return f"{name}_" if name in _TAKEN else name
 
 
-def render(material: Material) -> dict[str, str]:
-    """The file of every routine, by its name."""
+def render(material: Material) -> list[str]:
+    """Every routine."""
     source = material.both_kernels
-    return {f"{file_name(it.name)}.m": _Printer(it, source, material).definition() for it in printed(source)}
+    return [_Printer(it, source, material).definition() for it in printed(source)]
 
 
 def _syntax(library: str) -> Syntax:
@@ -36,7 +36,7 @@ def _syntax(library: str) -> Syntax:
         },
         logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "~"},
         algebra=lambda name: f"{library}.algebra.{name}",
-        routine=lambda name: f"{inside}{file_name(name)}",
+        routine=lambda name: f"{inside}{method_name(name)}",
         arithmetic={"*": ".*", "/": "./"},
         comparisons={},
         ternary=False,
@@ -55,8 +55,8 @@ class _Printer:
     def definition(self) -> str:
         first, *rest = self.it.summary.split("\n\n")
         lines = [
-            f"function result = {file_name(self.it.name)}({', '.join(name for name, _ in self.it.arguments)})",
-            *comment(f"{file_name(self.it.name).upper()}  {first}", ""),
+            f"function result = {method_name(self.it.name)}({', '.join(name for name, _ in self.it.arguments)})",
+            *comment(f"{method_name(self.it.name).upper()}  {first}", ""),
             *(line for paragraph in rest for line in ("%", *comment(paragraph, "  "))),
             *self.constants(),
             *(line for statement in self.it.body for line in self.explained(statement, "  ")),

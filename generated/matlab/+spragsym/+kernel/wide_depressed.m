@@ -1,9 +1,0 @@
-function result = wide_depressed(r0, r1, r2)
-%WIDE_DEPRESSED  The resolvent r0 + r1 ℓ + r2 ℓ² + ℓ³ without its quadratic term; P³ + Q² < 0: four real roots in t.
-  mean = spragsym.kernel.dd_divide(r2, spragsym.kernel.paired(3.0, 0.0));
-  result.P = spragsym.kernel.dd_divide(spragsym.kernel.dd_add(r1, ...
-      spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(r2, mean))), spragsym.kernel.paired(3.0, 0.0));
-  result.Q = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(r0, ...
-      spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(mean, spragsym.kernel.dd_add(r1, ...
-      spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(mean, 2.0), mean)))))), 0.5);
-end

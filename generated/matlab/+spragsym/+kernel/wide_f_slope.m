@@ -1,9 +1,0 @@
-function result = wide_f_slope(cos_theta, sin_theta, a_f, b_f, d_f, m_f)
-%WIDE_F_SLOPE  df/dθ, which is L det K at an equilibrium.
-  cos_2 = spragsym.kernel.dd_multiply(cos_theta, cos_theta);
-  sin_2 = spragsym.kernel.dd_multiply(sin_theta, sin_theta);
-  result = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(a_f, cos_2), ...
-      spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(a_f, sin_2))), spragsym.kernel.dd_multiply(cos_theta, d_f)), ...
-      spragsym.kernel.dd_multiply(sin_theta, spragsym.kernel.dd_add(spragsym.kernel.dd_negative(b_f), ...
-      spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(cos_theta, 2.0), m_f)))));
-end

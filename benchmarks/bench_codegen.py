@@ -25,7 +25,7 @@ from derive.kang_nam import catalogue, mechanics, stability
 from derive.kang_nam import nomenclature as nm
 from derive.kang_nam.catalogue import motion
 from spragsym.generated import stability as _stability
-from spragsym.generated.models.kang_nam import motion as _motion
+from spragsym.generated.models.kang_nam import algebra as _motion
 
 _SIDE = nm.side
 _CALLS = 2000

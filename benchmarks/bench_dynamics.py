@@ -34,7 +34,7 @@ FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copys
 
 def plain(theta0: float, rtol: float, method: str) -> float:
     """RMS of x as a user of ``solve_ivp`` gets it: the same field, over the kinks, Simpson's rule."""
-    algebra = inspect.unwrap(ss.load("kang_nam").motion.rhs)
+    algebra = inspect.unwrap(ss.load("kang_nam").algebra.rhs)
     constants = (math.cos(theta0), math.sin(theta0), 0.5, 0.007, 0.007, 0.1, 0.0, V, D)
 
     def field(_: float, state: np.ndarray) -> tuple[float, ...]:

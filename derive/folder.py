@@ -1,4 +1,4 @@
-"""A model's folder: modules of plain algebra in Python and ``model.json``; functions that an earlier model has already are imported from it."""
+"""A model's folder: plain algebra in Python, and ``model.json``; functions that an earlier model has already are imported from it."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
 from .model import Friction, Page, acceleration_of
 from .pages import Model
 
-#: Text of a function → the model and the module that have it first.
-Shared = dict[str, tuple[str, str]]
+#: Text of a function → the model that has it first.
+Shared = dict[str, str]
 
 _WIDTH = 112
 
@@ -47,7 +47,7 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
     folder then stands in ``generated/models``. Without, the folder stands alone.
     """
     alone = shared is None
-    files = {f"{module.name}.py": _module(model, module, header, shared) for module in modules(model.mechanics)}
+    files = {"algebra.py": _algebra(model, header, shared)}
     if alone:
         files["page.py"] = model.text
         files["_broadcast.py"] = runtime(python_target.__file__, "_broadcast.py").replace("@header@", header)
@@ -70,21 +70,27 @@ def modules(model: Mechanics) -> tuple[Module, ...]:
     return tuple(part.module(model) for part in (statics, linearization, motion))
 
 
-def _module(model: Model, module: Module, header: str, shared: Shared | None) -> str:
-    own: list[str] = []
-    borrowed: dict[tuple[str, str], list[str]] = {}
-    for function in module.functions:
-        text = algebra.definition(function)
-        home = (model.name, module.name) if shared is None else shared.setdefault(text, (model.name, module.name))
-        if home == (model.name, module.name):
-            own.append(text)
-        else:
-            borrowed.setdefault(home, []).append(function.name)
-    imports = ["from types import ModuleType\n\nimport numpy\n"] if own else []
-    local = [f"from {'._broadcast' if shared is None else '..._broadcast'} import Number, broadcasting"] if own else []
-    local += [f"from ..{home}.{part} import {', '.join(sorted(names))}" for (home, part), names in sorted(borrowed.items())]
-    head = algebra.head(module, meanings(model.mechanics), header, "\n".join([*imports, *local]))
-    return "\n\n\n".join([head, *own]) + "\n"
+def _algebra(model: Model, header: str, shared: Shared | None) -> str:
+    """The module of functions: those of the balance, of small deviations from it and of the motion, each under its title."""
+    parts = modules(model.mechanics)
+    whole = Module("algebra", model.page.summary, tuple(function for part in parts for function in part.functions))
+    sections: list[str] = []
+    borrowed: dict[str, list[str]] = {}
+    for part in parts:
+        own = []
+        for function in part.functions:
+            text = algebra.definition(function)
+            home = model.name if shared is None else shared.setdefault(text, model.name)
+            if home == model.name:
+                own.append(text)
+            else:
+                borrowed.setdefault(home, []).append(function.name)
+        if own:
+            sections += [f"# {part.summary}\n{own[0]}", *own[1:]]
+    beside = "._broadcast" if shared is None else "..._broadcast"
+    imports = [f"import numpy\n\nfrom {beside} import broadcasting"]
+    imports += [algebra.listed(f"from ..{home}.algebra import (", sorted(names), ")") for home, names in sorted(borrowed.items())]
+    return "\n\n\n".join([algebra.head(whole, meanings(model.mechanics), header, "\n".join(imports)), *sections]) + "\n"
 
 
 def meanings(model: Mechanics) -> Mapping[str, str]:

@@ -1,13 +1,14 @@
 """The door: ``ss.f(p)`` is ``p.model.f(p)``, for every function of :data:`INTERFACE`.
 
 A model must bring
-    ``model.json`` and generated functions: ``statics``, ``linearization`` and, where it has a friction law, ``motion``. All of
-    it follows from a page, see :mod:`spragsym.derive`; it is what :class:`spragsym.Model` holds.
+    ``model.json`` and generated functions, ``algebra``: of the balance of forces, of small deviations from it, of the motion. All
+    of it follows from a page, see :mod:`spragsym.derive`; it is what :class:`spragsym.Model` holds.
 
 A model may bring
-    closed forms, in a room of its name: ``CLOSED`` there says for a public function in which room its closed form stands, under
-    the same name, and along which parameters it is known. It answers first (``method="auto"`` or ``"closed"``) wherever it
-    takes the arguments that are given. So for a step of :data:`PARTS`, as the motion that compiled code integrates.
+    closed forms, if it is a shipped one, in a room of its name: ``CLOSED`` there says for a public function in which room its
+    closed form stands, under the same name, and along which parameters it is known. It answers first (``method="auto"`` or
+    ``"closed"``) wherever it takes the arguments that are given. So for a step of :data:`PARTS`, as the motion that compiled
+    code integrates.
 
 A model gets for nothing
     every question of :data:`INTERFACE` that has a general way, the methods of :class:`spragsym.Model`: by search over boxes

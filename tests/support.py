@@ -85,7 +85,7 @@ def in_python(name: str, names: Sequence[str]) -> Callable[..., Any]:
 
 def _function(name: str) -> Callable[..., Any]:
     modules = map(
-        generated, ("catastrophe", "equilibrium", "laws", "linear_sprag", "scales", "stability", "models.kang_nam.motion")
+        generated, ("catastrophe", "equilibrium", "laws", "linear_sprag", "scales", "stability", "models.kang_nam.algebra")
     )
     return next(getattr(module, name) for module in modules if name in module.__all__)
 

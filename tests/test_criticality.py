@@ -249,7 +249,7 @@ def test_where_statics_takes_another_friction_the_cycle_is_of_the_motion() -> No
         p = model.Parameters(theta0=0.7, mu0=mu0)
         u = [float(rest.x[0]), float(rest.y[0]), 0.0, 0.0]
         values = [float(value) for value in model.arguments(p, "motion")]
-        rows = model.motion.regime_jacobian(*u, *values, 1, 1, 1)
+        rows = model.algebra.regime_jacobian(*u, *values, 1, 1, 1)
         A = np.vstack([np.eye(4)[2:], np.array([[float(entry) for entry in row] for row in rows])])
         roots.append(np.linalg.eigvals(A).real.max())
     assert roots[0] < 0 < roots[1]

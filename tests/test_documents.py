@@ -302,6 +302,13 @@ def test_files_that_contributing_names_exist() -> None:
     to_write = ("spragsym/cli/NAME.py", "derive/emit/targets/text/__init__.py")
     for name in set(re.findall(r"`([\w/.]+\.(?:py|js|c|toml|html))`", text)) - {*to_write}:
         assert (ROOT / name).is_file() or any(path.endswith(f"/{name}") for path in tracked), name
+    drawn = text[text.index("derive/   ") : text.index("generated/   ")]
+    for line in re.findall(r"^(?: {4}| {8})(\S.*)$", drawn, re.MULTILINE):
+        for name in re.split(r"\s{2,}", line)[0].split(", "):
+            stem = re.sub(r"/<\w+>", "", name).rstrip("/").removesuffix(".py")
+            assert any(
+                path.stem == stem or path.match(stem) or path.match(f"{stem}.py") for path in (ROOT / "derive").rglob("*")
+            ), name
 
 
 @needs_a_quick_integrator

@@ -85,7 +85,7 @@ def test_a_shallow_penetration_keeps_its_digits() -> None:
     """Hertz's force goes with (depth)^(3/2), however small the depth."""
     model = ss.load("hertz_contact")
     taken = model.arguments(model.Parameters(theta0=1.0), "motion")
-    powers = [float(model.motion.friction_power(0.0, -depth, 1.0, 0.0, *taken, 1, -1, 1)) for depth in (3e-13, 1e-12)]
+    powers = [float(model.algebra.friction_power(0.0, -depth, 1.0, 0.0, *taken, 1, -1, 1)) for depth in (3e-13, 1e-12)]
     assert powers[0] / powers[1] == pytest.approx(0.3**1.5, rel=1e-12)
 
 

@@ -24,9 +24,7 @@ class Generated:
 
     def __init__(self, name: str) -> None:
         self.about = json.loads((FOLDER / name / "model.json").read_text(encoding="utf-8"))
-        self.statics, self.linearization, self.motion = (
-            importlib.import_module(f"spragsym.generated.models.{name}.{part}") for part in ("statics", "linearization", "motion")
-        )
+        self.algebra = importlib.import_module(f"spragsym.generated.models.{name}.algebra")
         self.n = len(self.about["coordinates"])
         self.parameters = [entry["name"] for entry in self.about["parameters"]]
 
@@ -49,16 +47,16 @@ class Generated:
         """Coordinates, directions, parameters."""
         taken = self.arguments("statics", p)
         directions = []
-        for dx, dy, _ in self.statics.geometry(*q, *taken, xp=XP):
+        for dx, dy, _ in self.algebra.geometry(*q, *taken, xp=XP):
             length = mp.hypot(dx, dy)
             directions += [dx / length, dy / length, length]
         turned = []
         if self.about["torsions"]:
-            turned = [mp.atan2(sine, cosine) for cosine, sine in self.statics.turnings(*q, *directions, *taken, xp=XP)]
+            turned = [mp.atan2(sine, cosine) for cosine, sine in self.algebra.turnings(*q, *directions, *taken, xp=XP)]
         return [*q, *directions, *turned, *taken]
 
     def forces(self, q: list[Any], p: dict[str, Any], mu: Any, pushing: int, name: str = "forces") -> Any:
-        return getattr(self.statics, name)(*self.state(q, p), mu, pushing, xp=XP)
+        return getattr(self.algebra, name)(*self.state(q, p), mu, pushing, xp=XP)
 
 
 @pytest.fixture(params=NAMES)
@@ -76,8 +74,8 @@ def test_squared_lengths_are_those_of_the_vectors(model: Generated) -> None:
     with mp.workdps(50):
         q, p = model.point(2)
         taken = model.arguments("statics", p)
-        found = model.statics.squared_lengths(*q, *taken, xp=XP)
-        for square, (dx, dy, _) in zip(found, model.statics.geometry(*q, *taken, xp=XP), strict=True):
+        found = model.algebra.squared_lengths(*q, *taken, xp=XP)
+        for square, (dx, dy, _) in zip(found, model.algebra.geometry(*q, *taken, xp=XP), strict=True):
             assert abs(square - (dx**2 + dy**2)) < mp.mpf(10) ** -45
 
 
@@ -126,7 +124,7 @@ def test_derivatives_are_those_of_the_motion(model: Generated, pushing: int, sid
         felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
 
         def accelerations(z: list[Any], p: dict[str, Any], name: str = "regime_rhs") -> Any:
-            return getattr(model.motion, name)(*z, *model.arguments("motion", p), pushing, side, *felt, xp=XP)
+            return getattr(model.algebra, name)(*z, *model.arguments("motion", p), pushing, side, *felt, xp=XP)
 
         jacobian, by_parameters = (accelerations(z, p, name) for name in ("regime_jacobian", "regime_by_parameters"))
         for i in range(model.n):
@@ -148,11 +146,11 @@ def test_the_kinked_field_is_that_of_the_regime(model: Generated) -> None:
             if faster:
                 z[model.n] = p["V"] + 1
             taken = model.arguments("motion", p)
-            gap, slip = model.motion.borders(*z, *taken, xp=XP)
+            gap, slip = model.algebra.borders(*z, *taken, xp=XP)
             pushing = 1 if gap < 0 or not model.about["contact"]["unilateral"] else 0
             felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
-            regime = model.motion.regime_rhs(*z, *taken, pushing, int(mp.sign(slip)), *felt, xp=XP)
-            for ours, theirs in zip(model.motion.rhs(*z, *taken, xp=XP), regime, strict=True):
+            regime = model.algebra.regime_rhs(*z, *taken, pushing, int(mp.sign(slip)), *felt, xp=XP)
+            for ours, theirs in zip(model.algebra.rhs(*z, *taken, xp=XP), regime, strict=True):
                 assert abs(ours - theirs) < 1e-45
 
 
@@ -163,16 +161,16 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
         p["V"] = mp.mpf("0.7")
         taken, felt = model.arguments("motion", p), [1] * model.about["layers"]
         q, v = z[: model.n], z[model.n :]
-        a = model.motion.regime_rhs(*z, *taken, 1, 1, *felt, *[1] * len(model.about["torsions"]), xp=XP)
+        a = model.algebra.regime_rhs(*z, *taken, 1, 1, *felt, *[1] * len(model.about["torsions"]), xp=XP)
 
         def energy(time: Any) -> Any:
             state = [x + time * speed for x, speed in zip(q, v, strict=True)]
             state += [speed + time * push for speed, push in zip(v, a, strict=True)]
-            return model.motion.energy(*state, *taken, 1, xp=XP)
+            return model.algebra.energy(*state, *taken, 1, xp=XP)
 
-        friction = model.motion.friction_power(*z, *taken, 1, 1, *felt, xp=XP)
-        dampers = model.motion.damper_power(*z, *taken, xp=XP)
-        applied = model.motion.applied_power(*z, *taken, xp=XP)
+        friction = model.algebra.friction_power(*z, *taken, 1, 1, *felt, xp=XP)
+        dampers = model.algebra.damper_power(*z, *taken, xp=XP)
+        applied = model.algebra.applied_power(*z, *taken, xp=XP)
         assert abs(slope(energy, mp.mpf(0)) - friction - dampers - applied) < 1e-25
         assert dampers <= 0
         assert (dampers < 0) == (model.about["dampers"])

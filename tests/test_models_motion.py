@@ -37,7 +37,7 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 3e-9 * scale
     if model.about["contact"]["unilateral"]:
         assert len(tr.events.of(Event.CONTACT_REGAINED)) >= 1
-        gap = model.motion.borders(*tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED).state.T, *tr._arguments())[0]
+        gap = model.algebra.borders(*tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED).state.T, *tr._arguments())[0]
         assert np.abs(gap).max() < 1e-11
 
 
@@ -71,7 +71,7 @@ def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> Non
     taken, n = [float(value) for value in model.arguments(p, "motion")], len(model.coordinates)
 
     def field(_: float, state: Any) -> Any:
-        return [*state[n:], *(float(value) for value in model.motion.rhs(*state, *taken))]
+        return [*state[n:], *(float(value) for value in model.algebra.rhs(*state, *taken))]
 
     start = np.zeros(2 * n)
     run = solve_ivp(field, (0.0, 8.0), start, method="Radau", rtol=1e-9, atol=1e-11, max_step=0.02)
@@ -89,7 +89,7 @@ def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
     rest = 2 * mu_s * V * v_s / (V**2 + v_s**2)
     for change in (0.02, -0.02):
         p = model.Parameters(mu_s=mu_s, v_s=v_s, V=V, zeta=hopf + change)
-        C = model.linearization.damping(rest, *model.arguments(p, "motion"), 1)
+        C = model.algebra.damping(rest, *model.arguments(p, "motion"), 1)
         assert abs(float(C[0][0]) - change) < 1e-14
         tr = model.simulate(p, x0=rest + 1e-5, t_end=40 * np.pi, rtol=1e-12)
         size = np.hypot(tr.x - rest, tr.vx)
@@ -104,13 +104,13 @@ def test_mode_coupling_flutters_beyond_the_closed_form() -> None:
     for change, flutters in ((-1e-6, False), (1e-6, True)):
         p = model.Parameters(alpha=alpha, sigma=sigma, beta=beta, mu0=threshold + change, d=1000.0)
         taken = model.arguments(p)
-        K = np.array(model.statics.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
+        K = np.array(model.algebra.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
         assert (np.abs(np.linalg.eigvals(K).imag).max() > 0) == flutters
     growth = []
     for factor in (0.9, 1.1):
         p = model.Parameters(alpha=alpha, sigma=sigma, beta=beta, mu0=factor * threshold, d=1000.0)
         taken = model.arguments(p)
-        K = np.array(model.statics.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
+        K = np.array(model.algebra.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
         x, y = np.linalg.solve(K, [0.0, -1.0])
         tr = model.simulate(p, x0=x + 1e-5, y0=y, t_end=120.0)
         away = np.hypot(tr.x - x, tr.y - y)

@@ -191,13 +191,13 @@ def test_a_double_pendulum_moves_as_in_the_textbook(models: dict[str, Any], back
 def test_slopes_of_a_coupled_motion_are_those_of_differences(models: dict[str, Any]) -> None:
     model = models["double_pendulum"]
     state, given, h = np.array([0.7, -1.1, 0.4, 0.9]), [0.3, 0.7], 1e-6
-    exact = np.array(model.motion.regime_jacobian(*state, *given, 1, 1), dtype=float)
-    by = np.array(model.motion.regime_by_parameters(*state, *given, 1, 1), dtype=float)
+    exact = np.array(model.algebra.regime_jacobian(*state, *given, 1, 1), dtype=float)
+    by = np.array(model.algebra.regime_by_parameters(*state, *given, 1, 1), dtype=float)
     for column in range(6):
         ends = [[*state, *given] for _ in range(2)]
         ends[0][column] -= h
         ends[1][column] += h
-        one, two = (np.array(model.motion.regime_rhs(*end, 1, 1), dtype=float) for end in ends)
+        one, two = (np.array(model.algebra.regime_rhs(*end, 1, 1), dtype=float) for end in ends)
         want = exact[:, column] if column < 4 else by[:, column - 4]
         assert np.allclose(want, (two - one) / (2 * h), atol=1e-8)
 
@@ -236,8 +236,8 @@ def test_an_angle_of_the_page_may_stand_by_itself(models: dict[str, Any], contac
         want = [root for (root,) in roots(balance, [[s] for s in np.linspace(-60, 60, 241)])]
         want = sorted(root for root in want if (math.sin(root) >= 0.9) == contact)
         assert np.allclose(states(model, eq)[:, 0], want, rtol=1e-12)
-    change = [model.statics.forces(1.2, theta0, math.cos(theta0), math.sin(theta0), 0.3, 0.9, 0.5, 1)[0] for theta0 in (1.1, 1.2)]
-    slopes = model.statics.forces_by_parameters(1.2, 1.1, math.cos(1.1), math.sin(1.1), 0.3, 0.9, 0.5, 1)
+    change = [model.algebra.forces(1.2, theta0, math.cos(theta0), math.sin(theta0), 0.3, 0.9, 0.5, 1)[0] for theta0 in (1.1, 1.2)]
+    slopes = model.algebra.forces_by_parameters(1.2, 1.1, math.cos(1.1), math.sin(1.1), 0.3, 0.9, 0.5, 1)
     assert math.isclose((change[1] - change[0]) / 0.1, slopes[0][model.about["by_parameters"].index("theta0")])
 
 
@@ -299,7 +299,7 @@ def test_a_law_whose_slope_is_a_quotient_of_an_angle(models: dict[str, Any]) -> 
 
     for phi, rate in ((0.3, 0.1), (-0.2, -0.7), (0.1, 0.8)):
         side = math.copysign(1, V - rate * math.cos(phi))
-        slopes = np.ravel(np.array(model.motion.regime_jacobian(phi, rate, *order, 1, side), dtype=float))
+        slopes = np.ravel(np.array(model.algebra.regime_jacobian(phi, rate, *order, 1, side), dtype=float))
         want = [float(mpmath.diff(turning, (phi, rate), order)) for order in ((1, 0), (0, 1))]
         assert np.allclose(slopes, want, rtol=1e-9)
 

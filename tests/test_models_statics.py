@@ -153,7 +153,7 @@ def test_hopf_points_of_a_falling_friction_law():
     assert onsets.kind.tolist() == ["hopf"] * len(onsets)
     with mp.workdps(30):
         # Damping of the sliding mass: ζ and the slope of μ(V), here by numerical differentiation of the law itself.
-        statics = model("stick_slip").statics
+        statics = model("stick_slip").algebra
 
         def law(V):
             values = {"V": V, **{name: mp.mpf(float(getattr(p, name))) for name in ("mu_s", "v_s", "zeta")}}
@@ -284,7 +284,7 @@ def test_where_a_mirrored_model_is_not_quite_one_its_pitchforks_are_folds():
 def forces_without_friction(name, p, q):
     """Forces and the image of the state, by the generated functions alone."""
     values = dict(zip(Balance(model(name), contact=True).codes, model(name).arguments(p, "motion"), strict=True))
-    statics, given = model(name).statics, [values[part] for part in model(name).about["arguments"]["statics"]]
+    statics, given = model(name).algebra, [values[part] for part in model(name).about["arguments"]["statics"]]
     directions = []
     for dx, dy, _ in statics.geometry(*q, *given):
         directions += [dx / np.hypot(dx, dy), dy / np.hypot(dx, dy), np.hypot(dx, dy)]
@@ -336,7 +336,7 @@ def test_where_the_friction_law_turns_every_mode_crosses():
     assert len(found) == 2
     assert found.mu_k[0] == found.mu_k[1]
     # dμ/dV = 0 there: by differences of the law itself.
-    law, names = model("stribeck").statics.friction_at_rest, model("stribeck").about["arguments"]["motion"]
+    law, names = model("stribeck").algebra.friction_at_rest, model("stribeck").about["arguments"]["motion"]
     angle = {"cos0": np.cos(0.8), "sin0": np.sin(0.8)}
     ends = []
     for V in (float(p.V) - 1e-5, float(p.V) + 1e-5):

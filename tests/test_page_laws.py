@@ -116,10 +116,10 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
     taken = [float(value) for value in it.arguments(p)]
     x, y, mu = 0.13, -0.07, 0.4
-    ((dx, dy, _),) = it.statics.geometry(x, y, *taken)
+    ((dx, dy, _),) = it.algebra.geometry(x, y, *taken)
     length = np.hypot(dx, dy)
-    K = it.statics.forces_jacobian(x, y, dx / length, dy / length, length, *taken, mu, 1)
-    H = it.statics.forces_hessian(x, y, dx / length, dy / length, length, *taken, mu, 1)
+    K = it.algebra.forces_jacobian(x, y, dx / length, dy / length, length, *taken, mu, 1)
+    H = it.algebra.forces_hessian(x, y, dx / length, dy / length, length, *taken, mu, 1)
     with mpmath.workdps(50):
         for i in range(2):
 
@@ -179,8 +179,8 @@ def test_c_gives_the_numbers_of_python(model: Any) -> None:
     calls, want = [], []
     for function, sides in (("rhs", ()), ("regime_jacobian", (1.0, -1.0, *[1.0] * it.about["layers"]))):
         given = [0.1, -0.05, 0.7, 0.02, *taken, *sides]
-        values = np.array(getattr(it.motion, function)(*given), dtype=float).ravel()
+        values = np.array(getattr(it.algebra, function)(*given), dtype=float).ravel()
         want.append(values)
-        calls.append((function, with_angles(it, getattr(it.motion, function), given), values.size))
+        calls.append((function, with_angles(it, getattr(it.algebra, function), given), values.size))
     got = results_of_c(out, name, calls)
     np.testing.assert_allclose(got, np.concatenate(want), rtol=1e-12, atol=1e-15)

@@ -67,7 +67,7 @@ def loaded(tmp_path: Path, *changes: tuple[str, str]) -> ss.models.Model:
 
 def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: float) -> np.ndarray:
     p = model.Parameters(**changes)
-    return np.array(model.motion.rhs(*state, *(float(value) for value in model.arguments(p, "motion"))))
+    return np.array(model.algebra.rhs(*state, *(float(value) for value in model.arguments(p, "motion"))))
 
 
 # ------------------------------------------------------------------------------------------------ what a page can't say
@@ -185,13 +185,13 @@ def test_a_third_is_exact(tmp_path: Path) -> None:
     """A rod's inertia m l²/3, as it stands; its number is an enclosure where intervals are asked for."""
     model = loaded(tmp_path, ("page.rate(x)**2 +", "page.rate(x)**2 / 3 +"))
     given = [float(value) for value in model.arguments(model.Parameters(), "motion")]
-    assert model.linearization.mass_matrix(*STATE[:2], *given)[0][0] == pytest.approx(1 / 3, rel=1e-15)
+    assert model.algebra.mass_matrix(*STATE[:2], *given)[0][0] == pytest.approx(1 / 3, rel=1e-15)
     mp = pytest.importorskip("mpmath")
     with mp.workdps(40):
-        (third, _), _ = model.linearization.mass_matrix(*map(mp.mpf, (*STATE[:2], *given)), xp=mp)
+        (third, _), _ = model.algebra.mass_matrix(*map(mp.mpf, (*STATE[:2], *given)), xp=mp)
         assert abs(3 * third - 1) < mp.mpf(10) ** -39
     intervals = [mp.iv.mpf(value) for value in (*STATE[:2], *given)]
-    (third, _), _ = model.linearization.mass_matrix(*intervals, xp=mp.iv)
+    (third, _), _ = model.algebra.mass_matrix(*intervals, xp=mp.iv)
     assert 1 in 3 * third
     assert third.delta > 0
 

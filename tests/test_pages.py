@@ -262,7 +262,7 @@ def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
     folder.write_page(path, tmp_path / "mine")
     model = ss.load(tmp_path / "mine")
     taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0, sigma=1e-9, kappa=1e-9, beta=0.0), "motion")]
-    _, pushed = model.motion.rhs(0.0, -0.09, 0.0, 0.0, *taken)
+    _, pushed = model.algebra.rhs(0.0, -0.09, 0.0, 0.0, *taken)
     assert pushed == pytest.approx(0.3**5, rel=1e-6)
 
 
@@ -272,7 +272,7 @@ def test_the_energy_of_a_saturating_contact_has_a_logarithm(tmp_path: Path) -> N
     folder.write_page(path, tmp_path / "mine")
     model = ss.load(tmp_path / "mine")
     taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0), "motion")]
-    inside, outside = (model.motion.energy(0.0, -0.3, 0.0, 0.0, *taken, pushing) for pushing in (1, 0))
+    inside, outside = (model.algebra.energy(0.0, -0.3, 0.0, 0.0, *taken, pushing) for pushing in (1, 0))
     assert inside - outside == pytest.approx(0.3 - math.log(1.3), rel=1e-12)
 
 
@@ -371,7 +371,7 @@ def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path, written: Path)
     for model in (ours, shipped):
         p = model.Parameters(theta0=0.8)
         assert p.sigma == 0.1
-    rates = [model.motion.rhs(*state, *model.arguments(model.Parameters(theta0=0.8), "motion")) for model in (ours, shipped)]
+    rates = [model.algebra.rhs(*state, *model.arguments(model.Parameters(theta0=0.8), "motion")) for model in (ours, shipped)]
     assert rates[0] == rates[1]
 
 
@@ -397,11 +397,11 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_damaged_folder_says_so(damage: str, tmp_path: Path, written: Path) -> None:
     out = shutil.copytree(written, tmp_path / "out")
     if damage == "code":
-        (out / "statics.py").write_text((out / "statics.py").read_text(encoding="utf-8") + "\n", encoding="utf-8")
+        (out / "algebra.py").write_text((out / "algebra.py").read_text(encoding="utf-8") + "\n", encoding="utf-8")
     elif damage == "json":
         (out / "model.json").write_text("{", encoding="utf-8")
     elif damage == "missing":
-        (out / "motion.py").unlink()
+        (out / "algebra.py").unlink()
     elif damage == "keys":
         about = json.loads((out / "model.json").read_text(encoding="utf-8"))
         del about["angles"]

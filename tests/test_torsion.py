@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import importlib.util
 import itertools
 import json
@@ -83,9 +82,9 @@ def test_forces_and_stiffness_are_derivatives_of_the_energy(model: Any, place: t
         x, y, theta0 = map(mpmath.mpf, place)
         taken, moving = state(model, x, y, theta0)
         pushing = int(y < 0)
-        forces = model.statics.forces(*taken, 0, pushing, xp=mpmath)
-        stiffness = model.statics.forces_jacobian(*taken, 0, pushing, xp=mpmath)
-        by_angle = model.statics.forces_by_parameters(*taken, 0, pushing, xp=mpmath)
+        forces = model.algebra.forces(*taken, 0, pushing, xp=mpmath)
+        stiffness = model.algebra.forces_jacobian(*taken, 0, pushing, xp=mpmath)
+        by_angle = model.algebra.forces_by_parameters(*taken, 0, pushing, xp=mpmath)
         at = x, y, theta0
         for row in range(2):
             order = tuple(int(i == row) for i in range(3))
@@ -94,7 +93,7 @@ def test_forces_and_stiffness_are_derivatives_of_the_energy(model: Any, place: t
                 second = tuple(a + int(i == column) for i, a in enumerate(order))
                 assert abs(stiffness[row][column] - mpmath.diff(energy, at, second)) < 1e-12
             assert abs(by_angle[row][0] - mpmath.diff(energy, at, (*order[:2], 1))) < 1e-12
-        stored = model.motion.energy(x, y, 0, 0, *moving, pushing, xp=mpmath)
+        stored = model.algebra.energy(x, y, 0, 0, *moving, pushing, xp=mpmath)
         assert abs(stored - energy(*at)) < 1e-40
 
 
@@ -103,13 +102,13 @@ def test_turning_of_statics_and_of_motion_is_the_least(model: Any) -> None:
     for x, y, theta0 in PLACES:
         with mpmath.workdps(50):
             taken, moving = state(model, *map(mpmath.mpf, (x, y, theta0)))
-            ((cosine, sine),) = model.statics.turnings(*taken[:5], *taken[6:], xp=mpmath)
+            ((cosine, sine),) = model.algebra.turnings(*taken[:5], *taken[6:], xp=mpmath)
             assert abs(mpmath.atan2(sine, cosine) - taken[5]) < 1e-45
-            rows = [model.motion.regime_rhs(taken[0], taken[1], 0.1, 0.2, *moving, 1, 1, 1, way, xp=mpmath) for way in (1, -1)]
-            static = model.statics.forces(*taken, 0, 1, xp=mpmath)
+            rows = [model.algebra.regime_rhs(taken[0], taken[1], 0.1, 0.2, *moving, 1, 1, 1, way, xp=mpmath) for way in (1, -1)]
+            static = model.algebra.forces(*taken, 0, 1, xp=mpmath)
             assert abs(rows[0 if sine > 0 else 1][1] + static[1]) < 1e-45
             other = (taken[5] - mpmath.sign(sine) * 2 * mpmath.pi) if cosine < 0 else taken[5]
-            turned = model.statics.forces(*taken[:5], other, *taken[6:], 0, 1, xp=mpmath)
+            turned = model.algebra.forces(*taken[:5], other, *taken[6:], 0, 1, xp=mpmath)
             assert abs(rows[1 if sine > 0 else 0][1] + turned[1]) < 1e-45
 
 
@@ -377,17 +376,16 @@ def test_a_folder_of_the_old_approximation_is_refused(model: Any, tmp_path: Path
         ss.load(folder)
 
 
-def test_a_folder_without_what_the_search_calls_is_refused(model: Any, tmp_path: Path) -> None:
-    """It was derived when lengths over boxes were taken from their parts."""
+def test_a_folder_of_another_version_is_refused(model: Any, tmp_path: Path) -> None:
+    """Its functions stood in three modules."""
     folder = tmp_path / "old"
     shutil.copytree(model.where, folder)
-    old = (folder / "statics.py").read_text(encoding="utf-8").replace("def squared_lengths", "def lengths")
-    (folder / "statics.py").write_text(old, encoding="utf-8")
     about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
-    about["files"]["statics.py"] = hashlib.sha256(old.encode()).hexdigest()
+    about["files"]["statics.py"] = about["files"].pop("algebra.py")
+    (folder / "algebra.py").rename(folder / "statics.py")
     (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
-    with pytest.raises(StoreError, match=r"without squared_lengths\); derive the page again"):
-        _ = ss.load(folder).statics
+    with pytest.raises(StoreError, match=r"without algebra.py\); derive the page again"):
+        ss.load(folder)
 
 
 def test_a_number_is_no_inclination_at_rest(tmp_path: Path) -> None:

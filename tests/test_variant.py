@@ -92,7 +92,7 @@ def test_a_number_that_is_new_is_an_argument_where_it_appears(tmp_path: Path) ->
     laws = (tmp_path / "variant/laws.py").read_text(encoding="utf-8")
     signatures = dict(re.findall(r"^def (\w+)\((.*?)\) ->", laws, re.MULTILINE | re.DOTALL))
     assert {name for name, arguments in signatures.items() if "mu_1:" in arguments} == {"friction"}
-    motion = (tmp_path / "variant/models/kang_nam/motion.py").read_text(encoding="utf-8")
+    motion = (tmp_path / "variant/models/kang_nam/algebra.py").read_text(encoding="utf-8")
     assert re.search(r"^    mu = .*\bmu_1\b", motion, re.MULTILINE)
     assert not (tmp_path / "variant/c").exists()
 

@@ -265,7 +265,7 @@ def accelerated(model: Any, page: Drawn, values: dict[str, float], rng: np.rando
         reference = Reference(page, values, exact=True)
         for _ in range(PLACES):
             q, v = rng.uniform(-0.8, 0.8, n), rng.uniform(-0.6, 0.6, n)
-            got = np.array(model.motion.rhs(*q, *v, *given), dtype=float)
+            got = np.array(model.algebra.rhs(*q, *v, *given), dtype=float)
             want = np.array(
                 [
                     float(value)

@@ -361,7 +361,7 @@ def limit_cycle() -> Found:
 def linearized_growth(p: Parameters, x: float, y: float, V: float, d: float) -> float:
     """The largest real part of the linearization at an equilibrium, the damping that (27) leaves out included."""
     theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*NAMES)
-    along, across = _MODEL.motion.regime_jacobian(
+    along, across = _MODEL.algebra.regime_jacobian(
         x, y, 0.0, 0.0, np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, V, d, pushing=1, side=1, near1=1
     )
     jacobian = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], along, across], dtype=float)

@@ -14,16 +14,16 @@ from ..parameters import FloatArray
 
 def spring_forces(model: Any, states: Any, constants: Sequence[Any]) -> tuple[FloatArray, ...]:
     """Tension k (L − L_0) of every inclined spring, negative where it pushes; ``states`` begin with the coordinates."""
-    tensions: tuple[FloatArray, ...] = model.statics.spring_forces(*states[: len(model.coordinates)], *_taken(model, constants))
+    tensions: tuple[FloatArray, ...] = model.algebra.spring_forces(*states[: len(model.coordinates)], *_taken(model, constants))
     return tensions
 
 
 def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArray:
     """The normal force of the contact: 0 where the gap is open."""
     q = states[: len(model.coordinates)]
-    gap = model.statics.contact_gap(*q, *_taken(model, constants))
+    gap = model.algebra.contact_gap(*q, *_taken(model, constants))
     closed = np.asarray(gap) <= 0 if model.about["contact"]["unilateral"] else np.ones(np.shape(gap), dtype=bool)
-    force: FloatArray = model.statics.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
+    force: FloatArray = model.algebra.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
     return force
 
 

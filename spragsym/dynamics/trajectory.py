@@ -93,12 +93,12 @@ class Trajectory(Recorded):
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""
-        energy: FloatArray = self.model.motion.energy(*self.state, *self._arguments(), self._pushing())
+        energy: FloatArray = self.model.algebra.energy(*self.state, *self._arguments(), self._pushing())
         return energy
 
     def friction_power(self) -> FloatArray:
         """Rate at which friction changes that energy, at the samples: positive where it drives the motion."""
-        motion, taken = self.model.motion, self._arguments()
+        motion, taken = self.model.algebra, self._arguments()
         _, slip = motion.borders(*self.state, *taken)
         side, felt = np.where(slip >= 0, 1, -1), [1] * self.model.about["layers"]
         power: FloatArray = motion.friction_power(*self.state, *taken, self._pushing(), side, *felt)
@@ -106,7 +106,7 @@ class Trajectory(Recorded):
 
     def power(self) -> FloatArray:
         """Rate at which friction, dampers and forces without a potential change that energy, at the samples."""
-        motion, taken = self.model.motion, self._arguments()
+        motion, taken = self.model.algebra, self._arguments()
         others = motion.damper_power(*self.state, *taken) + motion.applied_power(*self.state, *taken)
         power: FloatArray = self.friction_power() + others
         return power
@@ -180,7 +180,7 @@ class Trajectory(Recorded):
         return [float(value) for value in self.model.arguments(self.p, "motion")]
 
     def _pushing(self) -> NDArray[np.intp]:
-        gap, _ = self.model.motion.borders(*self.state, *self._arguments())
+        gap, _ = self.model.algebra.borders(*self.state, *self._arguments())
         return (gap < 0).astype(int) if self.model.about["contact"]["unilateral"] else np.ones(len(self.t), dtype=int)
 
     def _with(self, t: FloatArray, state: FloatArray, events: Events | None, error: FloatArray | None) -> Trajectory:
@@ -195,7 +195,7 @@ class Trajectory(Recorded):
 
     def _event_counts(self) -> NDArray[np.intp]:
         """How often each kind of event happened, from the samples alone, which include all events."""
-        gap, slip = self.model.motion.borders(*self.state, *self._arguments())
+        gap, slip = self.model.algebra.borders(*self.state, *self._arguments())
         levels = [gap if self.model.about["contact"]["unilateral"] else np.ones_like(gap), -slip]
         changes = [np.diff((level > 0).astype(int)) for level in levels]
         return np.array([np.count_nonzero(change == sign) for change in changes for sign in (1, -1)])

@@ -29,7 +29,7 @@ def figure_3() -> Sheet:
     right.set_xticks(np.arange(-0.1, 0.11, 0.05))
     y = np.array([-0.1, 0.0, 0.1])
     # Without spring and preload the acceleration across the belt, (9), is the contact force, (11).
-    _, contact = MODEL.motion.rhs(0.0, y, 0.0, 0.0, 1.0, 0.0, mu0=0.0, kappa=0.0, alpha=0.0, sigma=0.0, beta=0.0, V=V, d=D)
+    _, contact = MODEL.algebra.rhs(0.0, y, 0.0, 0.0, 1.0, 0.0, mu0=0.0, kappa=0.0, alpha=0.0, sigma=0.0, beta=0.0, V=V, d=D)
     contact = contact + 0.0  # a table shows 0 as 0, not as -0
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06, ha="left")

@@ -15,14 +15,14 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..generated.models.kang_nam import motion
+from ..generated.models.kang_nam import algebra
 from ..parameters import NAMES, FloatArray, Parameters
 
 #: A well: x and y of its bottom, and the energy of its brim.
 Well: TypeAlias = tuple[float, float, float]
 
 #: Energy of numbers without checks.
-_energy: Any = inspect.unwrap(motion.energy)
+_energy: Any = inspect.unwrap(algebra.energy)
 
 #: Points between which the energy is bounded on the straight way to a well's bottom.
 POINTS = 200

@@ -56,7 +56,7 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
 def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, NDArray[np.bool_]]:
     """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
     count = given.shape[1]
-    if not hasattr(balance.model.statics, "stiffnesses"):
+    if not hasattr(balance.model.algebra, "stiffnesses"):
         return certified_roots.concatenated([], balance.n), np.zeros(count, dtype=np.bool_)
     with np.errstate(all="ignore"):
         least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
@@ -121,7 +121,7 @@ def _picked(found: Roots, points: NDArray[np.int64]) -> Roots:
 def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Polar | None:
     """The system around a spring; None where it has no chart. A folder that was derived before has no forces without springs."""
     names = balance.model.about["springs"][spring]["chart"]
-    if names is None or not hasattr(balance.model.statics, "forces_apart") or not ends_are_linear(balance, given):
+    if names is None or not hasattr(balance.model.algebra, "forces_apart") or not ends_are_linear(balance, given):
         return None
     x, y = (balance.coordinates.index(name) for name in names)
     return Polar(balance, spring, (x, y), turns, False)

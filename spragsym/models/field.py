@@ -78,7 +78,7 @@ def exact_field(where: str) -> Field:
 
 
 def _in_mode(model: Model, name: str) -> Callable[..., Any]:
-    plain = inspect.unwrap(getattr(model.motion, name))
+    plain = inspect.unwrap(getattr(model.algebra, name))
     rooted = not model.about["contact"]["polynomial"]
     turn = 2 + model.about["layers"]
     after = turn + _turns(model)
@@ -116,7 +116,7 @@ class _Rooted:
 
 def _borders(model: Model, row: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """Level and rate of one of the generated borders: the gap, or the sliding speed."""
-    level, rate = (inspect.unwrap(function) for function in (model.motion.borders, model.motion.border_rates))
+    level, rate = (inspect.unwrap(function) for function in (model.algebra.borders, model.algebra.border_rates))
 
     def level_of(state: Any, constants: Any, mode: Any) -> Any:
         return level(*state, *constants, xp=_namespace(state))[row]
@@ -154,7 +154,7 @@ def _slip(model: Model) -> Border:
 
 def _layer(model: Model, number: int, reach: float) -> Border:
     """Where one of the exponentials of the sliding speed is about to be felt."""
-    level, rate = (inspect.unwrap(function) for function in (model.motion.layers, model.motion.layer_rates))
+    level, rate = (inspect.unwrap(function) for function in (model.algebra.layers, model.algebra.layer_rates))
     place = 2 + number
 
     def level_of(state: Any, constants: Any, mode: Any) -> Any:
@@ -196,7 +196,7 @@ def _way(model: Model, number: int, torsions: int) -> Border:
 
     Each way is smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
     """
-    level, rate = (inspect.unwrap(getattr(model.motion, name)) for name in ("turning_borders", "turning_rates"))
+    level, rate = (inspect.unwrap(getattr(model.algebra, name)) for name in ("turning_borders", "turning_rates"))
     first = 2 + model.about["layers"] + _turns(model)
     place = first + number
 
@@ -220,7 +220,7 @@ def _turned(model: Model, state: Sequence[float], constants: Sequence[float]) ->
     count = len(model.about.get("torsions", ()))
     if not count:
         return []
-    level = inspect.unwrap(model.motion.turning_borders)
+    level = inspect.unwrap(model.algebra.turning_borders)
     forward, backward = (level(*state, *constants, *(way,) * count) for way in (1, -1))
     return [((one - other) / 4, (one + other) / 2 - 1) for one, other in zip(forward, backward, strict=True)]
 
@@ -235,7 +235,7 @@ def _namespace(state: Any) -> Any:
 
 
 def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
-    borders, layers = (inspect.unwrap(function) for function in (model.motion.borders, model.motion.layers))
+    borders, layers = (inspect.unwrap(function) for function in (model.algebra.borders, model.algebra.layers))
     lifts, turns = model.about["contact"]["unilateral"], _turns(model)
     fallen = len(model.coordinates) + model.coordinates.index(model.about["contact"]["gap"]) if turns else 0
     # A law that is no polynomial begins without contact on the border itself.

@@ -21,17 +21,13 @@ ROUNDED = 1e-9
 
 
 class Model(Protocol):
-    """What is needed of a model: generated modules, and what its page says."""
+    """What is needed of a model: generated functions, and what its page says."""
 
     about: Mapping[str, Any]
 
     @property
-    def statics(self) -> Any:
-        """Of the balance of forces."""
-
-    @property
-    def linearization(self) -> Any:
-        """Of small motions about it."""
+    def algebra(self) -> Any:
+        """Of the balance of forces, and of small motions about it."""
 
 
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -89,9 +85,9 @@ class Forces:
         self.border += room
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
-        self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.statics, "balance") else {}
+        self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.algebra, "balance") else {}
         #: Whether the sign of the slope of the friction law can be told where that is too small for floats.
-        self.slope_is_a_sum = hasattr(model.linearization, "friction_slope_by_sizes")
+        self.slope_is_a_sum = hasattr(model.algebra, "friction_slope_by_sizes")
 
     # ------------------------------------------------------------------------------------------- arguments
 
@@ -142,18 +138,18 @@ class Forces:
 
     def geometry(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Vector and undeformed length of every line."""
-        return undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=xp)
+        return undecorated(self.model.algebra.geometry)(*q, *self._listed(values, "statics"), xp=xp)
 
     def of_no_place(self, name: str, values: Mapping[str, Any], xp: Any = XP) -> Sequence[Any]:
-        """A function of ``statics`` that depends on parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
-        found: Sequence[Any] = undecorated(getattr(self.model.statics, name))(
+        """A function that depends on parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
+        found: Sequence[Any] = undecorated(getattr(self.model.algebra, name))(
             *[0] * self.n, *self._listed(values, "statics"), xp=xp
         )
         return found
 
     def at_rest(self, values: Mapping[str, Any], xp: Any = XP) -> list[tuple[Any, Any]]:
         """Cosine and sine of the direction in which each torsion spring rests: a line along x has turned by minus its angle."""
-        pairs = undecorated(self.model.statics.turnings)(
+        pairs = undecorated(self.model.algebra.turnings)(
             *[0] * self.n, *[1, 0, 1] * self.springs, *self._listed(values, "statics"), xp=xp
         )
         return [(cosine, -sine) for cosine, sine in pairs]
@@ -186,7 +182,7 @@ class Forces:
         if not any(_is_wide(values[code]) for parts in self.angles.values() for code in parts):
             return [None] * self.springs
         fixed = [jets.constant(part) for part in (*q, *self._listed(values, "statics"))]
-        found: Sequence[Any] = undecorated(self.model.statics.squared_lengths)(*fixed, xp=XP)
+        found: Sequence[Any] = undecorated(self.model.algebra.squared_lengths)(*fixed, xp=XP)
         return found
 
     def _turnings(
@@ -200,7 +196,7 @@ class Forces:
     ) -> list[Any]:
         """φ of every torsion spring; 0 where its stiffness is."""
         fixed = [jets.constant(part) for part in (*q, *directions, *self._listed(values, "statics"))]
-        turned = undecorated(self.model.statics.turnings)(*fixed, xp=XP)
+        turned = undecorated(self.model.algebra.turnings)(*fixed, xp=XP)
         rests, stiffnesses = self.at_rest(values), self.of_no_place("torsions", values)
         found = []
         for place, value in enumerate(turned):
@@ -219,11 +215,11 @@ class Forces:
             directions += [dx / length, dy / length, length]
         if not self.torsions:
             return directions
-        pairs = undecorated(self.model.statics.turnings)(*q, *directions, *self._listed(values, "statics"), xp=xp)
+        pairs = undecorated(self.model.algebra.turnings)(*q, *directions, *self._listed(values, "statics"), xp=xp)
         return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
-        """A function of ``statics`` that has the arguments of ``forces``; of ``forces`` and their slopes :attr:`sums`."""
+        """A function that has the arguments of ``forces``; of ``forces`` and their slopes :attr:`sums`."""
         return self.by_coordinate(self.sums.get(name, name), q, directions, values, xp)
 
     def by_coordinate(
@@ -231,14 +227,14 @@ class Forces:
     ) -> Any:
         """The same, each row that of its coordinate."""
         mu = self.friction(values, xp)
-        function = undecorated(getattr(self.model.statics, name))
+        function = undecorated(getattr(self.model.algebra, name))
         return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
 
     def by_parameters(
         self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
     ) -> list[list[Any]]:
         """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
-        law = undecorated(self.model.statics.friction_by_parameters)(*self._listed(values, "motion"), xp=xp)
+        law = undecorated(self.model.algebra.friction_by_parameters)(*self._listed(values, "motion"), xp=xp)
         own = self.model.about["by_parameters"]
         return [
             [(row[own.index(name)] if name in own else 0) + row[-1] * law[self.parameters.index(name)] for name in names]
@@ -247,30 +243,30 @@ class Forces:
 
     def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The friction coefficient at steady sliding."""
-        return undecorated(getattr(self.model.statics, self.law))(*self._listed(values, "motion"), xp=xp)
+        return undecorated(getattr(self.model.algebra, self.law))(*self._listed(values, "motion"), xp=xp)
 
     def mass(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """M of the kinetic energy."""
-        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=xp)
+        return undecorated(self.model.algebra.mass_matrix)(*q, *self._listed(values, "motion"), xp=xp)
 
     def damping(
         self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None, xp: Any = XP
     ) -> Any:
         """C of dampers and of the slope of the friction law."""
-        function = undecorated(self.model.linearization.damping)
+        function = undecorated(self.model.algebra.damping)
         lines = directions[: 3 * self.springs]
         return function(*q, *lines, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=xp)
 
     def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Slope of the friction law at steady sliding."""
-        return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
+        return undecorated(self.model.algebra.friction_slope)(*self._listed(values, "motion"), xp=xp)
 
     def slope_has_a_sign(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
         """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
         out = np.zeros(shape, dtype=np.bool_)
         if not self.slope_is_a_sum:
             return out
-        for terms in undecorated(self.model.linearization.friction_slope_by_sizes)(*self._listed(values, "motion"), xp=XP):
+        for terms in undecorated(self.model.algebra.friction_slope_by_sizes)(*self._listed(values, "motion"), xp=XP):
             kept = [(factor, power) for factor, power in terms if stacked([factor], shape)[0].ends.any()]
             total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(shape)))
             out |= ~total.holds_zero()
@@ -278,11 +274,11 @@ class Forces:
 
     def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The gap of the contact."""
-        return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=xp)
+        return undecorated(self.model.algebra.contact_gap)(*q, *self._listed(values, "statics"), xp=xp)
 
     def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
         """The image of a state in the model's mirror."""
-        image: Sequence[Any] = undecorated(self.model.statics.mirror)(*q, *self._listed(values, "statics"), xp=XP)
+        image: Sequence[Any] = undecorated(self.model.algebra.mirror)(*q, *self._listed(values, "statics"), xp=XP)
         return image
 
 

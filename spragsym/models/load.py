@@ -28,9 +28,6 @@ _KEYS = frozenset((
     "dampers", "drawn", "friction", "mirror", "springs", "ties", "files",
 ))  # fmt: skip
 
-#: What the package calls that folders of an earlier version lack, by module.
-_WRITTEN = {"statics": ("squared_lengths",)}
-
 _LOADED: dict[str, Model] = {}
 _LOCK = threading.RLock()
 
@@ -119,6 +116,8 @@ def _about(folder: Path) -> dict[str, Any]:
     if not isinstance(about, dict) or not about.keys() >= _KEYS:
         missing = ", ".join(sorted(_KEYS - about.keys())) if isinstance(about, dict) else "everything"
         raise StoreError(f"{path} is not what this version of spragsym writes (without {missing}); derive the page again")
+    if "algebra.py" not in about["files"]:
+        raise StoreError(f"{folder} was derived by another version (without algebra.py); derive the page again")
     if about["friction"] is not None and not about["friction"].keys() >= {"quantities", "at_rest"}:
         raise StoreError(f"{folder} was derived by another version (without what is said of its law); derive the page again")
     return about
@@ -145,14 +144,8 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
     if not shipped_one:
         _require_whole(folder, about)
 
-    def module(part: str) -> ModuleType | None:
-        if f"{part}.py" not in about["files"]:
-            return None
-        found = _module(folder, where, part)
-        missing = [name for name in _WRITTEN.get(part, ()) if not hasattr(found, name)]
-        if missing:
-            raise StoreError(f"{folder} was derived by another version (without {', '.join(missing)}); derive the page again")
-        return found
+    def module() -> ModuleType:
+        return _module(folder, where)
 
     room = f"{__package__.rpartition('.')[0]}.{where}"
     if shipped_one and importlib.util.find_spec(room):  # a shipped model with closed forms
@@ -164,10 +157,10 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
     return model
 
 
-def _module(folder: Path, where: str, part: str) -> ModuleType:
-    """A module of the model: of the package for a shipped one, else of a package of the folder's own."""
+def _module(folder: Path, where: str) -> ModuleType:
+    """The functions of the model: of the package for a shipped one, else of a package of the folder's own."""
     if where == folder.name:
-        return importlib.import_module(f"spragsym.generated.models.{where}.{part}")
+        return importlib.import_module(f"spragsym.generated.models.{where}.algebra")
     import hashlib
 
     # A path may hold bytes that are no text in the locale.
@@ -177,4 +170,4 @@ def _module(folder: Path, where: str, part: str) -> ModuleType:
         parent = ModuleType(package)
         parent.__path__ = [str(folder)]
         sys.modules[package] = parent
-    return importlib.import_module(f"{package}.{part}")
+    return importlib.import_module(f"{package}.algebra")

@@ -51,8 +51,8 @@ class Model:
         What :func:`spragsym.load` takes for it: the name of a shipped model, or a folder.
     about : mapping
         ``model.json``: coordinates, parameters, laws, springs, as the page says them.
-    statics, linearization, motion : module
-        Generated functions.
+    algebra : module
+        Generated functions: the balance of forces, small deviations from it, the motion.
     search : Model
         The same without closed forms.
     Parameters : type
@@ -72,32 +72,22 @@ class Model:
     """
 
     def __init__(
-        self, where: str, about: Mapping[str, Any], modules: Callable[[str], ModuleType | None], parameters: Any,
+        self, where: str, about: Mapping[str, Any], module: Callable[[], ModuleType], parameters: Any,
         closed: Mapping[str, tuple[str, Collection[Any], Mapping[str, Any]]] | None = None,
     ) -> None:  # fmt: skip
         self.name: str = about["name"]
         self.where, self.about, self.Parameters, self.closed = where, about, parameters, closed or {}
-        self._modules = modules
+        self._module = module
 
     @cached_property
-    def statics(self) -> Any:
-        """Generated functions of the balance of forces."""
-        return self._modules("statics")
-
-    @cached_property
-    def linearization(self) -> Any:
-        """Generated functions of small motions about it."""
-        return self._modules("linearization")
-
-    @cached_property
-    def motion(self) -> Any:
-        """Generated functions of the motion; None where there are none."""
-        return self._modules("motion")
+    def algebra(self) -> Any:
+        """Generated functions: the balance of forces, small deviations from it, the motion."""
+        return self._module()
 
     @cached_property
     def search(self) -> Model:
         """The same model without its closed forms: every question by the general way, as with ``method="search"``."""
-        return Model(self.where, self.about, self._modules, self.Parameters) if self.closed else self
+        return Model(self.where, self.about, self._module, self.Parameters) if self.closed else self
 
     @cached_property
     def field(self) -> Field:
@@ -439,7 +429,7 @@ class Model:
             )
         of_law = self.about["friction"]["quantities"]
         missing = {name: 1.0 for name in self.about["angles"] if name not in of_law and getattr(p, name) is None}
-        return np.asarray(getattr(self.statics, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float)
+        return np.asarray(getattr(self.algebra, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float)
 
     @part
     def linked(self, p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:

@@ -192,7 +192,7 @@ class _Point:
     def require_smooth(self) -> None:
         """:class:`Undecided` where the field has no third derivatives at the state, or is not shown to have them."""
         constants, about = self._constants(self.values), self.model.about
-        gap, slip = undecorated(self.model.motion.borders)(*self.state, *constants, xp=XP)
+        gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
         if about["contact"]["gap"] is not None and about["contact"]["unilateral"] and not _sign(gap) < 0:
             line = about["contact"]["line"]
             raise Undecided(f"the state lies on the border of contact, where the law of line {line} of the page has a kink")
@@ -201,7 +201,7 @@ class _Point:
             raise Undecided(f"the sliding speed is 0, where the law of friction, line {line} of the page, has a kink")
         ways = self.mode[len(self.mode) - self.motion.ways :]
         if ways:
-            levels = undecorated(self.model.motion.turning_borders)(*self.state, *constants, *ways, xp=XP)
+            levels = undecorated(self.model.algebra.turning_borders)(*self.state, *constants, *ways, xp=XP)
             if not all(_sign(level) > 0 for level in levels):
                 raise Undecided("a torsion spring is turned by π, where its torque jumps")
 
@@ -226,7 +226,7 @@ class _Point:
 
     def _shift(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
         """Accelerations, linear in it, by what the friction of the equilibrium is larger than the law at the belt's speed."""
-        balance, statics = self.balance, self.model.statics
+        balance, statics = self.balance, self.model.algebra
         if self.model.about["friction"] is None or balance.law == "friction_at_speed":
             return [0] * self.n
         constants = self._constants(values)

@@ -35,7 +35,7 @@ def _directions(model: Model, constants: Any, start: Any) -> Any:
     """Every inclined spring from end to end at a start, or at columns of many."""
     known = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     taken = [known[name] for name in model.about["arguments"]["statics"]]
-    geometry = inspect.unwrap(model.statics.geometry)  # its results need no common shape
+    geometry = inspect.unwrap(model.algebra.geometry)  # its results need no common shape
     return geometry(*start[: len(model.coordinates)], *taken)
 
 

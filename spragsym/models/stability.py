@@ -133,8 +133,8 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
     model = balance.model
     motion = [values[name] for name in model.about["arguments"]["motion"]]
     directions = balance.plain_directions(q, values, np)
-    mass = undecorated(model.linearization.mass_matrix)(*q, *motion, xp=np)
-    damping = undecorated(model.linearization.damping)(*q, *directions[: 3 * balance.springs], *motion, balance.pushing, xp=np)
+    mass = undecorated(model.algebra.mass_matrix)(*q, *motion, xp=np)
+    damping = undecorated(model.algebra.damping)(*q, *directions[: 3 * balance.springs], *motion, balance.pushing, xp=np)
     return (
         filled(mass, shape),
         filled(damping, shape),

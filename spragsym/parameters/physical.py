@@ -112,10 +112,10 @@ class PhysicalParameters(Values):
 
     def _groups(self) -> tuple[Any, ...]:
         absent = 0.0  # V and d enter their own groups only
-        return _scales.dimensionless_groups(
+        return tuple(_scales.dimensionless_groups(
             self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y,
             absent if self.V is None else self.V, absent if self.d is None else self.d,
-        )  # fmt: skip
+        ))  # fmt: skip
 
 
 def physical_ranges() -> dict[str, Range]:

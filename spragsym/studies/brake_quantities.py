@@ -105,7 +105,7 @@ def ranges(name: str, values: Mapping[str, Any] | None = None) -> dict[str, Rang
 def balanced(name: str) -> tuple[str, ...]:
     """Quantities on which the balance of forces depends besides its friction, in the order of the page."""
     model = load(name)
-    taken = set(inspect.signature(model.statics.forces).parameters)
+    taken = set(inspect.signature(model.algebra.forces).parameters)
     kinds = {entry["name"]: entry["unit"] for entry in model.about["units"]}
     found: set[str] = set()
     for entry in model.about["parameters"]:

@@ -55,23 +55,23 @@ def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
     """Forces by mpmath, which the search does not use."""
     p = a_set(name)
     model = p.model
-    balance = undecorated(model.statics.forces)
+    balance = undecorated(model.algebra.forces)
     with mpmath.workdps(80):
         values: dict[str, Any] = {one: mpmath.mpf(float(getattr(p, one))) for one in model.parameters}
         for angle, (cosine, sine) in model.about["angles"].items():
             values |= {cosine: mpmath.cos(values[angle]), sine: mpmath.sin(values[angle])}
-        law = undecorated(model.statics.friction_at_rest)
+        law = undecorated(model.algebra.friction_at_rest)
         mu = law(*(values[one] for one in model.about["arguments"]["motion"]), xp=mpmath)
         statics = [values[one] for one in model.about["arguments"]["statics"]]
         for contact in model.regimes:
             for state in precise.equilibria(p, contact=contact, dps=60):
                 q = [state.numbers[one] for one in model.coordinates]
                 directions: list[Any] = []
-                for dx, dy, _ in undecorated(model.statics.geometry)(*q, *statics, xp=mpmath):
+                for dx, dy, _ in undecorated(model.algebra.geometry)(*q, *statics, xp=mpmath):
                     length = mpmath.hypot(dx, dy)
                     directions += [dx / length, dy / length, length]
                 if model.about.get("torsions"):
-                    pairs = undecorated(model.statics.turnings)(*q, *directions, *statics, xp=mpmath)
+                    pairs = undecorated(model.algebra.turnings)(*q, *directions, *statics, xp=mpmath)
                     directions += [mpmath.atan2(sine, cosine) for cosine, sine in pairs]
                 forces = balance(*q, *directions, *statics, mu, int(contact), xp=mpmath)
                 assert max(map(abs, forces)) < mpmath.mpf(10) ** -55
@@ -221,18 +221,18 @@ def test_the_tangent_forces_of_a_cusp_vanish_by_differences() -> None:
     """Along the state that the others give, the force has no slope and no curvature, but a third derivative: by mpmath."""
     p = a_set("two_springs")
     (cusp,) = precise.cusps(p, between={"mu0": (0, 2)}, dps=60)
-    model, balance = p.model, undecorated(p.model.statics.forces)
+    model, balance = p.model, undecorated(p.model.algebra.forces)
     with mpmath.workdps(200):
         values: dict[str, Any] = {one: mpmath.mpf(float(getattr(p, one) or 0)) for one in model.parameters}
         values |= {"theta0": cusp.theta0, "mu0": cusp.mu0}
         for angle, (cosine, sine) in model.about["angles"].items():
             values |= {cosine: mpmath.cos(values[angle]), sine: mpmath.sin(values[angle])}
-        mu = undecorated(model.statics.friction_at_rest)(*(values[one] for one in model.about["arguments"]["motion"]), xp=mpmath)
+        mu = undecorated(model.algebra.friction_at_rest)(*(values[one] for one in model.about["arguments"]["motion"]), xp=mpmath)
         statics = [values[one] for one in model.about["arguments"]["statics"]]
 
         def forces(x: Any, y: Any) -> Any:
             directions: list[Any] = []
-            for dx, dy, _ in undecorated(model.statics.geometry)(x, y, *statics, xp=mpmath):
+            for dx, dy, _ in undecorated(model.algebra.geometry)(x, y, *statics, xp=mpmath):
                 length = mpmath.hypot(dx, dy)
                 directions += [dx / length, dy / length, length]
             return balance(x, y, *directions, *statics, mu, 1, xp=mpmath)

@@ -38,7 +38,7 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
 def rest_of(p: ss.Parameters, spring: int) -> float:
     """The undeformed length of an inclined spring."""
     places = [0.1 * (i + 1) for i in range(len(p.model.coordinates))]
-    return float(p.model.statics.geometry(*places, *p.model.arguments(p))[spring][2])
+    return float(p.model.algebra.geometry(*places, *p.model.arguments(p))[spring][2])
 
 
 def test_forces_of_the_article_s_states() -> None:

@@ -24,7 +24,7 @@ _SHORT = ("energy", "friction_power")
 
 
 def module() -> Module:
-    """In Python they stand with the page's other functions, in ``models/kang_nam/motion.py``."""
+    """In Python they stand with the page's other functions, in ``models/kang_nam/algebra.py``."""
     model = mechanics.of_page()
     general = motion.module(model)
     names: dict[sp.Basic, sp.Expr] = {PUSHING: nm.nbar, **dict.fromkeys(laws.near(len(laws.layers(model))), sp.S.One)}

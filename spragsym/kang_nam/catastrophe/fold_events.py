@@ -104,8 +104,8 @@ def _conditions(exact: Fixed) -> Iterator[Polynomial]:
 def _values(exact: Fixed, s: Fraction) -> tuple[Fraction, ...]:
     """What is 0 at events of each of the three kinds, in sin θ."""
     if exact.alpha:
-        return _catastrophe.fold_events(s, *exact)
-    return _catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta)
+        return tuple(_catastrophe.fold_events(s, *exact))
+    return tuple(_catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta))
 
 
 def _without_common_roots(conditions: Iterator[Polynomial]) -> Iterator[Polynomial]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, ClassVar
 
 import sympy as sp
@@ -23,7 +23,6 @@ BY_NAME: Mapping[type[sp.Basic], str] = {
 NAMES = ("sqrt", "pi", *BY_NAME.values())
 
 _WIDTH = 126
-_TIED = "\N{NO-BREAK SPACE}"
 
 
 class RoundedError(ArithmeticError):
@@ -111,9 +110,9 @@ _PRINTER = AlgebraPrinter({"order": None})
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
     """Source text of one generated module: its symbols with meanings and units once, then its functions."""
-    imports = ["from ._broadcast import Number, broadcasting"]
+    imports = ["from ._broadcast import broadcasting"]
     if any(function.transcendental for function in module.functions):
-        imports = ["from types import ModuleType", "", "import numpy", "", *imports]
+        imports = ["import numpy", "", *imports]
     return "\n\n\n".join([
         head(module, {name: _meaning(quantity) for name, quantity in quantities.items()}, header, "\n".join(imports)),
         *(definition(function) for function in module.functions),
@@ -124,18 +123,17 @@ def head(module: Module, meanings: Mapping[str, str], header: str, imports: str)
     """All above the functions: what the module is, what its symbols are, imports and names."""
     symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
     table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ") for name in symbols)
-    names = textwrap.fill(
-        ", ".join(f'"{function.name}"' for function in module.functions),
-        _WIDTH - 2,
-        initial_indent="    ",
-        subsequent_indent="    ",
-    )
     return "\n\n".join([
         f'"""{module.summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""',
-        "from __future__ import annotations",
         imports,
-        f"__all__ = [\n{names},\n]",
+        listed("__all__ = [", [f'"{function.name}"' for function in module.functions], "]"),
     ])  # fmt: skip
+
+
+def listed(opening: str, items: Iterable[str], closing: str) -> str:
+    """A list between brackets, on as many lines as it needs."""
+    inside = textwrap.fill(", ".join(items), _WIDTH - 2, initial_indent="    ", subsequent_indent="    ")
+    return f"{opening}\n{inside},\n{closing}"
 
 
 def _meaning(quantity: Quantity) -> str:
@@ -145,18 +143,12 @@ def _meaning(quantity: Quantity) -> str:
 def definition(function: Function) -> str:
     """One function: its signature, what it is with its equations and operations, and its body."""
     body = straight_line(function)
-    arguments = [f"{symbol}: Number" for symbol in function.arguments]
-    arguments += [f"{symbol}: Number = 0" for symbol in function.further]
+    arguments = [*map(str, function.arguments), *(f"{symbol}=0" for symbol in function.further)]
     if function.transcendental:
-        arguments += ["*", "xp: ModuleType = numpy"]
-    returned = "tuple[Number, ...]" if isinstance(function.results, tuple) else "Number"
-    signature = f"def {function.name}({', '.join(arguments)}) -> {_annotation(function.results)}:"
+        arguments += ["*", "xp=numpy"]
+    signature = f"def {function.name}({', '.join(arguments)}):"
     if len(signature) > _WIDTH:
-        signature = f"def {function.name}({', '.join(arguments)}) -> {returned}:"
-    if len(signature) > _WIDTH:
-        tied = [argument.replace(" ", _TIED) for argument in arguments]  # a type stays on the line of its name
-        listed = textwrap.fill(", ".join(tied), _WIDTH - 4, initial_indent="    ", subsequent_indent="    ").replace(_TIED, " ")
-        signature = f"def {function.name}(\n{listed},\n) -> {returned}:"
+        signature = listed(f"def {function.name}(", arguments, "):")
     lines = [
         "@broadcasting",
         signature,
@@ -192,12 +184,6 @@ def _assigned(expression: sp.Expr, printer: AlgebraPrinter) -> str:
         factor = printer.doprint(expression.base)
         return f"{factor}*{factor}"
     return str(printer.doprint(expression))
-
-
-def _annotation(results: Results) -> str:
-    if not isinstance(results, tuple):
-        return "Number"
-    return f"tuple[{', '.join(_annotation(item) for item in results) or '()'}]"
 
 
 def _tuple(results: Results, printer: AlgebraPrinter) -> str:

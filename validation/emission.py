@@ -34,10 +34,8 @@ CLOSE = 1e-12
 
 def functions(model: Any) -> Iterator[tuple[str, Any]]:
     """All of the generated functions of a model, by name."""
-    for part in ("statics", "linearization", "motion"):
-        module = getattr(model, part)
-        for name in module.__all__:
-            yield name, getattr(module, name)
+    for name in model.algebra.__all__:
+        yield name, getattr(model.algebra, name)
 
 
 def arguments(names: Sequence[str], rng: np.random.Generator) -> list[float]:

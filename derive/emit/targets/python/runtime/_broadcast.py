@@ -1,5 +1,7 @@
 """Shape of results: whatever a result depends on, it has the shape of all arguments together.
 
+An argument is anything with + − × ÷ and integer powers: float, array, Fraction, mpmath number or interval, Arb ball, expression.
+
 @header@
 """
 
@@ -7,12 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import Any, ParamSpec, TypeAlias, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
-
-#: Anything with + − × ÷ and integer powers: float, array, Fraction, mpmath number or interval, Arb ball, expression.
-Number: TypeAlias = Any
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")

@@ -23,9 +23,7 @@ _SECTIONS = {
     "languages": ("benchmarks.bench_languages", "JavaScript and MATLAB"),
     "models": ("benchmarks.bench_models", "Models from pages beside the closed forms"),
     "catastrophe": ("benchmarks.bench_catastrophe", "The bifurcation set"),
-    "folds": ("validation.folds", "The bifurcation set against maps of counts"),
     "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
-    "regimes": ("validation.regimes", "What motions come to, judged early and late"),
     "codegen": ("benchmarks.bench_codegen", "Generated code against other generators"),
     "scale": ("benchmarks.bench_scale", "How cost grows, and start-up"),
 }
@@ -63,11 +61,18 @@ def main() -> int:
         print(run.stdout, flush=True)
         failed += run.returncode != 0
         day = datetime.date.today().isoformat()
-        found[title] = f"## {title}\n\n`python -m {module}`, {day}\n\n{_demoted(run.stdout)}\n"
+        found[title] = f"## {title}\n\n`python -m {module}`, {day}, of {_state()}\n\n{_demoted(run.stdout)}\n"
     if options.write:
         parts = [_header(), *(found[title] for _, title in _SECTIONS.values() if title in found)]
         options.write.write_text("\n".join(parts), encoding="utf-8")
     return int(failed > 0)
+
+
+def _state() -> str:
+    """The commit, and whether files differ from it."""
+    command = ["git", "describe", "--always", "--abbrev=8", "--dirty=, changed", "--exclude=*"]
+    run = subprocess.run(command, capture_output=True, text=True, cwd=Path(__file__).parent, check=False)
+    return run.stdout.strip() or "a tree without its history"
 
 
 def _sections(report: Path) -> dict[str, str]:

@@ -56,6 +56,7 @@ def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool)
     assert np.nanmax(eq.error, initial=0.0) <= 1e-12
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", few([True, False], False))
 def test_states_with_a_torsion_spring_are_those_of_a_scalar_equation_in_its_angle(model: Any, contact: bool) -> None:
     rng = np.random.default_rng(14)
@@ -64,6 +65,7 @@ def test_states_with_a_torsion_spring_are_those_of_a_scalar_equation_in_its_angl
     same_as_the_scalar_equation(model, sets | {"theta0": rng.uniform(0.1, 3.0, 24), "mu0": rng.uniform(0, 1, 24)}, contact)
 
 
+@pytest.mark.thorough
 def test_states_as_near_to_the_anchor_as_the_torsion_spring_is_weak_are_found(model: Any) -> None:
     """A load that the spring can't carry pushes the mass to the anchor, where only the torque holds it: l is about τ φ/κ."""
     tau = 10.0 ** -np.arange(2.0, 13.0)

@@ -350,6 +350,7 @@ def nonsense() -> Any:
 # ------------------------------------------------------------------------------------------------------ tests
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("compiler", EACH_COMPILER)
 @pytest.mark.parametrize("level", EACH_LEVEL, ids=["-O0", "-O3"])
 def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> None:
@@ -591,6 +592,7 @@ def lowest_folds(library: ctypes.CDLL, sets: list[dict[str, float]]) -> list[tup
     return list(zip(status.tolist(), found, strict=True))
 
 
+@pytest.mark.thorough
 def test_the_lowest_fold_is_that_python_proves(library: ctypes.CDLL) -> None:
     """Certain for all but a few random sets; near alpha = 1 + beta and with hardly any alpha at least not wrong."""
     names = ("kappa", "alpha", "sigma", "beta")

@@ -468,6 +468,7 @@ def _f_times_s(theta: mpmath.mpf, theta0: mpmath.mpf, values: list[mpmath.mpf]) 
     return sigma * (s - length) * c + alpha * (c0 * s - length * c) + mu0 * s * (s0 - length)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("values", few([
     (0.007, 1e-300, 0.1, 0.0), (0.007, 0.007, 1e-300, 0.0), (1e300, 2.0, 1e300, 1e8), (5e-324, 1e-100, 3.0, 1e300),
     (0.007, 1e300, 0.1, 1e300), (1e-300, 1e300, 1e300, 1e-300), (1.7e308, 1.7e308, 1.7e308, 1.7e308), (1e300, 0.0, 1e-300, 1e300),

@@ -109,6 +109,7 @@ def test_a_unit_changes_all_that_depend_on_it() -> None:
         assert found[side] == pytest.approx(sum(changes[name] * np.imag(p[name]) for name in NAMES) / 1e-100, rel=1e-13)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("k_c", "outcome"), [((0.85, 1.15), "proved"), pytest.param((0.02, 1.15), "refuted", marks=pytest.mark.thorough)]
 )

@@ -247,6 +247,7 @@ def test_newtons_start_is_above_the_root_and_not_far(held: Arithmetic) -> None:
                 assert start <= root * (2 if P == 0 else 2.32 if Q == 0 else 3.18)
 
 
+@pytest.mark.thorough
 def test_the_farthest_root_is_found_to_its_last_bits(held: Arithmetic) -> None:
     with mpmath.workdps(120):
         for P, Q in CUBICS:

@@ -447,6 +447,7 @@ def _moved(at: list[Any], place: int, step: Any) -> list[Any]:
     return [value + (step if i == place else 0) for i, value in enumerate(at)]
 
 
+@pytest.mark.thorough
 def test_amplitude_jump_by_another_integrator() -> None:
     at = value("fig-7b", "theta0_deg")
     low, high = (rms(motion(at + step, [0, 0, 0, 0], 900.0), 600, 900) for step in (-0.002, 0.002))
@@ -469,6 +470,7 @@ def test_the_fate_of_rest() -> None:
     assert growth == pytest.approx(value("fig-7b-fate", "its growth rate"), rel=1e-7)
 
 
+@pytest.mark.thorough
 def test_the_oscillation_far_below_the_fold() -> None:
     """One round by another integrator, from a state of the cycle, leads back to it."""
     periods = value("fig-7-oscillation", "periods")

@@ -232,6 +232,7 @@ def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, caps
     assert [path.name for path in tmp_path.iterdir()] == [target.name]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "command", [pytest.param(name, marks=pytest.mark.thorough) if name in LONG_TO_WRITE else name for name in WRITING]
 )
@@ -609,6 +610,7 @@ def test_greek_output_in_any_surroundings(surroundings: str, tmp_path: Path) -> 
     assert len(json.loads(run_in(surroundings, tmp_path, "check", "--json").stdout)) == 53
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "surroundings",
     [name if name == "empty" else pytest.param(name, marks=pytest.mark.thorough) for name in SURROUNDINGS],
@@ -729,6 +731,7 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Files:
     return files
 
 
+@pytest.mark.thorough
 @given(
     st.sampled_from(["csv", "nc"]), st.sampled_from(["", ".partial"]),
     st.binary(max_size=60) | st.integers(0, 10**6), st.binary(max_size=4),

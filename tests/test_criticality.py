@@ -52,6 +52,7 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
     assert stick_slip.when.tolist() == ["up", "down"]  # it swings at speeds between the two
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "vary", "values"),
     few(
@@ -299,6 +300,7 @@ def test_the_page_on_onsets() -> None:
     assert runner.failures == 0
 
 
+@pytest.mark.thorough
 def test_the_command_of_the_page_on_onsets(tmp_path: Path) -> None:
     for command, output in commands(DOCS / "onsets.md"):
         assert_shown(output, run(command, tmp_path))

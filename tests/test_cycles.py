@@ -380,6 +380,7 @@ def test_the_end_of_a_range_is_reached_along_the_branch() -> None:
     assert np.degrees([event.value for event in branch.of("period_doubling")]) == pytest.approx([45.2146], abs=1e-3)
 
 
+@pytest.mark.thorough
 def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     doubled = branch.switch(doubling)
@@ -392,6 +393,7 @@ def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> No
         branch.switch(branch.of("grazing")[0])
 
 
+@pytest.mark.thorough
 def test_a_doubling_in_two_parameters(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
@@ -617,6 +619,7 @@ def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
         ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.70, 0.71), **BELT)
 
 
+@pytest.mark.thorough
 def test_one_cycle_at_both_ends_is_one_fate() -> None:
     """Its period grows from 32.19 to 33.79 between: rounded, they differ."""
     with pytest.raises(
@@ -667,6 +670,7 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", few([56, 174], 174))
 def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
     """Irregular transients at the ends: by another tolerance, or begun 1e-12 beside, they come to something else."""
@@ -1006,6 +1010,7 @@ def test_a_range_that_is_none(slow: ss.Cycle) -> None:
         ss.cycle_branch(slow, "kappa", (0.0, 0.01))
 
 
+@pytest.mark.thorough
 def test_a_branch_reaches_the_end_of_what_a_parameter_may_be() -> None:
     start = ss.cycle(at(42.0, alpha=2e-5), **BELT, near=(3.1, 2.96, 0.0, -0.344), patient=True)
     branch = ss.cycle_branch(start, "alpha", (0.0, 4e-5))
@@ -1032,6 +1037,7 @@ def test_series_by_their_coefficients() -> None:
         assert float(power[k]) == pytest.approx(math.exp(2) / math.factorial(k), rel=1e-12)
 
 
+@pytest.mark.thorough
 def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
     pytest.importorskip("flint")
     from spragsym.cycles import ball_proof, proofs
@@ -1048,6 +1054,7 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
     assert proved["stable"] is True
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("digits", few([10, 25, 60, 200], 10))
 def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int) -> None:
     """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
@@ -1123,6 +1130,7 @@ def test_balls_are_carried_onward_only() -> None:
             balls.carry(flint.arb(duration))
 
 
+@pytest.mark.thorough
 def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any) -> None:
     slow.save(tmp_path / "cycle.csv")
     assert (tmp_path / "cycle.csv").stat().st_size > 1000
@@ -1287,6 +1295,7 @@ def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
         ss.precise.prove_cycle(slow, digits=3)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("low", few([0.06, 0.085, 0.05], 0.085))
 def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> None:
     """Whatever the range: at 0.085 it went on over its end, at 0.06 it turned onto the shorter cycle through a fold of none."""

@@ -306,6 +306,7 @@ HOLDS: dict[str, Callable[[ss.Parameters], Any]] = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("claim", few(HOLDS, "no jump", "no flutter"))
 def test_what_is_proved_holds_at_random_points_and_what_is_refuted_does_not(claim: str) -> None:
     rng = np.random.default_rng(11)
@@ -410,6 +411,7 @@ def test_a_new_design_keeps_the_target_and_a_smaller_change_does_not() -> None:
     assert ss.redesign(p, "sigma", {"mu0": 0.4}).distance == 0.0
 
 
+@pytest.mark.thorough
 def test_physical_quantities_change_all_that_they_enter() -> None:
     brake = ss.PhysicalParameters(m=0.35, k=1.8e5, k_x=9e3, k_y=0, k_c=1.5e6, F_L=420, L_0=0.038, theta0=0.9, mu0=0.3)
     better = ss.redesign(brake, "k_c", {"mu0": 0.45})

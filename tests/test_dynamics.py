@@ -238,6 +238,7 @@ def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, 
         assert np.abs(_through_a_thin_layer(rtol, backend) - through_a_thin_layer).max() < 3000 * rtol
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
     tr = simulate(ss.Parameters.article(theta0=1.0), V=0.0, d=100.0, x0=0.05, t_end=1000.0, rtol=1e-8, backend=backend)
@@ -418,6 +419,7 @@ def test_the_gap_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     assert np.abs(tr.state[:, -1] - wide.state[:, -1]).max() < 1e-9
 
 
+@pytest.mark.thorough
 def test_a_cycle_that_scipy_closes_closes_in_all_digits(monkeypatch: pytest.MonkeyPatch) -> None:
     """However roughly Newton's method began: what is told of the cycle stands on its last steps."""
     p = ss.Parameters(

@@ -137,6 +137,7 @@ def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: p
     assert files_of(target) == {"new.py": b"new\n"}
 
 
+@pytest.mark.thorough
 @pytest.mark.usefixtures("quick")
 @pytest.mark.parametrize("options", [[], ["--variant"]])
 def test_a_step_that_is_not_proved_writes_nothing(

@@ -446,6 +446,7 @@ def test_keyboard_only(explorer: Explorer) -> None:
     assert unnamed == []
 
 
+@pytest.mark.thorough
 def test_a_link_carries_the_sheet(explorer: Explorer) -> None:
     explorer.drag((30, 0.5), (60, 0.5), (30, 0.5))
     explorer.page.click("#link")

@@ -147,6 +147,7 @@ def test_a_page_of_anybody_is_text_and_its_names_are_its_own(browser: Any, tmp_p
     page.close()
 
 
+@pytest.mark.thorough
 def test_a_brake_of_another_model_begins_at_its_data(tmp_path: Path) -> None:
     pytest.importorskip("pint", reason="pint is not installed")
     data, out = tmp_path / "brake.toml", tmp_path / "brake.html"

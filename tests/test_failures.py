@@ -183,6 +183,7 @@ def test_a_worker_that_fails_is_one_error_at_once(
     assert points_of(tmp_path / "rms.csv") == []
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("way", ["file", pytest.param("standard input", marks=pytest.mark.thorough)])
 def test_a_script_needs_no_guard(tmp_path: Path, begin: Begin, way: str) -> None:
     script = (
@@ -238,6 +239,7 @@ def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path
     assert attack.same(found, rms_sweep(p, **options))
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(sys.platform != "linux", reason="lists processes as Linux does")
 def test_workers_end_with_their_parent(tmp_path: Path, begin: Begin) -> None:
     call = [sys.executable, "-m", "spragsym", "sweep", "--theta0", "49,50", "--t-end", "1e6", "--backend", "scipy", "-j", "2"]
@@ -285,6 +287,7 @@ def test_a_command_in_poor_circumstances(tmp_path: Path, begin: Begin) -> None:
 # --------------------------------------------------------------------------------------------------- two on one store
 
 
+@pytest.mark.thorough
 def test_a_second_process_is_refused_and_told_who_is_first(tmp_path: Path, begin: Begin) -> None:
     path = tmp_path / "rms.csv"
     command = [sys.executable, "-m", "spragsym", "sweep", "--theta0", "35,40", "-q", "-o", str(path)]
@@ -425,6 +428,7 @@ def test_a_link_to_itself_is_an_error(tmp_path: Path) -> None:
         rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("limit", "ending"), [(1500, "csv"), pytest.param(4500, "nc", marks=pytest.mark.thorough)])
 def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: attack.Recorded, limit: int, ending: str) -> None:
     """No file may be longer than the limit: the journal breaks off, or the result does."""

@@ -453,6 +453,7 @@ def test_the_false_double_root() -> None:
     assert [gap.max() < 1e-4 for gap in extras.root_gaps(P, fold + 1e-10)] == [True, True]
 
 
+@pytest.mark.thorough
 def test_samples_are_filled_where_the_curve_jumps(sheets: dict[str, Sheet]) -> None:
     expected = {"beta": [True, True, False], "alpha": [True, False, False], "sigma": [False, True, True], "kappa": [True]}
     for ax, filled in zip(sheets["cusp-friction"].axes, expected.values(), strict=True):
@@ -470,6 +471,7 @@ def test_bifurcation_figure_for_any_parameters() -> None:
 # ------------------------------------------------------------------------------------------------------ files
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kinds", few([("pdf", "svg"), ("png",)], ("pdf", "svg")), ids="-".join)
 def test_files_have_the_same_bytes_every_time(tmp_path: Path, kinds: tuple[str, ...]) -> None:
     for folder in ("one", "two"):

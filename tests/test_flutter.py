@@ -141,6 +141,7 @@ def test_nothing_flutters_without_friction() -> None:
         assert len(ss.flutter_onsets(ss.Parameters(mu0=0.0, kappa=0.007, alpha=alpha, sigma=1.0, beta=0.0), damping=False)) == 0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("alpha", [0.0, 1e-300, 1e-8])
 def test_small_alpha_tends_to_none(alpha: float) -> None:
     found = ss.flutter_onsets(ss.Parameters.article(mu0=6.0, alpha=alpha), damping=False)
@@ -225,6 +226,7 @@ def test_the_boundary_has_every_onset_once_at_each_friction(changes: dict[str, f
         np.testing.assert_allclose(between, found.theta0, atol=0.02)
 
 
+@pytest.mark.thorough
 def test_boundary_points_are_on_the_boundary_to_rounding() -> None:
     for changes in ({"alpha": 0.7}, {"sigma": 1.0}, {"alpha": 0.0, "sigma": 0.7}):
         p = ss.Parameters.article(**changes)

@@ -484,6 +484,7 @@ def equilibrium_points(contact: int) -> Iterator[tuple[dict[str, Any], Any, Any]
                 yield point, x, y
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", [1, pytest.param(0, marks=pytest.mark.thorough)], ids=["contact", "liftoff"])
 def test_equilibria_of_the_uneliminated_equations(contact: int) -> None:
     found = 0

@@ -187,6 +187,7 @@ def test_directions_of_vectors_whose_squares_are_no_floats():
     assert ((s.low <= -0.8) & (s.high >= -0.8)).all()
 
 
+@pytest.mark.thorough
 def test_directions_are_sharp_and_hold_all():
     rng = np.random.default_rng(8)
     corner, size = rng.normal(size=(2, 400)), 10.0 ** rng.uniform(-8, 0.5, size=(2, 400))

@@ -16,6 +16,7 @@ ROD = ss.load("sprag_rod")
 PAD = ss.load("pad_on_disc")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("degrees", few([25.0, 40.0], 25.0))
 def test_a_stiff_wall_is_jammed_at_the_closed_form(degrees: float) -> None:
     """tan θ₀ = μ: the fold comes to it as the root of the spring's stiffness over the wall's."""

@@ -182,6 +182,7 @@ def test_folds_are_those_that_python_proves(vary: str) -> None:
     assert total > 3
 
 
+@pytest.mark.thorough
 def test_cusps_are_those_that_python_proves() -> None:
     """Near alpha = 1 + beta, where their polynomial has one root many times over, with hardly any alpha, and without."""
     sets = [{name: given[name] for name in NAMES[2:]} for given in languages.fold_sets(32)]
@@ -311,6 +312,7 @@ def test_a_spring_without_length_stops_the_motion() -> None:
 # ------------------------------------------------------------------------------------------------ export and page
 
 
+@pytest.mark.thorough
 def test_export_runs_as_the_page_prints(tmp_path: Path) -> None:
     """The module with its example, and every program of the page with what it prints."""
     assert CliRunner().invoke(cli, ["export", "--language", "javascript", "--out", str(tmp_path)]).exit_code == 0

@@ -49,6 +49,7 @@ def test_it_may_lie_below_the_cusp() -> None:
     assert float(ss.jump_value(BELOW_THE_CUSP.replace(theta0=found.theta0))) == pytest.approx(float(found), rel=1e-12)
 
 
+@pytest.mark.thorough
 def test_nothing_jumps_below_it_and_something_at_it() -> None:
     rng = np.random.default_rng(26)
     kinds = set()

@@ -73,6 +73,7 @@ def test_arithmetic_of_another_kind_is_refused(compiler: str, flags: tuple[str, 
     assert said in done.stderr
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("encoding", few(["ascii", "cp1252"], "ascii"))
 def test_the_derivation_speaks_on_any_console(encoding: str) -> None:
     code = "from derive import __main__; __main__.readable(); print('\\u03b8_o', '(1)\\u2013(11)')"
@@ -82,6 +83,7 @@ def test_the_derivation_speaks_on_any_console(encoding: str) -> None:
     assert rb"\N{GREEK SMALL LETTER THETA}_o" in done.stdout
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("encoding", few(["ascii", "cp1252"], "cp1252"))
 def test_results_print_on_any_console(encoding: str) -> None:
     code = (

@@ -155,6 +155,7 @@ def test_the_lowest_fold_is_that_python_proves(package: Path) -> None:
             assert found[1] == pytest.approx(theirs.theta0, rel=1e-5)
 
 
+@pytest.mark.thorough
 def test_folds_along_every_parameter_are_those_that_python_proves(package: Path) -> None:
     sets = languages.fold_sets(12)
     program = ""
@@ -184,6 +185,7 @@ def test_surface_is_that_of_python(package: Path) -> None:
 # ------------------------------------------------------------------------------------------------------- motion
 
 
+@pytest.mark.thorough
 def test_right_hand_side_step_and_energy(package: Path) -> None:
     """Newton's law on the free body in three regimes; and steps across kinks of fourth order, by the other integrator."""
     p = ss.Parameters.article(theta0=math.radians(49.0))

@@ -38,6 +38,7 @@ def random_boxes(seed: int, number: int) -> list[dict[str, tuple[float, float]]]
     return out
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", few(range(24), 0, 1, 2))
 def test_nothing_is_proved_that_closed_forms_refute(number: int) -> None:
     ranges = random_boxes(5, 24)[number]
@@ -64,6 +65,7 @@ def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
             assert ends.low[1] <= state.y[0] <= ends.high[1]
 
 
+@pytest.mark.thorough
 def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     """In float64: nothing is said of a point within 1e-6 of its fold, where it may be open."""
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)

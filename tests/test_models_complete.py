@@ -120,6 +120,7 @@ def test_a_range_that_was_cut_is_not_complete() -> None:
     assert model.cusps(p, between={"mu0": (0.0, 1.0)}).complete
 
 
+@pytest.mark.thorough
 def test_commands_say_what_was_searched() -> None:
     run = CliRunner().invoke
     told = run(cli, ["folds", "--method", "search", "--theta0", "60"]).output

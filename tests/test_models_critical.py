@@ -81,6 +81,7 @@ def test_over_a_range_without_its_cusp_the_end_is_lowest() -> None:
     assert found.value == pytest.approx(min(ends), rel=1e-12)
 
 
+@pytest.mark.thorough
 def test_over_another_parameter() -> None:
     p = SEARCH.Parameters(theta0=math.radians(49.0))
     found = SEARCH.critical_friction(p, "mu0", "kappa", between={"mu0": (0.0, 1.0), "kappa": (0.004, 0.01)})
@@ -145,6 +146,7 @@ def test_what_a_critical_value_is_not_asked_for() -> None:
         ss.critical_value(p, "sigma", (0.2, 0.1))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("given", [{}, pytest.param(TURN, marks=pytest.mark.thorough)], ids=["article", "turn"])
 def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> None:
     p = ss.Parameters.article(**given)

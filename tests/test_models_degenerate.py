@@ -209,6 +209,7 @@ def test_commands_for_a_model_say_what_the_articles_own_say():
         assert first[name] == pytest.approx(other[name], abs=1e-7)
 
 
+@pytest.mark.thorough
 def test_a_path_of_a_model_says_what_the_articles_own_says():
     words = ("path", "--theta0", "40", "--vary", "mu0=0:0.9:3")
     one, two = printed(*words, "--method", "search"), printed(*words)

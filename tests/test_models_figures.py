@@ -121,6 +121,7 @@ def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
     assert status([*command[:-1], str(tmp_path / "set.gif")]) != 0
 
 
+@pytest.mark.thorough
 def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
     """Of the two folds of the article's model only the one within the range; the cusp is outside of it."""
     search = ss.load("kang_nam").search.bifurcation_set

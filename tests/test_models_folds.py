@@ -18,6 +18,7 @@ from spragsym.models.balance import Balance
 from tests.support import few
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("vary", ["sigma", "alpha_a"])
 @pytest.mark.parametrize("theta0", few([0.7, 1.0, np.pi / 2], 0.7))
 def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stiffnesses(vary, theta0):
@@ -40,6 +41,7 @@ def test_the_pitchfork_of_a_trolley_that_nothing_pulls_along_the_belt():
     assert abs(found.kappa[0] - (1 - np.sin(1.0))) < 1e-12
 
 
+@pytest.mark.thorough
 def test_a_force_without_a_potential_can_bring_flutter_without_friction(tmp_path):
     # At V = 0 there is no friction, but its slope damps x. A pair crosses where y moves alone: K₁₂ K₂₁ = (P − σ/2)(−P − σ/2) = 0.
     text = (pages.SHIPPED / "mode_coupling.py").read_text(encoding="utf-8")
@@ -93,6 +95,7 @@ def test_two_states_beside_a_fold_differ_by_the_proved_sign_of_their_stiffness()
         assert (signs[more].sum(axis=-1) == signs[~more].sum(axis=-1).max()).all()
 
 
+@pytest.mark.thorough
 def test_three_coordinates_flutter_where_sturm_counts_too_few_real_roots():
     rng = np.random.default_rng(4)
     model = ss.load("trolley")

@@ -152,6 +152,7 @@ def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:
     assert eq.phi[: int(eq.count)] == pytest.approx(np.sort(roots.real[np.abs(roots.imag) < 1e-9]), rel=1e-12)
 
 
+@pytest.mark.thorough
 def test_a_force_that_nothing_balances_leaves_no_state_anywhere(wedge: Any) -> None:
     off = wedge.equilibria(wedge.Parameters(), contact=False)
     assert int(off.count) == 0

@@ -24,6 +24,7 @@ def random_sets(seed: int, number: int) -> Any:
     return SEARCH.Parameters(theta0=rng.uniform(0.3, 1.4, number), beta=rng.uniform(0.0, 0.01, number), **some)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", [60, pytest.param(3000, marks=pytest.mark.thorough)])
 def test_they_are_those_of_closed_forms(number: int) -> None:
     p = random_sets(1, number)
@@ -51,6 +52,7 @@ def test_beside_a_cusp_tubes_decide() -> None:
     np.testing.assert_allclose(found.value[0], ss.jump_value(p, method="closed")[0], rtol=0, atol=1e-12)
 
 
+@pytest.mark.thorough
 def test_gradients_are_those_of_closed_forms() -> None:
     p = random_sets(2, 20)
     found, theirs = ss.jump_gradient(p, method="search", until=3.0), ss.jump_gradient(p, method="closed")
@@ -108,6 +110,7 @@ def test_at_an_end_of_the_range() -> None:
     assert model.jump_value(p, begin=0.3) == pytest.approx(value, rel=1e-11)
 
 
+@pytest.mark.thorough
 def test_what_is_asked() -> None:
     model = ss.load("two_springs")
     p = model.Parameters(theta0=0.7)

@@ -197,6 +197,7 @@ def command(*arguments: str) -> int:
     return int(ended.value.code or 0)
 
 
+@pytest.mark.thorough
 def test_commands_take_a_model(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
     assert command("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20", "--x_a0", "0.1", "--json") == 0
     assert '"model": "trolley"' in capsys.readouterr().out

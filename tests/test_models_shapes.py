@@ -118,6 +118,7 @@ def states(model: Any, found: Any) -> np.ndarray:
     return np.array([found.coordinates[name][: int(found.count)] for name in model.coordinates]).T
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("off", [1e-13, 1e-11, 1e-9, 1e-6, -1e-12])
 def test_equilibria_close_together_where_a_turn_ends_are_there_once(models: dict[str, Any], off: float) -> None:
     """sin a (1 + 4 b cos a) = 0: beside ±π there are two more from b = 1/4 on, which only many digits tell apart."""
@@ -202,6 +203,7 @@ def test_slopes_of_a_coupled_motion_are_those_of_differences(models: dict[str, A
         assert np.allclose(want, (two - one) / (2 * h), atol=1e-8)
 
 
+@pytest.mark.thorough
 def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) -> None:
     """A double pendulum has four: each of its links hangs or stands; standing is π, where the searched turn ends."""
     model = models["double_pendulum"]
@@ -220,6 +222,7 @@ def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) 
     assert np.allclose(sorted(np.abs(eq.eigenvalues[hanging]) ** 2), want)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", [True, False])
 def test_an_angle_of_the_page_may_stand_by_itself(models: dict[str, Any], contact: bool) -> None:
     """An arm on a torsion spring k (φ − θ₀)²/2, pressed on a belt: a coordinate that is an angle and does not come around."""

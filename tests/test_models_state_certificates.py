@@ -53,6 +53,7 @@ def test_nothing_is_said_that_closed_forms_contradict(number: int, claim: str) -
         assert fails(ss.equilibria(found.counterexample, method="closed"), claim)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("claim", CLAIMS)
 @pytest.mark.parametrize("name", few(MODELS, "mode_coupling"))
 def test_what_is_proved_is_so_at_points_and_what_is_refuted_is_not(name: str, claim: str) -> None:

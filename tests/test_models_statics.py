@@ -204,6 +204,7 @@ def test_cusps_are_the_articles():
         assert np.allclose(getattr(found, name), getattr(known, name)[wanted], atol=1e-12)
 
 
+@pytest.mark.thorough
 def test_cusps_of_a_law_whose_stiffness_has_no_slope_at_the_border():
     p = model("hertz_contact").Parameters(theta0=1.0)
     found = model("hertz_contact").cusps(p, ("theta0", "mu0"), between={"mu0": (0.2, 0.4)})
@@ -411,6 +412,7 @@ def test_bifurcation_set_is_the_articles():
     assert np.allclose(np.sort(on_line), known[known < 1], atol=1e-12)
 
 
+@pytest.mark.thorough
 def test_path_is_the_articles_with_its_jump():
     values = np.radians(np.arange(1.0, 180.0, 6.0))
     p = model("kang_nam").Parameters(theta0=1.0, mu0=0.7)
@@ -435,6 +437,7 @@ def same_path(vary, values, start, **changes):
     return found
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("beside", few([(-0.5, 0.0, 0.4), (0.0, 0.1), (-0.1, -1e-10, 1e-10)], (-0.5, 0.0, 0.4)))
 @pytest.mark.parametrize("start", few(["small", "large"], "small"))
 def test_a_value_on_a_fold_is_the_fold_not_passed_yet(start, beside):

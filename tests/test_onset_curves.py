@@ -29,7 +29,7 @@ def damped(number: int) -> Any:
     return ss.load("damped").Parameters(**SETS[number])
 
 
-@pytest.fixture(scope="module", params=few([0, 1], 0))
+@pytest.fixture(scope="module", params=few([0, 1]))
 def found(request: pytest.FixtureRequest) -> tuple[Any, Any]:
     p = damped(request.param)
     return p, ss.onset_curves(p, n=12, between=BETWEEN)
@@ -95,6 +95,7 @@ def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> 
     assert len(curves) > 0
 
 
+@pytest.mark.thorough
 def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[Any, Any]) -> None:
     p, curves = found
     for theta0, mu0 in zip(curves.changes["theta0"], curves.changes["mu0"], strict=True):
@@ -324,6 +325,7 @@ def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses(tmp_path
     assert len(onsets) == 5
 
 
+@pytest.mark.thorough
 def test_what_curves_leave_out_is_said() -> None:
     """Where friction alone damps, and its slope changes its sign, every pair crosses; those onsets are on no curve."""
     found = ss.onset_curves(ss.load("stribeck").Parameters(), ("theta0", "V"), n=2, between={"V": (0.01, 2.0)})

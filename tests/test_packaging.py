@@ -317,6 +317,7 @@ def call(python: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=python.parent, env=NO_ENVIRONMENT, capture_output=True, text=True, timeout=120)
 
 
+@pytest.mark.thorough
 def test_runtime_without_extras(python: Path) -> None:
     program = (
         "import sys, numpy as np, spragsym as ss\n"
@@ -334,6 +335,7 @@ def test_runtime_without_extras(python: Path) -> None:
     assert str(python.parent.parent) in done.stdout
 
 
+@pytest.mark.thorough
 def test_commands_without_extras(python: Path) -> None:
     assert call(python, "-m", "spragsym", "--version").stdout == f"spragsym, version {spragsym.__version__}\n"
     done = call(python, "-m", "spragsym", "equilibria", "--theta0", "30", "--json")

@@ -133,6 +133,7 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
                     assert float(H[i][j][k]) == pytest.approx(float(mpmath.diff(row, (x, y), both)), rel=1e-11, abs=1e-13)
 
 
+@pytest.mark.thorough
 def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     """Over a box of parameters the laws are asked for in affine arithmetic."""
     _, it, _ = model
@@ -164,6 +165,7 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     assert ends == pytest.approx(want.y[:, -1], abs=2e-7)
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 def test_c_gives_the_numbers_of_python(model: Any) -> None:
     _, it, place = model

@@ -357,6 +357,7 @@ def test_a_search_along_a_line_of_states_ends(tmp_path: Path) -> None:
     assert any("no force acts on one of the coordinates" in text for text in eq.remarks)
 
 
+@pytest.mark.thorough
 def test_a_coordinate_may_be_called_s(tmp_path: Path) -> None:
     """Its acceleration would be the word `as` of Python, and sums along a motion were once called s as well."""
     changes = [('x = page.coordinate("x"', 'x = page.coordinate("s"')]

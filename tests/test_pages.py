@@ -256,6 +256,7 @@ def test_a_coordinate_hides_nothing_of_the_results() -> None:
     assert asked(ss.Points) | asked(ss.Onsets) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
 
 
+@pytest.mark.thorough
 def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
     """A power 2.5 is 5/2, and the law of a penetration is its slope's integral: in floats by hand."""
     path = changed(tmp_path, (LAW, "lambda depth: k_c * L_0 * (depth / L_0) ** 2.5"))
@@ -266,6 +267,7 @@ def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
     assert pushed == pytest.approx(0.3**5, rel=1e-6)
 
 
+@pytest.mark.thorough
 def test_the_energy_of_a_saturating_contact_has_a_logarithm(tmp_path: Path) -> None:
     """δ/(1 + δ) has the energy δ − log(1 + δ)."""
     path = changed(tmp_path, (LAW, "lambda depth: k_c * depth / (1 + depth / L_0)"))
@@ -331,6 +333,7 @@ def test_the_general_way_gives_the_article() -> None:
     assert all(page_equivalence.identities().values())
 
 
+@pytest.mark.thorough
 def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     """The comparison can fail: what the pages add is not added for nothing."""
     monkeypatch.setattr(page_equivalence, "ADDED", {"cubic_contact": (), "damped": ("zeta_x", "zeta_y")})
@@ -375,6 +378,7 @@ def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path, written: Path)
     assert rates[0] == rates[1]
 
 
+@pytest.mark.thorough
 def test_a_folder_that_was_derived_again_is_loaded_again(tmp_path: Path, written: Path) -> None:
     shutil.copytree(written, tmp_path / "out")
     first = ss.load(tmp_path / "out")
@@ -448,6 +452,7 @@ def judged(name: str) -> dict[str, tuple[str, str]]:
     return {row.id: (row.status, row.remark) for row in variant_models.judge(model)}
 
 
+@pytest.mark.thorough
 def test_every_row_holds_for_the_articles_page() -> None:
     assert {status for status, _ in judged("kang_nam").values()} == {variant_models.HOLDS}
 

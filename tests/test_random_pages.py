@@ -16,6 +16,7 @@ from validation.random_pages import Reference, judge
 SEED, NUMBERS = 2, (0, 1, 2, 5, 6, 7, 8, 9)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("number", few(NUMBERS, 2))
 def test_a_page_at_random_is_as_it_is_written(number: int) -> None:
     """Accelerations, states with their gaps, growth; by Newton's method from many starts no state is missed."""

@@ -93,6 +93,7 @@ def test_the_rate_is_the_rate_of_the_motion() -> None:
     assert np.log(distances[0] / distances[1]) / 20_000 == pytest.approx(float(rate), rel=0.2)
 
 
+@pytest.mark.thorough
 @needs_heyoka
 def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
     # Some of these wander irregularly first, for how long depends on the last bits: rtol 3e-11 instead of 1e-10 takes past 8000.
@@ -313,6 +314,7 @@ def test_lift_off_is_for_good_in_a_well_of_the_energy() -> None:
 # ---------------------------------------------------------------------------------------- what is said holds later
 
 
+@pytest.mark.thorough
 @needs_heyoka
 def test_what_is_said_of_random_motions_holds_later() -> None:
     """Of thousands: ``python -m validation.regimes``."""
@@ -361,6 +363,7 @@ def test_every_approach_has_its_attractor() -> None:
 # -------------------------------------------------------------------------------------------------- stiffness
 
 
+@pytest.mark.thorough
 @needs_heyoka
 def test_creep_as_stiff_as_a_million_is_walked_through() -> None:
     # 3.2e5 steps in ten time units, where 1.1e5 had been the limit.

@@ -190,6 +190,7 @@ def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off(tmp_path: 
     assert example["k"] / 180e3 == pytest.approx(example["k_x"] / 9e3)
 
 
+@pytest.mark.thorough
 def test_mu0_and_d_of_one_fit_are_correlated(tmp_path: Path) -> None:
     speed = np.linspace(0.005, 0.15, 20)
     noise = np.random.default_rng(3).normal(0, 0.004, speed.size)

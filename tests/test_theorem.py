@@ -17,6 +17,7 @@ from tests.support import few
 from tests.theorem_steps import balance, broken_steps, coefficients, derive_first, quartic, state
 
 
+@pytest.mark.thorough
 def test_every_step_holds() -> None:
     steps = theorem.one_or_three()
     assert len(steps) >= 10

@@ -245,6 +245,7 @@ def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str
             assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 1e-12
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("vary", "between"), [("tau", (0.0, 0.5)), ("theta0", (0.1, 3.0))])
 def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tuple[float, float]) -> None:
     """Where the determinant of the derivatives of the balance by hand is 0; between them as many equilibria as they say."""

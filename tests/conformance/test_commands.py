@@ -160,6 +160,7 @@ def test_onsets_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]
 PLANES = [name for name in MODELS if len(load(name).axes) == 2]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
 def test_cusps_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     told = json.loads(run(capsys, "bifurcation", *of(name), "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json"))

@@ -179,6 +179,7 @@ def _are_one(one: Any, other: Any, bound: Fraction) -> None:
         assert abs(mine - its) <= error + rest < bound
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("given", [{}, {"kappa": "1/50", "sigma": "1/7"}, {"kappa": 0.0078125, "alpha": 0.0078125, "sigma": 0.5}])
 def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) -> None:
     """Those of the plane that a page allows: θ₀ in (0, π), μ₀ ≥ 0."""
@@ -217,6 +218,7 @@ def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
             assert float(number) == pytest.approx(float(getattr(floats, column)[slot]), rel=1e-11, abs=1e-11)
 
 
+@pytest.mark.thorough
 def test_the_tangent_forces_of_a_cusp_vanish_by_differences() -> None:
     """Along the state that the others give, the force has no slope and no curvature, but a third derivative: by mpmath."""
     p = a_set("two_springs")

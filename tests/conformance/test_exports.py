@@ -119,6 +119,7 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
 # ------------------------------------------------------------------------------------------------ what C has more
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(CC is None or shutil.which("make") is None, reason="there is no C compiler, or no make")
 @pytest.mark.parametrize("name", few(MOVING, "pressed"))
 def test_the_example_is_built_and_moves_as_python_does(name: str, tmp_path: Path) -> None:

@@ -1,7 +1,7 @@
 """Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in ``_deg``.
 
-A result says by ``table_model``, ``table_angles`` and ``table_codes`` what its columns are, by ``table_values`` which
-they are, and by ``as_table`` what to show in their place.
+A result says by ``table_model``, ``table_angles``, ``table_varied`` and ``table_codes`` what its columns are, by
+``table_values`` which they are, and by ``as_table`` what to show in their place.
 """
 
 from __future__ import annotations
@@ -39,6 +39,8 @@ class Shown:
     table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {}
     #: Angles that are no parameters, coordinates or directions of springs.
     table_angles: ClassVar[frozenset[str]] = frozenset()
+    #: Columns of the parameter that varies, beside ``value`` and ``values``, which have its name.
+    table_varied: ClassVar[frozenset[str]] = frozenset()
 
     @property
     def table_model(self) -> Any:
@@ -85,20 +87,28 @@ def _named(value: Any) -> str:
 class Words:
     """What a table calls its columns, and how it writes what is in them."""
 
-    is_angle: Callable[[str], bool]
+    known: Callable[[str], bool]  #: whether a parameter, a coordinate, a direction is an angle
     codes: Mapping[str, type[enum.IntEnum]] = field(default_factory=dict)
+    angles: frozenset[str] = frozenset()
+    vary: str = "value"  #: what ``value`` and ``values`` are of
+    varied: frozenset[str] = frozenset()
+
+    def is_angle(self, name: str) -> bool:
+        """Whether a column's numbers are radians."""
+        return name in self.angles or self.known(self.vary if name in self.varied or name in ("value", "values") else name)
 
     def heading(self, key: str) -> str:
         """A column's name, of an angle with its unit."""
         name, blank, rest = key.partition(" ")
-        return f"{name}_deg{blank}{rest}" if self.is_angle(name) else key
+        called = self.vary if name in ("value", "values") else name
+        return f"{called}{'_deg' if self.is_angle(name) else ''}{blank}{rest}"
 
     def cell(self, key: str, value: Any) -> str:
         """A number to ten digits, a code as its word."""
         if isinstance(value, np.ndarray | np.generic):
             value = value.item() if value.ndim == 0 else self.listed(key, value)
         if isinstance(value, tuple):
-            return ", ".join(self.cell("", part) for part in value)
+            return ", ".join(self.cell(key, part) for part in value)
         if key in self.codes:
             code = self.codes[key]
             value = code(value) if value in set(code) else "other"
@@ -120,11 +130,12 @@ class Words:
 
 
 def words(thing: Any, above: Words | None = None) -> Words:
-    """Those of a result; of a part that does not know its model, with the angles of what it is a part ``above``."""
-    model = thing.table_model if isinstance(thing, Shown) else None
-    known: Callable[[str], bool] = getattr(model, "is_angle", above.is_angle if above is not None else _by_name)
-    own, codes = (thing.table_angles, thing.table_codes) if isinstance(thing, Shown) else (frozenset(), {})
-    return Words(lambda name: name in own or known(name), codes)
+    """Those of a result; of a part that does not know its model, or what varies, with those of what it is a part ``above``."""
+    kind = type(thing) if isinstance(thing, Shown) else Shown
+    model, vary = thing.table_model if kind is not Shown else None, getattr(thing, "vary", None)
+    known: Callable[[str], bool] = getattr(model, "is_angle", above.known if above is not None else _by_name)
+    varies = vary if isinstance(vary, str) else above.vary if above is not None else "value"
+    return Words(known, kind.table_codes, kind.table_angles, varies, kind.table_varied)
 
 
 def _by_name(name: str) -> bool:
@@ -161,10 +172,12 @@ def tables(thing: Any, above: Words | None = None) -> Iterator[Table]:
     elif single:
         yield Table(name, *_pairs(single, said))
     for key, value in values.items():
-        if is_dataclass(value) and not _is_single(value):
+        if _is_single(value):
+            continue
+        if is_dataclass(value):
             yield from _parts(key, tables(value, said))
-        elif isinstance(value, Sequence) and not isinstance(value, str):
-            yield from _sequence(key, value, values.get("vary", "value"), said)
+        elif isinstance(value, Sequence):
+            yield from _sequence(key, value, said)
 
 
 # ----------------------------------------------------------------------------------------- what tables are made of
@@ -233,13 +246,13 @@ def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...], sai
     return with_cut(title, header, rows, cut)
 
 
-def _sequence(key: str, things: Sequence[Any], vary: str, above: Words) -> Iterator[Table]:
-    """A row for each of several parts of one kind, arrays by their extremes; the field ``value`` is headed ``vary``."""
+def _sequence(key: str, things: Sequence[Any], above: Words) -> Iterator[Table]:
+    """A row for each of several parts of one kind, arrays by their extremes."""
     if not things:
         yield Table(f"{key}: none")
         return
     said = words(things[0], above)
-    rows = [_renamed(_extents(named_fields(thing)), vary) if is_dataclass(thing) else {"": thing} for thing in things]
+    rows = [_extents(named_fields(thing)) if is_dataclass(thing) else {"": thing} for thing in things]
     some, cut = shown(len(rows))
     header = ("", *map(said.heading, rows[0]))
     body = [(str(i), *(said.cell(name, value) for name, value in rows[i].items())) for i in some]
@@ -257,10 +270,6 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def _renamed(values: Mapping[str, Any], vary: str) -> dict[str, Any]:
-    return {vary if key == "value" else key: value for key, value in values.items()}
-
-
 def _parts(key: str, found: Iterator[Table]) -> Iterator[Table]:
     for table in found:
         yield Table(f"{key}: {table.title}", table.header, table.rows)
@@ -272,7 +281,8 @@ def _is_single(value: Any) -> bool:
         return True
     if isinstance(value, np.ndarray):
         return value.ndim == 0
-    return not is_dataclass(value) and (isinstance(value, str) or not isinstance(value, Sequence))
+    few = isinstance(value, tuple) and bool(value) and all(isinstance(part, float) for part in value)
+    return few or (not is_dataclass(value) and (isinstance(value, str) or not isinstance(value, Sequence)))
 
 
 def _size(shape: tuple[int, ...]) -> str:

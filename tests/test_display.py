@@ -15,7 +15,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import display
-from tests.support import LONG_MOTIONS_TAKE_MINUTES, few
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, few, needs_a_quick_integrator
 
 P = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))
 ONE = ss.Parameters.article(theta0=0.5)
@@ -224,6 +224,23 @@ def test_the_model_says_which_columns_are_angles() -> None:
     assert "vphi" in rows
     assert not rod.is_angle("vphi")
     assert not belt.is_angle("kappa")
+
+
+@needs_a_quick_integrator
+@pytest.mark.thorough
+def test_what_varies_has_its_name_and_unit_where_a_result_is_printed_alone() -> None:
+    """A branch's event, a change of fate and a diagram hold ``value``, ``values`` and ``to`` in radians where an angle varies."""
+    event = _doubling()
+    said = {row[0]: row[1] for row in Tables(event._repr_html_()).rows if len(row) == 2}
+    assert float(said["theta0_deg"]) == pytest.approx(np.degrees(event.value), rel=1e-9)
+    found = _fate()
+    title = next(display.tables(found)).title
+    assert f"theta0_deg = {np.degrees(found.value):.10g}," in title
+    low, high = 0.70, 0.74
+    whole = list(display.tables(ss.diagram(ss.Parameters.article(), "theta0", (low, high), points=20)))
+    assert ("to_deg", f"{np.degrees(low):.10g}, {np.degrees(high):.10g}") in whole[0].rows
+    assert {float(row[1]) for row in whole[1].rows} == {float(f"{np.degrees(low):.10g}")}
+    assert whole[1].header[1] == "theta0_deg from"
 
 
 def test_codes_and_components_stand_under_their_names() -> None:

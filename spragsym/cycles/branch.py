@@ -65,6 +65,8 @@ class CycleEvent(Result):
         How well the value is known.
     how : str
         What is touched, why the branch ends, or that a multiplier jumps past its value.
+    vary : str
+        The parameter.
     """
 
     kind: str
@@ -75,6 +77,12 @@ class CycleEvent(Result):
     border: int = field(default=-1, repr=False)
     loop: Loop | None = field(default=None, repr=False)
     crossed: FloatArray | None = field(default=None, repr=False)
+    vary: str = field(default="value", repr=False)
+
+    @property
+    def table_model(self) -> Field:
+        """It knows whether the parameter is an angle."""
+        return self.cycle.field
 
 
 @dataclass(frozen=True, eq=False)
@@ -231,7 +239,8 @@ class _Trace:
         value = self.value(found.loop)
         if isinstance(found, End) and found.value is not None:
             value = found.value
-        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop, found.crossed)
+        vary = self.setting.field.parameters[self.setting.free[0]]
+        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop, found.crossed, vary)
 
     def follow(self, start: Point, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -105,6 +105,9 @@ class FateBoundary(Result):
     below: Outcome
     above: Outcome
     others: FloatArray
+    model: Field | None = attribute(default=None, repr=False)
+
+    table_varied: ClassVar[frozenset[str]] = frozenset({"others"})
 
 
 def fate_boundary(
@@ -416,7 +419,7 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
     others = {(a.value, b.value) for a, b in asked.changes() if a.value < b.value and not a.value <= value <= b.value}
     return FateBoundary(
         asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
-        np.array(sorted(others)).reshape(-1, 2),
+        np.array(sorted(others)).reshape(-1, 2), asked.field,
     )  # fmt: skip
 
 

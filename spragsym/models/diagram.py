@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,6 +103,8 @@ class Diagram(Result):
         What was looked for and not found.
     """
 
+    table_varied: ClassVar[frozenset[str]] = frozenset({"to"})
+
     vary: str
     to: tuple[float, float]
     equilibria: tuple[EquilibriumBranch, ...]
@@ -110,6 +112,7 @@ class Diagram(Result):
     labels: tuple[Label, ...]
     remarks: tuple[str, ...] = ()
     name: str = field(default="x", repr=False)
+    model: Any = field(default=None, repr=False)
 
 
 def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
@@ -188,7 +191,7 @@ def diagram_of(
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*_of_equilibria(motion, p, vary, rests), *_of_cycles(branches)]
     remarks += _left_alone(vary, labels, onsets)
-    return Diagram(vary, (low, high), tuple(rests), tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0])
+    return Diagram(vary, (low, high), tuple(rests), tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0], model)
 
 
 def _require(cycle: Cycle, motion: Field, p: ParameterSet, vary: str) -> None:

@@ -2,8 +2,8 @@
 
 Each fault is written into a copy of the tree, in which the tests run that reach its line, the quickest first, up to the first
 failure. Which tests reach a line, and how long they take, comes from one run of all tests, ``--reach``, which is made once.
-A fault that the tests of ``make check`` do not notice survives, and is printed. Verdicts are kept in ``build/mutants``: a run that
-was ended is taken up where it was.
+A fault that the tests of ``make check`` do not notice survives, and is printed. Verdicts are kept in ``build/mutants``: a run
+that was ended is taken up where it was.
 """
 
 from __future__ import annotations
@@ -166,7 +166,7 @@ def _failed(folder: Path, tests: list[str], seconds: float) -> str:
     names = folder / "build" / "tests.txt"
     names.parent.mkdir(exist_ok=True)
     names.write_text("\n".join(tests), encoding="utf-8")
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "-rfE", "--no-header", "--tb=no", "-p", "no:cacheprovider", f"@{names}"]
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-rfE", "--tb=no", "-p", "no:cacheprovider", f"@{names}"]
     try:
         done = subprocess.run(
             command, cwd=folder, env=_environment(folder), capture_output=True, text=True, timeout=seconds,

@@ -13,20 +13,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .interval_arrays import FUNCTION_ULPS, Intervals, raised
-from .number_types import repeated_product
-from .rounded import UNIT
+from .rounded import UNIT, Rounded
 
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
 
 
-class Affine:
+class Affine(Rounded):
     """Numbers of ``n`` boxes: ``value`` and ``error`` of shape (n,), ``terms`` of shape (sides, n)."""
 
-    __slots__ = ("error", "terms", "value")
-    __array_ufunc__ = None  # an array on the left leaves the operation to the right
+    __slots__ = ("terms",)
 
     def __init__(self, value: Any, terms: Any, error: Any = 0.0) -> None:
-        self.value, self.terms, self.error = value, terms, error
+        super().__init__(value, error)
+        self.terms = terms
 
     def _spread(self) -> Any:
         return np.abs(self.terms).sum(axis=0)
@@ -47,12 +46,6 @@ class Affine:
 
     def __neg__(self) -> Affine:
         return Affine(-self.value, -self.terms, self.error)
-
-    def __sub__(self, other: Any) -> Affine:
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Any) -> Affine:
-        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Affine:
         if not isinstance(other, Affine):
@@ -78,8 +71,6 @@ class Affine:
 
     def __rtruediv__(self, other: Any) -> Affine:
         return self.reciprocal().__mul__(other)
-
-    __pow__ = repeated_product
 
     def reciprocal(self) -> Affine:
         """1/x: 1/m − (x − m)/m² and (x − m)²/(m² x) beyond that; an infinite error where 0 may be in x."""
@@ -118,12 +109,6 @@ class Affine:
     def rows(self, index: Any) -> Affine:
         """Those of some boxes."""
         return Affine(self.value[index], self.terms[:, index], np.broadcast_to(self.error, self.value.shape)[index])
-
-    def sign(self) -> NDArray[np.int8]:
-        """−1 or 1 where it has that sign all over the box, else 0."""
-        reach = self.radius()
-        above, below = self.value > reach, -self.value > reach
-        return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
 
 
 def sides(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[Affine]:

@@ -6,7 +6,7 @@ each operation adds what it rounds. A sign that the bound leaves open is 0, and 
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Self, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,10 @@ class Rounded:
     def __init__(self, value: Any, error: Any = 0.0) -> None:
         self.value, self.error = value, error
 
+    def radius(self) -> Any:
+        """How far from ``value`` the numbers reach."""
+        return self.error
+
     def __add__(self, other: Any) -> Rounded:
         if isinstance(other, Rounded):
             value = self.value + other.value
@@ -41,11 +45,11 @@ class Rounded:
     def __neg__(self) -> Rounded:
         return Rounded(-self.value, self.error)
 
-    def __sub__(self, other: Any) -> Rounded:
-        return self.__add__(-other)
+    def __sub__(self, other: Any) -> Self:
+        return cast(Self, self.__add__(-other))
 
-    def __rsub__(self, other: Any) -> Rounded:
-        return (-self).__add__(other)
+    def __rsub__(self, other: Any) -> Self:
+        return cast(Self, (-self).__add__(other))
 
     def __mul__(self, other: Any) -> Rounded:
         if isinstance(other, Rounded):
@@ -87,7 +91,8 @@ class Rounded:
 
     def sign(self) -> NDArray[np.int8]:
         """−1 or 1 where all that it stands for has that sign, else 0; 0 for NaN."""
-        above, below = self.value > self.error, -self.value > self.error
+        reach = self.radius()
+        above, below = self.value > reach, -self.value > reach
         return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
 
     def low(self) -> Any:

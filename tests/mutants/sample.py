@@ -74,8 +74,8 @@ def main() -> int:
             known[key] = {"key": key, "by": by, "tests": count, "seconds": round(seconds, 1)}
             with journal.open("a", encoding="utf-8") as out:
                 out.write(json.dumps(known[key], ensure_ascii=False) + "\n")
-            print(f"{'killed' if by else 'SURVIVES':8} {seconds:6.1f} s  {key}  [{by or count}]", flush=True)
-    alive = [key for key, _, _ in drawn if key in known and not known[key]["by"]]
+            print(f"{'killed' if by else 'SURVIVES':8} {seconds:6.1f} s  {key}  [{by or f'{count} tests'}]", flush=True)
+    alive = [f"line {mutant.line} of {key}" for key, _, mutant in drawn if key in known and not known[key]["by"]]
     met = sum(key in known for key, _, _ in drawn)
     print(f"\n{met} faults, {met - len(alive)} killed, {len(alive)} survive", *alive, sep="\n  ")
     return 1 if alive else 0
@@ -84,7 +84,7 @@ def main() -> int:
 def draw(count: int, seed: int) -> list[tuple[str, str, Mutant]]:
     """Faults with their keys and files, drawn without preference from all there are."""
     every = [
-        (f"{file}:{mutant.line} {mutant.key}", file, mutant)
+        (f"{file} {mutant.key}", file, mutant)
         for path in sorted((ROOT / "spragsym").rglob("*.py"))
         if not (file := str(path.relative_to(ROOT))).startswith(("spragsym/derive", "spragsym/generated"))
         for mutant in mutants(ast.parse(path.read_text(encoding="utf-8")))

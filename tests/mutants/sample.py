@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import ast
 import json
+import math
 import os
 import random
 import resource
@@ -22,12 +23,15 @@ import time
 import xml.etree.ElementTree as xml
 from collections import defaultdict
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from queue import SimpleQueue
+from typing import TypeAlias
 
 from .operators import Mutant, mutants
 
+#: Tests by file and line.
+Reached: TypeAlias = dict[str, dict[int, set[str]]]
 ROOT = Path(__file__).resolve().parent.parent.parent
 BUILD = ROOT / "build" / "mutants"
 #: Seconds of tests in the first process of a mutant; each further one takes that many times as much.
@@ -45,6 +49,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1, help="of the draw (1)")
     parser.add_argument("--jobs", type=int, default=1, help="faults at a time")
     parser.add_argument("--only", default="", help="those whose key contains this, run whatever is known of them")
+    parser.add_argument("--limit", type=float, default=math.inf, help="most seconds of tests that one meets (all)")
     parser.add_argument("--reach", action="store_true", help="run all tests first, to see which of them reach what")
     parser.add_argument("--data", type=Path, default=BUILD, help="folder of reach.coverage and reach.xml")
     given = parser.parse_args()
@@ -55,7 +60,11 @@ def main() -> int:
     journal.parent.mkdir(parents=True, exist_ok=True)
     known = {row["key"]: row for row in map(json.loads, journal.read_text().splitlines())} if journal.exists() else {}
     drawn = draw(given.count, given.seed)
-    waiting = [one for one in drawn if given.only in one[0] and (given.only or one[0] not in known)]
+    waiting = [
+        one
+        for one in drawn
+        if given.only in one[0] and (given.only or not known.get(one[0], {}).get("limit", -1.0) >= given.limit)
+    ]
     folders: SimpleQueue[Path] = SimpleQueue()
     with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(given.jobs) as pool:
         for number in range(given.jobs):
@@ -63,15 +72,20 @@ def main() -> int:
 
         def run(one: tuple[str, str, Mutant]) -> tuple[str, str, int, float]:
             key, file, mutant = one
-            folder, begun = folders.get(), time.monotonic()
-            some = sorted(tests[file, mutant.line], key=lambda test: took.get(test, 0.0)) or sorted(took, key=took.__getitem__)
+            folder, begun, spent = folders.get(), time.monotonic(), 0.0
+            some = [
+                test
+                for test in sorted(meeting(tests, file, mutant.line), key=took.__getitem__)
+                if (spent := spent + took[test]) < given.limit
+            ]
             try:
                 return key, noticed(folder, file, mutant, some, took), len(some), time.monotonic() - begun
             finally:
                 folders.put(folder)
 
-        for key, by, count, seconds in pool.map(run, waiting):
-            known[key] = {"key": key, "by": by, "tests": count, "seconds": round(seconds, 1)}
+        for done in as_completed([pool.submit(run, one) for one in waiting]):
+            key, by, count, seconds = done.result()
+            known[key] = {"key": key, "by": by, "tests": count, "limit": math.inf if by else given.limit}
             with journal.open("a", encoding="utf-8") as out:
                 out.write(json.dumps(known[key], ensure_ascii=False) + "\n")
             print(f"{'killed' if by else 'SURVIVES':8} {seconds:6.1f} s  {key}  [{by or f'{count} tests'}]", flush=True)
@@ -102,22 +116,29 @@ def reach(jobs: int) -> None:
     subprocess.run(command, cwd=ROOT, env=environment, check=True)
 
 
-def reached(folder: Path) -> tuple[dict[tuple[str, int], list[str]], dict[str, float]]:
+def reached(folder: Path) -> tuple[Reached, dict[str, float]]:
     """The tests that reach each line of each file, and the seconds of each test."""
     from coverage import CoverageData
 
-    data, took = CoverageData(str(folder / "reach.coverage")), {}
+    data, took = CoverageData(str(folder / "reach.coverage")), dict[str, float]()
     data.read()
     for case in xml.parse(folder / "reach.xml").iter("testcase"):
-        module, _, rest = case.attrib["classname"].partition(".")
-        parts = rest.split(".")
-        took["::".join([f"{module}/{parts[0]}.py", *parts[1:], case.attrib["name"]])] = float(case.attrib["time"])
-    tests = defaultdict(list)
+        parts = case.attrib["classname"].split(".")
+        deep = next(k for k in range(len(parts), 0, -1) if ROOT.joinpath(*parts[:k]).with_suffix(".py").is_file())
+        took["::".join(["/".join(parts[:deep]) + ".py", *parts[deep:], case.attrib["name"]])] = float(case.attrib["time"])
+    tests: Reached = defaultdict(dict)
     for file in data.measured_files():
-        name = "spragsym" + file.partition("/spragsym/")[2].join(["/", ""]) if "/spragsym/" in file else file
+        name = "spragsym/" + file.rpartition("/spragsym/")[2]
         for line, contexts in data.contexts_by_lineno(file).items():
-            tests[name, line] = sorted({context.partition("|")[0] for context in contexts} & took.keys())
+            tests[name][line] = {context.partition("|")[0] for context in contexts} & took.keys()
     return tests, took
+
+
+def meeting(tests: Reached, file: str, line: int) -> set[str]:
+    """The tests that run the statement on a line; of one that is run by the import of its module, those that run any of it."""
+    parts = [node for node in ast.walk(ast.parse((ROOT / file).read_bytes())) if isinstance(node, ast.stmt)]
+    begin = max(node.lineno for node in parts if node.lineno <= line <= (node.end_lineno or node.lineno))
+    return set(tests[file].get(begin, ())) or {test for each in tests[file].values() for test in each}
 
 
 def noticed(folder: Path, file: str, mutant: Mutant, tests: list[str], took: dict[str, float]) -> str:
@@ -176,6 +197,8 @@ def _failed(folder: Path, tests: list[str], seconds: float) -> str:
         return "time"
     if done.returncode in (0, 5):
         return ""
+    if "not found: " in done.stderr:
+        raise RuntimeError(f"tests have other names than those of the run that told what they reach:\n{done.stderr}")
     said = [line.split(" - ")[0] for line in done.stdout.splitlines() if line.startswith(("FAILED ", "ERROR "))]
     return said[0] if said else f"exit {done.returncode}"
 

@@ -9,7 +9,7 @@ RESULTS = frozenset((
     "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "growth", "held_in", "jumps", "kind", "lyapunov",
     "lyapunov_error", "marginal", "mean", "mean_y", "model", "mu", "normal_forms", "omega", "parameters", "period", "places", "pushing",
     "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability",
-    "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "told", "undecided", "values",
+    "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "table_varied", "told", "undecided", "values",
     "vary", "when", "whole", "why", "xp",
 ))  # fmt: skip
 

@@ -38,7 +38,7 @@ OF_COMMANDS = frozenset((
 #: What sets of parameters have besides their values.
 OF_SETS = frozenset((
     "broadcast", "given", "model", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned", "table_angles",
-    "table_codes", "table_model", "table_values", "where",
+    "table_codes", "table_model", "table_values", "table_varied", "where",
 ))  # fmt: skip
 
 #: Keys of a file with a user's own data, where quantities stand by their names on the page.

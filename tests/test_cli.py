@@ -435,6 +435,7 @@ def test_completion_of_commands_and_options(start: Start) -> None:
         (["bifurcation", "--plot", "missing/a.pdf"], FAILED, ["missing/a.pdf", "another path"]),
         (["simulate", "--theta0", "49", "--t-end", "-1"], USAGE, ["--t-end = -1"]),
         (["simulate", "--theta0", "49", "--t-end", "9", "--transient", "9"], USAGE, ["--transient = 9", "--t-end = 9"]),
+        (["simulate", "--theta0", "49", "--transient", "9", "--t-end", "8"], USAGE, ["--transient = 9", "--t-end = 8"]),
         (["simulate", "--theta0", "49", "-V", "-1"], USAGE, ["--speed = -1", "mirror image"]),
         (["simulate", "--theta0", "49", "-o", "missing/a.csv"], USAGE, ["missing"]),
         (["sweep", "--theta0", "1:2", "-o", "a.csv"], USAGE, ["1:2", "start:stop:count"]),

@@ -49,8 +49,8 @@ RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help
 @force
 @as_json
 def simulate(
-    case: Case, t_end: float, transient: float, rtol: float, backend: str | None, estimate_error: bool, output: Path | None,
-    plot: Path | None, force: bool, json_output: bool,
+    case: Case, t_end: float, transient: float | None, rtol: float, backend: str | None, estimate_error: bool,
+    output: Path | None, plot: Path | None, force: bool, json_output: bool,
 ) -> None:  # fmt: skip
     """Integrate the motion from an initial state, by default from rest where all coordinates are 0.
 
@@ -79,18 +79,18 @@ def simulate(
     print_summary(summary, json_output)
 
 
-def times(case: Case, t_end: float, transient: float, why: str = "all of a motion is kept") -> tuple[float, float]:
+def times(case: Case, t_end: float, transient: float | None, why: str = "all of a motion is kept") -> tuple[float, float]:
     """Until when, and from when on it is measured, in the model's unit of time; with a file they are typed in seconds."""
-    second = case.units.time
-    typed = {name: click.get_current_context().get_parameter_source(name) == COMMANDLINE for name in ("t_end", "transient")}
-    t_end = t_end / second if typed["t_end"] else t_end
-    transient = transient / second if typed["transient"] else 0.75 * t_end
+    second, of_file = case.units.time, case.units.study is not None
+    typed = click.get_current_context().get_parameter_source("t_end") == COMMANDLINE
+    t_end = t_end / second if typed else t_end
+    transient = 0.75 * t_end if transient is None else transient / second
     if transient >= t_end:
-        ends = f"--transient = {transient * second:.6g} s is not below --t-end = {t_end * second:.6g} s"
-        raise ParameterError(f"{ends}; nothing would be left to measure")
+        begins, ends = (f"{value * second:.9g}{' s' * of_file}" for value in (transient, t_end))
+        raise ParameterError(f"--transient = {begins} is not below --t-end = {ends}; nothing would be left to measure")
     unit = case.model.about["scales"]["time"].replace("**", "^")
     if t_end > LONGEST:
-        limit = f"{LONGEST:g} {unit}" + ("" if case.units.study is None else f", which is {LONGEST * second:.3g} s")
+        limit = f"{LONGEST:g} {unit}" + (f", which is {LONGEST * second:.3g} s" if of_file else "")
         raise ParameterError(f"--t-end is {t_end:g} {unit}, and {why}: give at most {limit}")
     if t_end > LONGEST / 20 and sys.stderr.isatty():
         click.echo(f"following the motion over {t_end:g} {unit}, for up to minutes; Ctrl-C ends it", err=True)
@@ -152,7 +152,7 @@ def _draw(case: Case, tr: Trajectory, transient: float, path: Path) -> None:
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
 @force
-def sweep(case: Case, t_end: float, transient: float, quiet: bool, output: Path, force: bool, **settings: Any) -> None:
+def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, output: Path, force: bool, **settings: Any) -> None:
     """Simulate over a grid of parameters, to a file.
 
     Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all

@@ -9,7 +9,7 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, shown
+from ..parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -88,21 +88,9 @@ def _flag(param: click.Parameter | None) -> str:
 def window(function: F) -> F:
     """``--t-end --transient``: until when a motion is integrated, and from when on it is measured."""
     text = "What to leave out of RMS, amplitude and period. Default: three quarters of --t-end."
-    function = click.option("--transient", type=Number(NOT_NEGATIVE), callback=_after_t_end, help=text)(function)
+    function = click.option("--transient", type=Number(NOT_NEGATIVE), help=text)(function)
     text = "Until when, in {time}; with --data in seconds, as --transient."
-    # Eager options are read first: --transient is checked against this one.
-    return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, is_eager=True, help=text)(function)
-
-
-def _after_t_end(ctx: click.Context, param: click.Parameter, value: float | None) -> float:
-    t_end: float = ctx.params["t_end"]
-    if value is None:
-        return 0.75 * t_end
-    if value >= t_end:
-        raise ParameterError(
-            f"--transient = {shown(value)} is not below --t-end = {shown(t_end)}; nothing would be left to measure"
-        )
-    return value
+    return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, help=text)(function)
 
 
 def workers(default: int) -> Callable[[F], F]:

@@ -566,6 +566,16 @@ def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:
     assert line in claims.drifted(rows, [row | change])
 
 
+def test_a_unit_of_the_last_recorded_digit_is_no_drift() -> None:
+    """Libraries of other machines round it otherwise; two units are a drift."""
+    rows = claims.run([one for one in claims.STATEMENTS if one.id == "claim-mu-cr"])
+    (row,) = (row for row in claims.recorded() if row["id"] == "claim-mu-cr")
+    unit = 10.0 ** (1 - row["digits"])
+    one, two = ({**row, "values": {**row["values"], "mu_cr": row["values"]["mu_cr"] + n * unit}} for n in (1, 2))
+    assert claims.drifted(rows, [one]) == []
+    assert len(claims.drifted(rows, [two])) == 1
+
+
 def test_what_does_not_hold_is_not_reproduced() -> None:
     statement = dataclasses.replace(claims.STATEMENTS[0], compute=lambda: claims.Found(False, {"n": 1}))
     (row,) = claims.run([statement])

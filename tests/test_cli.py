@@ -105,6 +105,14 @@ def test_critical_frictions_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["jumps"][0]["mu0"] == found["mu_jump"] == ss.jump_value(ss.Parameters.article(theta0=math.radians(40.0)))
 
 
+@pytest.mark.parametrize(("asked", "at_this_angle"), [(["--theta0", "40"], True), (["--vary", "theta0", "--mu0", "0.7"], False)])
+def test_the_friction_of_the_jump_is_told_where_the_angle_is_given(
+    asked: list[str], at_this_angle: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert invoke("critical", *asked) == DONE
+    assert ("mu_jump: at this angle it jumps there" in capsys.readouterr().out) == at_this_angle
+
+
 @pytest.mark.thorough
 def test_what_is_undecided_is_not_called_none(capsys: pytest.CaptureFixture[str]) -> None:
     assert invoke("critical", "--model", "trolley", "--theta0", "40") == DONE

@@ -1145,6 +1145,13 @@ def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any
     assert picture.exists()
 
 
+def test_the_axes_of_a_branch_are_named(branch: ss.CycleBranch) -> None:
+    figures = pytest.importorskip("spragsym.figures.oscillation")
+    left, right = figures.branch_figure(branch).axes
+    assert left.get_xlabel() == right.get_xlabel() == r"$\theta_0$ (deg)"
+    assert (left.get_ylabel(), right.get_ylabel()) == ("RMS of $x$", "period")
+
+
 def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
     """The article's model from its page, whose algebra is emitted apart, has the article's cycle."""
     model = ss.load("kang_nam").search

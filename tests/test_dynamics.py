@@ -483,6 +483,7 @@ def test_files_hold_the_trajectory(tmp_path) -> None:
     with xarray.open_dataset(tmp_path / "run.nc", engine="h5netcdf") as data:
         np.testing.assert_array_equal(data.x, tr.x)
         np.testing.assert_array_equal(data.event, tr.events.which)
+        np.testing.assert_array_equal(data.event_t, tr.events.t)
         assert data.x.units == "L_0"
         assert data.attrs["generated_from"] == storage.SOURCE_HASH
         assert data.attrs["theta0"] == float(BASE.theta0)

@@ -42,6 +42,7 @@ from spragsym.figures import (  # noqa: E402  # after matplotlib was found
     write,
 )
 from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402  # after matplotlib was found
+from spragsym.figures.trajectories import both_ways  # noqa: E402  # after matplotlib was found
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
@@ -86,6 +87,8 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
     assert isinstance(figure, Figure)
     axes = [ax for ax in figure.axes if ax.get_label() != "<colorbar>"]
     assert len(axes) == PANELS[name]
+    assert all(ax.get_xlabel() for ax in axes)
+    assert axes[0].get_ylabel()
     letters = {ax.get_title(loc="left") for ax in axes} | {text.get_text() for text in figure.texts}
     assert len(axes) == 1 or {f"({letter})" for letter in "abcd"[: len(axes)]} <= letters
     assert sorted({panel[0] for panel in figure.tables}) == list("abcd"[: len(axes)])[: len(figure.tables)]
@@ -130,6 +133,19 @@ def test_leaders_are_seen(sheets: dict[str, Sheet], name: str) -> None:
         ends = np.concatenate([ax.transData.transform(np.column_stack(line.get_data())) for line in curves_of])
         target = ax.transData.transform(label.xy)
         assert np.hypot(*(ends - target).T).min() * 72 / figure.dpi < 3
+
+
+def test_rows_of_jumps_are_each_of_their_own_belt(sheets: dict[str, Sheet]) -> None:
+    table = sheets["sensitivity"].tables["c"]
+    belts = np.column_stack([table["V"], table["d"]])
+    assert len({tuple(row) for row in belts.tolist()}) == len(belts)
+    assert all(np.unique(column).size > 1 for column in belts.T)
+
+
+def test_paths_back_begin_where_the_way_up_has_ended() -> None:
+    for angle in (40.0, 60.0):
+        up, back = both_ways(P.replace(theta0=np.radians(angle)), "mu0", np.linspace(0, 1, 11))
+        assert (up.x[-1], up.y[-1]) == (back.x[0], back.y[0])
 
 
 def test_figure_9_shows_where_the_flutter_is(sheets: dict[str, Sheet]) -> None:

@@ -76,6 +76,7 @@ def test_flutter_begins_where_its_onset_is_proved() -> None:
     assert ss.certify(below, above, "no flutter").outcome == "refuted"
     found = ss.certify(below, model.Parameters(mu0=onset), "no flutter", max_boxes=100, refute=False)
     assert found.outcome == "undecided"
+    assert found.boxes <= 100
     assert found.undecided < 1e-6
 
 

@@ -62,8 +62,10 @@ def test_results_broadcast() -> None:
     assert found.to_dataset().rms.dims == ("theta0", "V", "x0")
 
 
-def test_an_empty_sweep_is_empty() -> None:
-    assert rms_sweep(P.replace(theta0=np.zeros(0)), **SHORT).rms.shape == (0,)
+def test_an_empty_sweep_is_empty(tmp_path: Path) -> None:
+    nothing = P.replace(theta0=np.zeros(0))
+    for _ in ("computed", "loaded"):
+        assert rms_sweep(nothing, **SHORT, store=tmp_path / "rms.csv").rms.shape == (0,)
 
 
 @pytest.mark.thorough

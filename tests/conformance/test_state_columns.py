@@ -35,6 +35,15 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
             assert (force[there] == 0).all()
 
 
+@pytest.mark.parametrize("name", MODELS)
+def test_the_region_holds_every_state(name: str) -> None:
+    eq = ss.equilibria(a_set(name), method="search")
+    for i, column in enumerate(eq.coordinates.values()):
+        low, high = (np.broadcast_to(eq.region[..., i, end, None], column.shape)[eq.states] for end in (0, 1))
+        assert (low <= column[eq.states]).all()
+        assert (column[eq.states] <= high).all()
+
+
 def rest_of(p: ss.Parameters, spring: int) -> float:
     """The undeformed length of an inclined spring."""
     places = [0.1 * (i + 1) for i in range(len(p.model.coordinates))]

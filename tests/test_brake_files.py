@@ -230,9 +230,8 @@ def test_the_good_file_is_good(tmp_path: Path) -> None:
     assert found["L_0"].value == pytest.approx(0.038, rel=1e-15)
     assert found["theta0"].value == pytest.approx(0.90757121103705141, rel=1e-15)
     assert found["theta0"].high == pytest.approx(0.92502450355699461, rel=1e-15)
-    as_list, as_text = (
-        read_brake(written(tmp_path, {**GOOD, "mu0": mu0})).quantities["mu0"] for mu0 in ("[0.3, 0.6]", '"[0.3, 0.6]"')
-    )
+    as_list = read_brake(written(tmp_path, {**GOOD, "mu0": "[0.3, 0.6]"})).quantities["mu0"]
+    as_text = read_brake(written(tmp_path, {**GOOD, "mu0": '"[0.3, 0.6]"'})).quantities["mu0"]
     assert as_list == as_text
     assert (as_list.low, as_list.high) == (0.3, 0.6)
     assert (found["mu0"].value, found["mu0"].low, found["mu0"].high) == (0.45, 0.3, 0.6)

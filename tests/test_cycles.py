@@ -220,6 +220,24 @@ def test_switching_at_a_fold_goes_to_its_other_side() -> None:
     assert other.amplitude**4 - 2 * other.amplitude**2 == pytest.approx(other.values[0], abs=1e-10)
 
 
+@pytest.mark.parametrize("apart", [0.2, 0.05, 0.02])
+def test_two_folds_within_a_step_are_seen(apart: float) -> None:
+    """Circles with e = s³ / 3 − apart² s, s = r² − 1.5: nothing changes its sign from one point to the next."""
+
+    def force(x: float, v: float, e: float, _: Any) -> float:
+        s = x * x + v * v - 1.5
+        return (e - s**3 / 3 + apart**2 * s) * v - x
+
+    def slope(x: float, v: float, e: float, _: Any) -> tuple[float, float]:
+        s = x * x + v * v - 1.5
+        return -2 * x * (s * s - apart**2) * v - 1, e - s**3 / 3 + apart**2 * s - 2 * v * v * (s * s - apart**2)
+
+    field = field_of(f"two folds, {apart} apart", force, slope, lambda x, v, e, m: v)
+    begin = finding.cycle_near(field, (0.1,), (1.5, 0.0))
+    branch = ss.cycle_branch(begin, "e", (-0.1, 0.15), longest=0.3)
+    assert sorted(fold.value for fold in branch.of("fold")) == pytest.approx([-2 * apart**3 / 3, 2 * apart**3 / 3], abs=1e-9)
+
+
 def test_where_another_branch_crosses_it_can_be_followed() -> None:
     """The circle of radius 1 beside y″ = e y − y³ − y′, whose rest y = 0 forks at e = 0 into y = ±√e."""
 

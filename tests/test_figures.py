@@ -143,8 +143,9 @@ def test_rows_of_jumps_are_each_of_their_own_belt(sheets: dict[str, Sheet]) -> N
 
 
 def test_paths_back_begin_where_the_way_up_has_ended() -> None:
-    for angle in (40.0, 60.0):
-        up, back = both_ways(P.replace(theta0=np.radians(angle)), "mu0", np.linspace(0, 1, 11))
+    for end, states in ((0.2, 3), (1.0, 1)):
+        up, back = both_ways(P.replace(theta0=np.radians(60.0)), "mu0", np.linspace(0, end, 11))
+        assert int(ss.count(P.replace(theta0=np.radians(60.0), mu0=end))) == states
         assert (up.x[-1], up.y[-1]) == (back.x[0], back.y[0])
 
 

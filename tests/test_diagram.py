@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import importlib.util
 import json
 import math
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
+from tests.support import model_of
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
 
@@ -65,6 +68,37 @@ def test_a_hopf_point_from_which_no_cycles_are_followed_is_said() -> None:
     assert any(f"no cycles were followed from the Hopf point V = {value:.10g}" in remark for remark in found.remarks)
 
 
+HILL = '''r"""A mass on the top of a hill, which a belt rubs, and beside it a damped mode."""
+from spragsym.derive.model import Page
+page = Page("A mass on the top of a hill, which a belt rubs, and beside it a damped mode.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "steepness of the hill")
+N_0 = page.unit("N_0", "N", "normal force")
+c = page.parameter("c", "N s/m", "damper across the belt", ">= 0", 0.3, becomes="zeta")
+mu_s = page.parameter("mu_s", "1", "largest friction coefficient", ">= 0", 0.5)
+v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.5)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 1.0)
+x = page.coordinate("x", "m", "displacement along the belt")
+y = page.coordinate("y", "m", "displacement across it")
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+page.potential(k * (y**2 - x**2) / 2)
+page.damper(c, along=y)
+page.normal_force(N_0)
+page.friction(x, V, lambda v: 2 * mu_s * v_s * v / (v_s**2 + v**2))
+'''
+
+
+@pytest.mark.thorough
+def test_a_neutral_saddle_is_no_hopf_point(tmp_path: Path) -> None:
+    """At V = v_s nothing damps on the hill: λ = ±1 have the sum 0, and another pair is complex."""
+    pytest.importorskip("sympy")
+    model = model_of(HILL, "hill", tmp_path)
+    found = ss.diagram(model.Parameters(), "V", (0.1, 1.0), points=5)
+    (rest,) = found.equilibria
+    assert not rest.stable.any()
+    assert found.labels == ()
+
+
 def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(article: ss.Diagram) -> None:
     friction = ss.sliding_friction(0.5, 0.5, 10.0)
     folds = ss.folds(ss.Parameters.article(mu0=friction), "theta0").theta0
@@ -93,8 +127,11 @@ def parts(values: Any) -> list[Any]:
 
 def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
     pytest.importorskip("matplotlib")
-    texts = [text.get_text() for text in ss.figures.diagram_figure(born).axes[0].texts]
-    assert texts == ["H"]
+    (hopf,) = born.labels
+    beside, far = (dataclasses.replace(hopf, value=value) for value in (hopf.value + 1e-4, 0.18))
+    for labels, texts in (((hopf,), ["H"]), ((hopf, beside), ["H"]), ((hopf, far), ["H", "H"])):
+        drawn = ss.figures.diagram_figure(dataclasses.replace(born, labels=labels))
+        assert [text.get_text() for text in drawn.axes[0].texts] == texts
     picture = tmp_path / "all.svg"
     call = ["cycles", "--model", "stick_slip", "-V", "0.2", "--vary", "V=0.09:0.12", "--points", "12"]
     result = CliRunner().invoke(cli, [*call, "--diagram", "--plot", str(picture), "--json"])

@@ -552,6 +552,13 @@ def test_a_changed_brake_is_proved_in_few_boxes(after: dict[str, float], study: 
     assert not jump_verdicts.jumping(new, tolerances.samples(new, 4096)).any()
 
 
+def test_within_a_tolerance_as_narrow_as_rounding_is_the_probability_stays_open() -> None:
+    """This brake jumps at each friction within it; where the ends of parts are rounded is as wide as the tolerance."""
+    found = [jump_verdicts.bracket(ss.Study(brake(mu0=0.45), tolerance={"mu0": width})) for width in ("1 %", "1e-12 %")]
+    assert found[0][0] > 0.999
+    assert found[1] == (0.0, 1.0)
+
+
 @pytest.mark.parametrize(
     ("model", "more", "rises"),
     [

@@ -127,7 +127,7 @@ def parts(values: Any) -> list[Any]:
 
 def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
     pytest.importorskip("matplotlib")
-    (hopf,) = born.labels
+    (hopf,) = (label for label in born.labels if label.label == "H")
     beside, far = (dataclasses.replace(hopf, value=value) for value in (hopf.value + 1e-4, 0.18))
     for labels, texts in (((hopf,), ["H"]), ((hopf, beside), ["H"]), ((hopf, far), ["H", "H"])):
         drawn = ss.figures.diagram_figure(dataclasses.replace(born, labels=labels))

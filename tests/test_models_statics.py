@@ -454,6 +454,15 @@ def test_nothing_jumps_at_a_pitchfork(way):
     assert not found.jumps
 
 
+@pytest.mark.thorough
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("beside", [(-1e-3, -1e-9, -1e-12), (-1e-9, 0.0, 1e-9), (-1e-13, 1e-13), (1e-12, 1e-3)])
+def test_a_path_may_begin_and_end_next_to_a_pitchfork(beside, way):
+    fork = ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0)).theta0[0]
+    values = [fork + off for off in beside][::way]
+    assert not same_path("theta0", values, "small", mu0=0.0, alpha=0.0).jumps
+
+
 def test_a_path_of_one_value():
     assert same_path("theta0", [1.0], "small").x.shape == (1,)
 

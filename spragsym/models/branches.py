@@ -1,13 +1,14 @@
 """Which equilibria of a model at two values of a parameter lie on one branch, proved by tubes.
 
 A tube holds one equilibrium for every value between the two, see :mod:`spragsym.models.tubes`. The two that meet at a fold nearby
-differ in the sign of det K, which no branch changes between folds. A step of which not all pairs are known so is halved.
+differ in the sign of det K, which no branch changes between folds; of the three at a pitchfork the outer two lie on different
+sides of the mirror, which none crosses. A step of which not all pairs are known so is halved.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -18,6 +19,7 @@ from ..errors import ConvergenceError
 from ..exact.interval_arrays import FloatArray
 from ..results.equilibria import Equilibria
 from ..results.points import Points
+from . import symmetry
 from .balance import Balance
 from .equilibria import columns, equilibria
 from .points import given_column
@@ -65,10 +67,11 @@ def linked(model: Any, p: Any, vary: str, eq: Equilibria, turns: Points | None) 
 
 @dataclass(frozen=True)
 class _States:
-    """Equilibria at one value, shape (n, number), and the signs of det K."""
+    """Equilibria at one value, shape (n, number), the signs of det K, and sides of the mirror: 0 on it, or if there is none."""
 
     q: FloatArray
     signs: FloatArray
+    sides: FloatArray
 
 
 def links(along: Along, stops: FloatArray, eq: Equilibria, most: int | None = None) -> list[dict[int, int]]:
@@ -84,7 +87,8 @@ def links(along: Along, stops: FloatArray, eq: Equilibria, most: int | None = No
     ConvergenceError
         Where branches can't be told apart, without ``most``.
     """
-    states = {float(value): _states(along, eq, stop) for stop, value in enumerate(stops)}
+    turned = _turned(along, stops)
+    states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
     steps = list(itertools.pairwise(map(float, stops)))
     proved: dict[Step, dict[int, int]] = {}
     halved: dict[Step, float] = {}
@@ -104,20 +108,33 @@ def links(along: Along, stops: FloatArray, eq: Equilibria, most: int | None = No
         middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
         halved |= middles
         between = along.equilibria(np.array(list(middles.values())))
-        states |= {middle: _states(along, between, k) for k, middle in enumerate(middles.values())}
+        states |= {middle: _states(along, between, k, turned) for k, middle in enumerate(middles.values())}
         pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
     if not steps:
         return []
     raise ConvergenceError(f"branches between {along.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart")
 
 
-def _states(along: Along, eq: Equilibria, stop: int) -> _States:
+def _turned(along: Along, stops: FloatArray) -> list[int]:
+    """Coordinates that the mirror turns, if the model is its own image all along."""
+    if not stops.size:
+        return []
+    span = np.array([stops.min(), stops.max()])
+    return symmetry.turned(along.balance, given_column(along.p, along.balance.parameters, (along.vary,)), span)
+
+
+def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ()) -> _States:
     """Equilibria at a stop."""
-    count = int(eq.count[stop])
-    q = np.array([eq.coordinates[name][stop, :count] for name in along.balance.coordinates])
-    given = np.repeat(columns(eq.parameters, along.balance.parameters)[:, stop : stop + 1], count, axis=1)
-    K = linearization(along.balance, q, given)[2] if count else np.zeros((1, 1, 0))
-    return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))))
+    balance, count = along.balance, int(eq.count[stop])
+    q = np.array([eq.coordinates[name][stop, :count] for name in balance.coordinates])
+    given = np.repeat(columns(eq.parameters, balance.parameters)[:, stop : stop + 1], count, axis=1)
+    K = linearization(balance, q, given)[2] if count else np.zeros((1, 1, 0))
+    sides = np.zeros(count)
+    if turned and count:
+        across = q - np.array(np.broadcast_arrays(*balance.mirrored(list(q), balance.floats(given))))
+        known = np.abs(across[turned[0]]) > 4 * eq.error[stop, :count]
+        sides = np.where(known, np.sign(across[turned[0]]), 0.0)
+    return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))), sides)
 
 
 def _by_tubes(
@@ -153,13 +170,13 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     within = (along.at >= min(step)) & (along.at <= max(step))
     counts = int(begin.q.shape[1]), int(end.q.shape[1])
     mirrored = bool((along.kinds == "pitchfork").any() and (along.kinds[within] == "pitchfork").all())
-    if mirrored and (bool(within.any()) or counts[0] == counts[1] == len(pairs) + 3):
+    if mirrored and within.any():
         return _across_pitchfork(along, pairs, begin, end)
     # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
     over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
     if over_fold:
         return len(pairs) == min(counts)
-    pairs |= _by_sign(pairs, begin.signs, end.signs)
+    pairs |= _by_sign(pairs, begin, end)
     return len(pairs) == counts[0] == counts[1]
 
 
@@ -176,15 +193,21 @@ def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: 
     return True
 
 
-def _by_sign(pairs: Mapping[int, int], begin: FloatArray, end: FloatArray) -> dict[int, int]:
-    """Pairs of slots that tubes do not reach: between folds no branch changes the sign of its det K, so one of each does."""
-    left = [[k for k in range(signs.size) if k not in taken] for signs, taken in ((begin, pairs.keys()), (end, pairs.values()))]
-    if not len(left[0]) == len(left[1]) <= 2:
+def _by_sign(pairs: Mapping[int, int], begin: _States, end: _States) -> dict[int, int]:
+    """Pairs of slots that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror."""
+    left = [k for k in range(begin.signs.size) if k not in pairs], [k for k in range(end.signs.size) if k not in pairs.values()]
+    one, other = (_told_apart(states, part) for states, part in zip((begin, end), left, strict=True))
+    if not len(left[0]) == len(one) == len(left[1]) == len(other) or one.keys() != other.keys():
         return {}
-    places = [{signs[k]: k for k in part} for signs, part in zip((begin, end), left, strict=True)]
-    if any(len(place) != len(left[0]) for place in places) or places[0].keys() != places[1].keys():
-        return {}
-    return {places[0][sign]: places[1][sign] for sign in places[0]}
+    return {one[key]: other[key] for key in one}
+
+
+def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float], int]:
+    """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer where two are alike."""
+    signs = states.signs[part].tolist()
+    shared = [signs.count(sign) > 1 for sign in signs]
+    sides = [float(states.sides[k]) if more else 0.0 for k, more in zip(part, shared, strict=True)]
+    return {(sign, side): k for k, sign, side, more in zip(part, signs, sides, shared, strict=True) if side or not more}
 
 
 def _joined(step: Step, proved: Mapping[Step, dict[int, int]], halved: Mapping[Step, float]) -> dict[int, int]:

@@ -12,7 +12,9 @@ from scipy.optimize import brentq
 
 import spragsym as ss
 from spragsym.cli import cli
-from spragsym.models import points, stability
+from spragsym.exact.certified_roots import Roots
+from spragsym.models import flutter, points, stability
+from spragsym.models.balance import Balance
 from tests.conftest import Once
 from tests.support import model_of
 from validation import gaps as validate_gaps
@@ -183,3 +185,13 @@ def test_a_mode_that_nothing_damps_hides_no_onset(tmp_path: Path) -> None:
     assert found.kind.tolist() == ["seen"]
     assert found.mu0[0] == pytest.approx(want, abs=1e-8)
     assert not found.complete
+
+
+def test_what_is_left_next_to_an_end_of_the_range_is_kept_where_the_slope_may_be_zero() -> None:
+    """The slope of this law is 0 at V = v_s = 0.1, in the box that is left, and not at the end of the range beside it."""
+    balance = Balance(ss.load("stick_slip"), contact=True)
+    given = points.given_column(ss.load("stick_slip").Parameters(), balance.parameters, ("V",))
+    nothing, box = np.zeros((2, 2, 0)), np.array([[[1.0], [-0.099]], [[1.0], [0.101]]])
+    roots = Roots(nothing, nothing, np.zeros(0, dtype=np.intp), box, np.zeros(1, dtype=np.intp))
+    found = points.Found(roots, np.zeros((2, 1, 1)), np.ones(1, dtype=np.bool_))
+    assert flutter._without_ends(balance, "V", given, np.array([0.098, 0.102]), found).roots.left.shape[2] == 1

@@ -298,6 +298,16 @@ def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
     assert not any("grows slowly" in one for one in found.warnings)
 
 
+@pytest.mark.parametrize("angle", [70, 85])
+def test_nothing_damps_a_contact_a_thousand_times_stiffer_either(angle: float) -> None:
+    """Rounding is that of the fastest mode, and 1e-14 of it is more than 1e-14 of the slowest."""
+    study = ss.Study(brake(mu0=0.0, k_c=1.5e9, k_x=90.0, theta0=math.radians(angle)))
+    found = study.report(probability=False, redesign=False, oscillation=False)
+    (current,) = (state for state in found.states if state.current)
+    assert current.growth_per_s == 0
+    assert set(current.damping_ratio) == {0.0}
+
+
 @pytest.mark.thorough
 def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: ss.Report, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")

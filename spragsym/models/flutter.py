@@ -90,10 +90,9 @@ def flutter_onsets(
         if out.roots.left.shape[2]:
             out, more, omega = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
             followed = np.isfinite(omega)
-            if followed.any():
-                seen.append(_Part(replace(out, roots=picked(more, followed)), np.full(followed.sum(), "seen"), omega[followed]))
-            if not followed.all():
-                seen.append(_part(balance, vary, given, replace(out, roots=picked(more, ~followed)), "seen", frequencies))
+            alone, others = (replace(out, roots=picked(more, some)) for some in (followed, ~followed))
+            seen.append(_Part(alone, np.full(followed.sum(), "seen"), omega[followed]))
+            seen.append(_part(balance, vary, given, others, "seen", frequencies))
         return _part(balance, vary, given, out, kind, frequencies)
 
     conservative = is_conservative(balance, given, spans)

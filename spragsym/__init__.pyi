@@ -72,6 +72,7 @@ from .models.planes import onset_curves as onset_curves
 from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales
+from .progress import show_progress as show_progress
 from .results import BifurcationSet as BifurcationSet
 from .results import Curve as Curve
 from .results import Equilibria as Equilibria

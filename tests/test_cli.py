@@ -782,14 +782,14 @@ def test_no_cell_of_a_table_is_cut_in_a_pipe(capsys: pytest.CaptureFixture[str])
 def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from spragsym.cli.tables import busy
+    from spragsym.progress import show_progress
 
     monkeypatch.delenv("FORCE_COLOR", raising=False)
     monkeypatch.delenv("NO_COLOR", raising=False)
     for force, told in ((None, False), ("1", True)):
         if force is not None:
             monkeypatch.setenv("FORCE_COLOR", force)
-        with busy("searching for folds"):
+        with show_progress("searching for folds"):
             pass
         shown = capsys.readouterr()
         assert ("searching for folds" in shown.err) == told
@@ -797,11 +797,11 @@ def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
 
 
 def test_what_takes_long_says_so_in_a_pipe_too(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    from spragsym.cli import tables
+    from spragsym import progress
 
     monkeypatch.delenv("FORCE_COLOR", raising=False)
-    monkeypatch.setattr(tables, "LONG", 0.01)
-    with tables.busy("searching for folds"):
+    monkeypatch.setattr(progress, "LONG", 0.01)
+    with progress.show_progress("searching for folds"):
         time.sleep(0.2)
     told = capsys.readouterr().err.splitlines()
     assert 2 <= len(told) <= 6

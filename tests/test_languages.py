@@ -18,7 +18,7 @@ from tests.test_documents import ROOT, assert_shown, commands, run
 
 PAGE = ROOT / "CONTRIBUTING.md"
 #: Modules of spragsym that every room may use.
-SERVANTS = {"assumed", "_version", "display", "door", "errors", "names"}
+SERVANTS = {"assumed", "_version", "display", "door", "errors", "names", "progress"}
 
 
 def section(title: str) -> str:

@@ -11,11 +11,12 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
+from ..progress import show_progress
 from .of_model import Case, method, of_model
 from .options import as_json
 from .points import points_of, print_points
 from .spans import Span, Typed, box, span, vary, within
-from .tables import busy, print_json
+from .tables import print_json
 from .targets import force, refuse
 
 if TYPE_CHECKING:
@@ -71,7 +72,7 @@ def bifurcation(
         questions["cusps"] = lambda: case.model.cusps(case.set(*both), both, **case.searching(ranges, asked))
     told, found = {}, {}
     for title, question in questions.items():
-        with busy(f"searching for {title} along {' and '.join(both if title == 'cusps' else (name,))}"):
+        with show_progress(f"searching for {title} along {' and '.join(both if title == 'cusps' else (name,))}"):
             found[title] = within_ranges(question())
         told[title] = points_of(case, found[title], along if title == "cusps" else line)
     if plot is not None:
@@ -112,7 +113,7 @@ def written(path: Path, part: str, make: Callable[[], Sheet]) -> None:
     from ..figures.style import house_style
 
     kind = path.suffix[1:]
-    with house_style(), busy(part):
+    with house_style(), show_progress(part):
         make().savefig(path, format=kind, metadata=FORMATS[kind])
     click.echo(f"drew {path}", err=True)
 

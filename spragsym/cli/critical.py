@@ -12,11 +12,12 @@ import numpy as np
 from ..errors import ParameterError, SpragsymError
 from ..models.paths import first_end
 from ..models.points import ranges
+from ..progress import show_progress
 from .of_model import Case, method, of_model
 from .options import as_json
 from .spans import Span, Typed, span, vary
 from .states import placed
-from .tables import busy, print_json, print_table
+from .tables import print_json, print_table
 
 #: What is nearer to 0 than all normal floats is printed as 0.
 LEAST = 2.0**-1022
@@ -44,7 +45,7 @@ def critical(case: Case, vary: Typed | None, json_output: bool) -> None:
     along = span(case, vary, case.model.axes[-1])
     from_end = along.name in case.model.axes or along.ends is not None
     p = case.set(*([along.name] if from_end else []))
-    with busy(f"following the state along {along.name}"):
+    with show_progress(f"following the state along {along.name}"):
         frictions, remarks = _frictions(case, p)
         jumped = (
             not from_end

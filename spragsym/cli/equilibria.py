@@ -10,11 +10,12 @@ import click
 
 from ..errors import ConvergenceError
 from ..exact.decimals import upward
+from ..progress import show_progress
 from .of_model import Case, method, of_model
 from .options import Numbers, as_json
 from .spans import Typed, box, span, vary, within
 from .states import boxes_of, rows_of, summed, unless_room
-from .tables import busy, print_json, print_table
+from .tables import print_json, print_table
 
 
 @of_model(kind=Numbers, statics=True)
@@ -85,7 +86,7 @@ def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
     told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
     for contact, state in case.model.regimes.items():
         try:
-            with busy(f"searching for equilibria in {state}"):
+            with show_progress(f"searching for equilibria in {state}"):
                 eq = case.model.equilibria(p, contact=contact, **more)
         except ConvergenceError as reason:  # the other regime may be known
             told["undecided"].append({"state": state, "reason": str(reason)})

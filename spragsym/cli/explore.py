@@ -15,9 +15,9 @@ from ..errors import MissingExtraError, ModelError, ParameterError
 from ..explorer import Preset, Units, explorer_page
 from ..explorer.derived import shipped
 from ..models.load import USUAL, page_of
+from ..progress import show_progress
 from .commands import command
 from .of_model import method
-from .tables import busy
 from .targets import force, holds, refuse
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
     if len(model.axes) != 2:
         raise ParameterError(f"--onsets: {model.name} has no two parameters that vary; leave it out")
     ends = window(model, model.axes, {})
-    with busy("searching for onsets (--onsets)"):
+    with show_progress("searching for onsets (--onsets)"):
         found = model.onset_curves(p, model.axes, _LINES, between=ends)
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
     spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.axes)

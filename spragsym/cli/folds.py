@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from ..progress import show_progress
 from .of_model import Case, method, of_model
 from .options import as_json
 from .points import points_of, print_points
 from .spans import Typed, box, span, vary, within
-from .tables import busy, print_json
+from .tables import print_json
 
 
 @of_model(statics=True)
@@ -27,7 +28,7 @@ def folds(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_output
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     along = span(case, vary, case.model.axes[-1])
-    with busy(f"searching for folds along {along.name}"):
+    with show_progress(f"searching for folds along {along.name}"):
         found = case.model.folds(case.set(along.name), along.name, **case.searching(along.between, box(case, within)))
     told = points_of(case, found, [along])
     if json_output:

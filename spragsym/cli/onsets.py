@@ -10,12 +10,13 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
+from ..progress import show_progress
 from .bifurcation import plane, written
 from .of_model import Case, of_model
 from .options import as_json
 from .spans import Span, Typed, vary
 from .states import boxes_of, placed, summed
-from .tables import busy, print_json, print_table
+from .tables import print_json, print_table
 from .targets import force
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
         raise ParameterError(f"onsets of {case.model.name} are curves in a plane; give two different parameters with --vary")
     names = tuple(one.name for one in along)
     between = {name: ends for one in along for name, ends in one.between.items()}
-    with busy(f"searching for onsets in the plane of {' and '.join(names)}"):
+    with show_progress(f"searching for onsets in the plane of {' and '.join(names)}"):
         found = case.model.onset_curves(case.set(*names), names, n, between=between)
     if plot is not None:
         from ..figures import stability_figure

@@ -6,11 +6,12 @@ from typing import Any
 
 import click
 
+from ..progress import show_progress
 from .of_model import Case, method, of_model
 from .options import as_json
 from .spans import Typed, span, vary
 from .states import placed
-from .tables import busy, print_json, print_table
+from .tables import print_json, print_table
 
 
 @of_model(statics=True)
@@ -33,7 +34,7 @@ def path(case: Case, vary: Typed | None, json_output: bool) -> None:
         asked = case.model.axes[-1] if vary is None else vary.name
         raise click.UsageError(f"--vary: from where to where? Give it as {asked}=FROM:TO")
     along = span(case, vary, "", values=True)
-    with busy(f"following a state along {along.name}"):
+    with show_progress(f"following a state along {along.name}"):
         found = case.model.quasi_static_path(case.set(along.name), along.name, along.values, **case.ask)
     growth, per = case.units.rate("growth")
     states = [

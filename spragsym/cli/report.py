@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import sys
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from ..errors import ParameterError
+from ..progress import show_progress
 from .commands import command
 from .options import as_json
-from .tables import busy, print_json
+from .tables import print_json
 from .targets import force, refuse
 
 if TYPE_CHECKING:
@@ -62,12 +61,10 @@ def report(
     from ..studies import Study
 
     study = Study.from_file(file)
-    on_terminal = sys.stderr.isatty()
     options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]
-    less = f"; {' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest" if options else ""
-    told = f"computing the report{less}"
-    with nullcontext() if on_terminal else busy(told):
-        found = study.report(oscillation=oscillation, redesign=redesign, safety=safety, progress=on_terminal)
+    less = f" ({' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest)" if options else ""
+    with show_progress(f"computing the report{less}"):
+        found = study.report(oscillation=oscillation, redesign=redesign, safety=safety)
     if html is not None:
         study.to_html(html, found)
         click.echo(f"wrote {html}", err=True)

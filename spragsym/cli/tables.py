@@ -5,10 +5,7 @@ from __future__ import annotations
 import json
 import math
 import sys
-import threading
-import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..exact.decimals import upward
@@ -20,8 +17,6 @@ if TYPE_CHECKING:
 PLAIN_WIDTH = 100_000
 #: Width that a table of numbers fits into, unless the terminal is wider.
 WIDTH = 80
-#: Seconds after which a computation is said to go on where no terminal shows it.
-LONG = 10.0
 #: Most and fewest digits of a number in a table: as many as the line has room for.
 MOST_DIGITS, LEAST_DIGITS = 12, 5
 
@@ -98,39 +93,6 @@ def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> tuple[li
         if fits:
             break
     return written, fits
-
-
-@contextmanager
-def busy(part: str) -> Iterator[None]:
-    """A line on stderr that says what is being computed: on a terminal until it is done, elsewhere where it takes long."""
-    from rich.console import Console
-
-    console = Console(stderr=True)
-    with console.status(part) if console.is_terminal else _told(part):
-        yield
-
-
-@contextmanager
-def _told(part: str) -> Iterator[None]:
-    """A line after :data:`LONG` seconds, and further ones after twice the time each."""
-    import click
-
-    begun, done = time.monotonic(), threading.Event()
-
-    def tell() -> None:
-        wait = LONG
-        while not done.wait(wait):
-            spent = time.monotonic() - begun
-            click.echo(f"{part}: {spent:.0f} s so far", err=True)
-            wait = spent
-
-    teller = threading.Thread(target=tell, daemon=True)
-    teller.start()
-    try:
-        yield
-    finally:
-        done.set()
-        teller.join()
 
 
 def print_json(thing: Any) -> None:

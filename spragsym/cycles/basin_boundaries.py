@@ -17,6 +17,7 @@ from ..dynamics.segment import Fly
 from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
+from ..progress import doing
 from .attractors import Verdict, attractor, judged, same, surely
 from .saddles import Saddle, equilibrium_near, saddle_near, side
 
@@ -335,7 +336,8 @@ class _Walk:
             guess[axes] += step * along
             try:
                 seen = float(np.linalg.norm(slope)) * step**2 / (BENT * float(np.abs(self.saddle.measure).max()))
-                ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
+                with doing("point {} in one direction of the boundary", len(found) + 1):
+                    ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
                 moved = (ahead - state)[axes]
                 # Farther off the tangent it is another fold of the manifold.
                 astray = bool(moved @ along < STRAIGHT * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step)

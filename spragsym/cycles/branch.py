@@ -14,6 +14,7 @@ from ..dynamics.flows import carrier, flow
 from ..dynamics.shooting import Loop, extent, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
+from ..progress import doing
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
 from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated, vertical
@@ -249,7 +250,8 @@ class _Trace:
         seen = Seen(setting, point)
         while count < self.points:
             try:
-                ahead = self._last(point, length) or corrected(setting, point, length, reach=0.5)
+                with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, self.value(point.loop)):
+                    ahead = self._last(point, length) or corrected(setting, point, length, reach=0.5)
             except ConvergenceError as error:
                 length /= 3
                 if length < SHORTEST:

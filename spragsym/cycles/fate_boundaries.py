@@ -21,6 +21,7 @@ from ..dynamics.regimes import Outcome, Regime
 from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet, as_numbers
+from ..progress import doing
 from .attractors import JUDGED, PARTED, TOLERANCES, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle, surely
 from .branch import MERGES, cycle_branch
 from .finding import cycle_at
@@ -233,7 +234,8 @@ class _Asked:
             return before
         if sum(each.verdict.t for each in self.known) > LONGEST:
             raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
-        verdict = judged(self.field, self.at(value), self.start + way[1], self.backend, rtol=way[0])
+        with doing("the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)):
+            verdict = judged(self.field, self.at(value), self.start + way[1], self.backend, rtol=way[0])
         found = _Fate(value, way, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
         return found

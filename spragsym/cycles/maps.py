@@ -22,9 +22,9 @@ from ..errors import ParameterError, TargetError
 from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
+from ..progress import advance
 from ..sweeps import code
 from ..sweeps import workers as processes
-from ..sweeps.many import advance
 from ..sweeps.workers import Workers
 from .verdicts import UNFOLLOWED
 

@@ -14,6 +14,7 @@ from ..dynamics.flows import carrier
 from ..dynamics.shooting import Loop, looped, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
+from ..progress import doing
 from .arclength import Setting, phase_row
 from .branch import CycleEvent
 from .grazing import touching
@@ -186,7 +187,8 @@ class _Walk:
         loop, tangent, length = first, direction * self.tangent(first, None), FIRST
         while len(found) < self.points:
             try:
-                ahead = self.step(loop, tangent, length)
+                with doing("point {} in one direction of the curve", len(found) + 1):
+                    ahead = self.step(loop, tangent, length)
                 onward = self.tangent(ahead, tangent)
             except (ConvergenceError, np.linalg.LinAlgError) as error:
                 length /= 3

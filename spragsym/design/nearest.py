@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..parameters import FloatArray
+from ..progress import doing
 
 Member = Callable[[FloatArray], NDArray[np.bool_]]
 
@@ -77,7 +78,8 @@ def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArra
         radii = _RADII[begin : begin + together]
         asked = np.flatnonzero(np.isinf(radius))
         inside = radii <= reach[asked, None]
-        inside[inside] = member((rays[asked, None, :] * radii[:, None])[inside])
+        with doing("designs up to {:.3g} tolerances away", radii[-1]):
+            inside[inside] = member((rays[asked, None, :] * radii[:, None])[inside])
         radius[asked] = np.where(inside.any(axis=-1), radii[np.argmax(inside, axis=-1)], np.inf)
         # What lies half as far again beyond the nearest is of no use.
         if radii[-1] > 1.5 * radius.min():
@@ -104,7 +106,8 @@ def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: i
     low, high = np.zeros_like(radius), radius.copy()
     for _ in range(-(-halvings // int(np.log2(parts)))):
         marks = low + np.linspace(0.0, 1.0, parts + 1)[1:-1, None] * (high - low)
-        inside = member((rays * marks[..., None]).reshape(-1, rays.shape[-1])).reshape(marks.shape)
+        with doing("designs {:.4g} tolerances away, and nearer ones", high.min()):
+            inside = member((rays * marks[..., None]).reshape(-1, rays.shape[-1])).reshape(marks.shape)
         edges = np.concatenate([low[None], marks, high[None]])
         first = np.argmax(np.concatenate([inside, np.ones((1, radius.size), dtype=np.bool_)]), axis=0) + 1
         low, high = (np.take_along_axis(edges, (first - side)[None], axis=0)[0] for side in (1, 0))

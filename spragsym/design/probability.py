@@ -19,8 +19,8 @@ from ..errors import ParameterError, TargetError
 from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import FloatArray, Parameters, PhysicalParameters, Range, as_number
+from ..progress import advance
 from ..sweeps import workers as processes
-from ..sweeps.many import advance
 from ..sweeps.workers import Workers
 from . import sampling
 from .dependence import Correlation, Dependence, dependence

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray, Intervals
+from ..progress import doing
 from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
 from .balance import Balance
@@ -115,7 +116,8 @@ def on_lines(
         lines[vary[across]] = values
         column = np.repeat(given, n, axis=1)
         column[balance.parameters.index(vary[across])] = values
-        found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET, asked=asked)
+        with doing("{} lines along {}", n, vary[along]):
+            found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET, asked=asked)
         whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
         rows.append(_with_line(found.roots.middle, values[found.roots.point], along))

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..design.certificates import Certificate, Unit, checked_units
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
+from ..progress import doing
 from ..results.equilibria import Stability
 from .equilibria import equilibria
 from .state_certificates import STATES, certify_states, corner_values
@@ -201,7 +202,8 @@ class Splitting:
         while len(pending) and seen < most:
             order = np.argsort(-share(pending), kind="stable")
             taken = order[: min(BATCH, most - seen)]
-            some, weight = self.settled(pending[taken], WIDE, sharp)
+            with doing("{} of at most {} parts of the box looked at, {} open", seen, most, len(pending)):
+                some, weight = self.settled(pending[taken], WIDE, sharp)
             seen += taken.size
             last = (share(some) <= 0) | ~some.divisible().any(axis=0)
             yield some, last, int(taken.size)

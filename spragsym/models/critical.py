@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
+from ..progress import doing
 from ..results.critical_values import value_at
 from ..results.equilibria import Stability
 from ..results.lowest_ends import LowestEnd
@@ -154,7 +155,8 @@ def critical_value(
     (level,) = p.scalars(vary)
 
     def lowest(value: float) -> float:
-        found = critical_friction(model, p.replace(**{change: value}), vary, over, between=between)
+        with doing("lowest end at {} = {:.6g}", change, value):
+            found = critical_friction(model, p.replace(**{change: value}), vary, over, between=between)
         if found.kind == "undecided":
             raise ConvergenceError(f"at {change} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
         return float(found.value)
@@ -189,7 +191,8 @@ class _Search:
             limit = min(above, default=self.high)
             if one.value >= self.high:
                 break
-            outcome = self.ends_at(one, limit)
+            with doing("whether the state ends at the {} at {} = {:.6g}", one.kind, self.vary, one.value):
+                outcome = self.ends_at(one, limit)
             if outcome is None:
                 why = f"whether the state ends at the {one.kind} at {self.over} = {one.where:.6g} is not decided"
                 return _Candidate(one.value, one.where, "undecided", one.error), open_from, (*remarks, why)
@@ -217,7 +220,9 @@ class _Search:
         """Cusps, turns, ends; and the same of the border, if the model has one."""
         both = (self.over, self.vary)
         between = {name: (float(low), float(high)) for name, (low, high) in zip(both, self.spans, strict=True)}
-        yield "cusp", cusps(self.model, self.p, both, between=between)
+        with doing("cusps over {} and {}", *both):
+            found = cusps(self.model, self.p, both, between=between)
+        yield "cusp", found
         yield "turn", self.of(self.balance, Turn(), both)
         for end in self.spans[0]:
             yield (
@@ -236,7 +241,8 @@ class _Search:
         p = self.p.replace(**(changed or {}))
         given = given_column(p, balance.parameters, vary)
         spans = self.spans[[(self.over, self.vary).index(name) for name in vary]]
-        found = search(balance, vary, condition, given, spans)
+        with doing("{} over {}", type(condition).__name__, " and ".join(vary)):
+            found = search(balance, vary, condition, given, spans)
         return arranged(balance, p, vary, given, found, np.full(found.roots.point.size, "candidate"))
 
     def begin(self, places: list[float]) -> None:

@@ -20,6 +20,7 @@ from ..errors import ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals, raised
+from ..progress import doing
 from ..results.equilibria import Equilibria, Stability
 from . import spectrum
 from .balance import Balance
@@ -97,7 +98,8 @@ def certify_states(low: Any, high: Any, claim: str, max_boxes: int, refute: bool
         order = np.argsort(-pending.share, kind="stable")
         taken = order[: min(BATCH, max_boxes - seen)]
         some, rest = pending[taken], pending[order[taken.size :]]
-        holds, states, around = box.settled(some)
+        with doing("{} of at most {} parts of the box looked at, {} open", seen, max_boxes, pending.share.size):
+            holds, states, around = box.settled(some)
         seen += taken.size
         proved += float(some.share[holds].sum())
         open_ = np.flatnonzero(~holds)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, TypeVar
 
 from ..display import Result
 from ..errors import ParameterError, SpragsymError
+from ..progress import doing, show_progress, tell
 from ..results.points import Points
 from .cautions import cautions
 from .effort import effort
@@ -123,31 +124,12 @@ class Report(Result):
         self.study.to_html(path, self)
 
 
-#: Says what is computed now; nothing, for an empty text.
-Tell = Callable[[str], None]
-
-
-def teller(show: bool) -> Tell:
-    """On a terminal one line, written over and over."""
-
-    def tell(part: str) -> None:
-        if show:
-            line = f"computing {part}" if part else ""
-            sys.stderr.write(f"\r{line:<72}" + ("" if part else "\r"))
-            sys.stderr.flush()
-
-    return tell
-
-
 def report(
     study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int | None, progress: bool
 ) -> Report:
     """The report of a study; see :meth:`Study.report`."""
-    tell = teller(progress)
-    try:
-        return _report(study, probability, redesign, oscillation, safety, n, tell)
-    finally:
-        tell("")
+    with show_progress() if progress else nullcontext(), doing(""):
+        return _report(study, probability, redesign, oscillation, safety, n)
 
 
 class _Asked:
@@ -209,9 +191,7 @@ class _Asked:
         return found
 
 
-def _report(
-    study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int | None, tell: Tell
-) -> Report:
+def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int | None) -> Report:
     low, working, high = study.friction
     if high == 0 and "mu0" in study.quantities and study.quantities["mu0"].high > 0:
         raise ParameterError(
@@ -242,18 +222,18 @@ def _report(
         else None
     )
     moving = oscillation and study.moves
-    tell("the jump as a motion (--no-oscillation leaves it out)" if moving else "")
+    tell("the jump as a motion" if moving else "")
     peak = lives = None
     if moving and mu0_jump is not None and mu_jump is not None and not math.isnan(mu_jump):
         peak = asked.known("the jump as a motion is", lambda: jump_peak(study, mu0_jump, mu_jump, speed))
-    tell("the oscillation (--no-oscillation leaves it out)" if moving else "the probability of a jump")
+    tell("the oscillation" if moving else "the probability of a jump")
     if moving:
         settles = next((state.settles for state in found if state.current), None)
         holds = any(state.stable for state in found if state.current or here is None)
         lives = asked.known("the oscillation is", lambda: oscillation_of(study, settles, holds))
     tell("the probability of a jump")
     odds = _chance(asked, reached, n) if probability and rises else None
-    tell("what to change (--no-redesign leaves it out)" if redesign else "")
+    tell("what to change" if redesign else "")
     so = facts(study, mu_jump, of_statics(study, end) if rises else end, speed, reached, odds)
     faster = so.reach == "faster"
     target = safety * (so.full[2] if faster else high)

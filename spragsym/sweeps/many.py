@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager
+from collections.abc import Callable
+from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -20,6 +20,7 @@ from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, common_shape
+from ..progress import advance
 from . import workers as processes
 from .measure import MotionsOf, Settings, measured
 from .result import Results, Sweep
@@ -215,18 +216,3 @@ def _together(settings: Settings, count: int, workers: int) -> int:
 def _told(plan: Plan, points: tuple[tuple[float, ...], ...]) -> str:
     first = ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, points[0], strict=True))
     return first if len(points) == 1 else f"one of {len(points)} points, of which the first is {first}"
-
-
-@contextmanager
-def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
-    """A function to call after every point, which moves the bar if there is one."""
-    if not progress:
-        yield lambda: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeElapsedColumn, TimeRemainingColumn
-
-    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), "ends in", TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True)) as bar:
-        task = bar.add_task("", total=total, completed=done)
-        yield lambda: bar.advance(task)

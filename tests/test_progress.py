@@ -1,0 +1,94 @@
+"""What long work says of itself, and to whom."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+import spragsym as ss
+from spragsym.progress import doing, tell
+
+BELT = ss.load("inclined_belt")
+P = BELT.Parameters(theta0=1.0, mu0=0.3)
+FLAT = {"between": {"mu0": (0.0, 0.5)}}
+
+
+def said_by(ask: Callable[[], Any]) -> list[str]:
+    """All texts that a call tells."""
+    told: list[str] = []
+    with ss.show_progress(to=told.append):
+        ask()
+    return told
+
+
+@pytest.mark.parametrize(
+    ("ask", "expected"),
+    [
+        (lambda: BELT.critical_friction(P, **FLAT), "whether the state ends at the cusp at mu0 = 0.207376"),
+        (lambda: BELT.certify(P.replace(mu0=0.0), P.replace(mu0=0.01, theta0=1.01), "no jump"), "parts of the box looked at"),
+        (lambda: BELT.bifurcation_set(P, n=3), "3 lines along theta0"),
+        (lambda: ss.jump_margin(ss.Parameters.article(theta0=0.7), {"mu0": 0.05}), "tolerances away"),
+        (lambda: ss.rms_sweep(P, V=[0.4, 0.5], t_end=20.0, transient=10.0), "2 of 2 points"),
+    ],
+)
+def test_what_takes_long_says_what_it_is_at(ask: Callable[[], Any], expected: str) -> None:
+    assert any(expected in text for text in said_by(ask))
+
+
+def test_each_value_of_a_critical_value_is_told_with_what_is_done_there_and_who_listens_may_stop_it() -> None:
+    def stop(text: str) -> None:
+        raise InterruptedError(text)
+
+    with pytest.raises(InterruptedError, match=r"^lowest end at sigma = 0\.08$"), ss.show_progress(to=stop):
+        BELT.critical_value(P, "sigma", (0.08, 0.2), **FLAT)
+
+
+def test_parts_stand_within_parts_and_leave_with_them() -> None:
+    told: list[str] = []
+    with ss.show_progress("all", told.append):
+        with doing("{:.2f}", 1.0):
+            tell("{} of {}", 1, 2)
+        with pytest.raises(ZeroDivisionError), doing("lost"):
+            raise ZeroDivisionError
+        with doing("second"):
+            pass
+    tell("nobody listens {}", "here")
+    assert told == ["all: 1.00", "all: 1 of 2", "all: lost", "all: second"]
+
+
+def test_within_a_block_another_one_is_told_until_its_end() -> None:
+    outer: list[str] = []
+    inner: list[str] = []
+    with ss.show_progress(to=outer.append):
+        with ss.show_progress(to=inner.append), doing("one"):
+            pass
+        with doing("two"):
+            pass
+    assert (outer, inner) == (["two"], ["one"])
+
+
+def test_what_other_threads_compute_is_not_told() -> None:
+    def other() -> None:
+        with doing("elsewhere"):
+            tell("still elsewhere")
+
+    thread = threading.Thread(target=other)
+    assert said_by(lambda: (thread.start(), thread.join())) == []
+
+
+def test_a_terminal_sees_the_text_as_it_is(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    with ss.show_progress(), doing("{}", "[bold] in brackets"):
+        pass
+    shown = capsys.readouterr()
+    assert "[bold] in brackets" in shown.err
+    assert shown.out == ""
+
+
+def test_what_is_no_text_or_function_is_refused() -> None:
+    for asked in ({"part": print}, {"to": "stderr"}):
+        with pytest.raises(ss.ParameterTypeError, match="to=print"), ss.show_progress(**asked):  # type: ignore[arg-type]
+            pass

@@ -1067,3 +1067,31 @@ def test_changes_may_be_left_out(path: Path, capsys: pytest.CaptureFixture[str])
     found = json.loads(capsys.readouterr().out)
     assert found["mu_jump"] < 1.2 * 0.6
     assert found["redesign"] == []
+
+
+def test_remarks_of_a_command_speak_of_the_quantities_of_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def printed(*arguments: str) -> str:
+        with pytest.raises(SystemExit):
+            main(list(arguments))
+        return capsys.readouterr().out
+
+    file = tmp_path / "brake.toml"
+    file.write_text(printed("report", "--example", "--model", "two_springs"), encoding="utf-8")
+    (told,) = json.loads(printed("folds", "--data", str(file), "--vary", "k_x", "--json"))["remarks"]
+    study = ss.Study.from_file(file)
+    (cut,) = study.dimensionless.model.folds(study.dimensionless, "alpha").remarks
+    assert (told.split(",")[0], cut.split(",")[0]) == ("searched k_x_N/m in [0", "searched alpha in [0")
+    end = float(cut.split(", ")[1].split("]")[0]) * study.quantities["k_c"].value
+    assert float(told.split(", ")[1].split("]")[0]) == pytest.approx(end, rel=1e-7)
+
+
+def test_a_remark_names_places_in_the_units_of_the_file(study: ss.Study) -> None:
+    from spragsym.cli.units import Units
+
+    length, said = 1e3 * study.scales.length, Units(study.dimensionless.model, study).said
+    assert said(["a box at theta0 = 0.5: x in [-0.5, 1e-3], there"]) == [
+        f"a box at theta0_deg = {math.degrees(0.5):.8g}: x_mm in [{-0.5 * length:.8g}, {1e-3 * length:.8g}], there"
+    ]
+    for text in ("psi0 = 2, max = 4, and mu0 is 3", "theta_1 in [0, 1] rad"):
+        assert said([text]) == [text]
+    assert Units(study.dimensionless.model).said(["x in [0, 1]"]) == ["x in [0, 1]"]

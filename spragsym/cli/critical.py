@@ -157,7 +157,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
         "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),
         "kind_lowest": None if lowest is None else lowest.kind or None, "mu_cusp": told("mu_cusp", cusp),
         "mu_cr": told("mu_cr", lambda: float(model.linear_critical_friction(p))),
-    }, remarks  # fmt: skip
+    }, case.units.said(remarks)  # fmt: skip
 
 
 def _has(case: Case) -> tuple[bool, bool]:

@@ -111,12 +111,13 @@ def _tell_diagram(
          "ends": "; ".join(end.how for end in branch.of("end", "homoclinic"))}
         for i, branch in enumerate(found.cycles)
     ]  # fmt: skip
+    remarks = case.units.said(found.remarks)
     if json_output:
-        print_json({"model": case.model.name, "labels": labels, "branches": branches, "remarks": list(found.remarks)})
+        print_json({"model": case.model.name, "labels": labels, "branches": branches, "remarks": remarks})
         return
     print_table("Branches", tuple(branches[0]) if branches else (), [list(row.values()) for row in branches])
     print_table("Labels", tuple(labels[0]) if labels else (), [list(row.values()) for row in labels])
-    for remark in found.remarks:
+    for remark in remarks:
         click.echo(remark)
 
 

@@ -97,5 +97,5 @@ def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
         for one in eq.undecided:
             boxes = boxes_of(case, [zip(one.low, one.high, strict=True)], case.model.coordinates, state=state)
             told["undecided"] += [{**box, "reason": one.reason} for box in boxes]
-        told["remarks"] += [f"{state}: {text}" for text in eq.remarks]
+        told["remarks"] += [f"{state}: {text}" for text in units.said(eq.remarks)]
     return told

@@ -64,7 +64,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
         written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(found))
     curves = [{"criticality": curve.criticality.tolist(), **_columns(case, curve, along)} for curve in found.curves]
     points = _points(case, found, along)
-    undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), list(found.remarks)
+    undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), case.units.said(found.remarks)
     if json_output:
         told = {"curves": curves, "points": points, "complete": found.complete, "undecided": undecided, "remarks": remarks}
         print_json({"model": case.model.name, "parameters": case.told(), **told})

@@ -30,7 +30,7 @@ def points_of(case: Case, found: Any, along: Sequence[Span]) -> dict[str, Any]:
             one[span.title] = [span.unit / unit * end for end in one.pop(title)]
     return {
         "points": [_row(case, found, row, along) for row in range(len(found))],
-        "complete": bool(found.complete), "searched": region, "undecided": undecided, "remarks": list(found.remarks),
+        "complete": bool(found.complete), "searched": region, "undecided": undecided, "remarks": case.units.said(found.remarks),
     }  # fmt: skip
 
 

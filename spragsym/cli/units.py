@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +19,10 @@ if TYPE_CHECKING:
 
 #: Of a motion what is measured in the unit of its first component, and what is a force.
 MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "error"), ("spring_force", "contact_force")
+
+
+#: A number in a remark.
+NUMBER = re.compile(r"-?(?:\d+\.?\d*(?:e[-+]?\d+)?|inf)")
 
 
 @dataclass(frozen=True)
@@ -69,6 +75,24 @@ class Units:
     def parameter(self, name: str) -> tuple[str, float]:
         """What a parameter is called, and what one of it is there."""
         return (f"{name}_deg", math.degrees(1.0)) if name in self.model.about["angles"] else (name, 1.0)
+
+    def said(self, remarks: Iterable[str]) -> list[str]:
+        """Remarks with what they say of parameters and coordinates, ``x = 1`` or ``x in [0, 1]``, in the units of the file."""
+        if self.study is None:
+            return list(remarks)
+        told = {entry["name"]: self.place(entry["name"]) for entry in self.model.about["coordinates"]}
+        for entry in self.model.about["parameters"]:
+            _, unit, title = self.varied(entry["quantity"])
+            told[entry["name"]] = title, unit
+
+        def in_units(found: re.Match[str]) -> str:
+            title, unit = told[found[1]]
+            numbers = NUMBER.sub(lambda number: f"{unit * float(number[0]):.8g}", found[2])
+            return title + numbers.removesuffix(" rad")
+
+        names = "|".join(map(re.escape, sorted(told, key=len, reverse=True)))
+        place = re.compile(rf"(?<![\w.])({names})( = {NUMBER.pattern}| in \[{NUMBER.pattern}, {NUMBER.pattern}\](?: rad)?)")
+        return [place.sub(in_units, text) for text in remarks]
 
     def measured(self, summary: dict[str, Any]) -> dict[str, Any]:
         """What is measured of a motion, each under a name that says its unit."""

@@ -92,7 +92,7 @@ def of_region(balance: Balance, region: FloatArray, whole: NDArray[np.bool_]) ->
 def of_ranges(names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
     """Said of parameters whose range has no end and was cut; ends of shape (number, 2)."""
     return tuple(
-        f"searched {name} from {low:.8g} to {high:.8g}, a part of its range, which has no end; there may be others beyond it"
+        f"searched {name} in [{low:.8g}, {high:.8g}], a part of its range, which has no end; there may be others beyond it"
         for name, (low, high) in zip(names, ends.tolist(), strict=True)
     )
 
@@ -101,4 +101,4 @@ def spans(balance: Balance, low: Sequence[float], high: Sequence[float]) -> str:
     """A box of coordinates in words; angles are in radians, which is said."""
     units = {entry["name"]: " rad" if entry["unit"] == "rad" else "" for entry in balance.model.about["coordinates"]}
     ends = zip(balance.coordinates, low, high, strict=True)
-    return ", ".join(f"{name} in [{a:.8g}, {b:.8g}]{units[name]}" for name, a, b in ends)
+    return ", ".join(f"{name} in [{a + 0.0:.8g}, {b + 0.0:.8g}]{units[name]}" for name, a, b in ends)

@@ -15,8 +15,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from .exact.decimals import upward
-
 #: Longer arrays and tuples stand in ``repr`` by their shapes.
 WHOLE = 6
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
@@ -119,6 +117,8 @@ class Words:
         if not isinstance(value, float):
             return str(value)
         if key == "error":
+            from .exact.decimals import upward
+
             return upward(value)
         return f"{math.degrees(value) if self.is_angle(key.partition(' ')[0]) else value:.10g}"
 

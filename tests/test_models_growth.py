@@ -12,7 +12,7 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.claims.report import PARADOX
 from spragsym.cli import cli
-from spragsym.results import Stability
+from spragsym.results.equilibria import Stability
 
 
 def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:

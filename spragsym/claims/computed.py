@@ -21,8 +21,8 @@ from ..dynamics.regimes import Regime
 from ..generated import equilibrium as _equilibrium
 from ..models.load import USUAL, load
 from ..parameters import NAMES, FloatArray, Parameters
-from ..results import Jump
 from ..results.equilibria import Stability
+from ..results.paths import Jump
 from ..sweeps import sensitivity
 from .ledger import Found, Value
 

@@ -64,7 +64,7 @@ def path(case: Case, vary: Typed | None, json_output: bool) -> None:
 
 
 def _undamped(code: Any) -> str:
-    from ..results import Stability
+    from ..results.equilibria import Stability
 
     return Stability(int(code)).name.lower()
 

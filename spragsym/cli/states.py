@@ -17,7 +17,7 @@ def rows_of(eq: Any, units: Units) -> list[dict[str, Any]]:
     """
     import numpy as np
 
-    from ..results import Stability
+    from ..results.equilibria import Stability
 
     growth, per = units.rate("growth")
     return [

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 
 from ..assumed import MU0_RANGE
 from ..parameters import FloatArray, Parameters
-from ..results import Path
+from ..results.paths import Path
 from .captions import BASE_TEXT, LINES_TEXT, MODEL, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of
 from .linear import draw_linear, linear_curves

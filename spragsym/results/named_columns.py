@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from ..display import Result
-from ..exact.interval_arrays import FloatArray
+from ..parameters import FloatArray
 
 
 class Columns(Result):

@@ -805,8 +805,11 @@ def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Any) -> None:
     assert found.period[2] == pytest.approx(34.26737, abs=1e-5)
     again = ss.fate_map(p, **BELT, t_end=10_000.0, store=store)
     assert again.exponent.tolist() == found.exponent.tolist()
-    with pytest.raises(ss.ParameterError, match="holds something else"):
-        ss.fate_map(p, **BELT, t_end=9000.0, store=store)
+    for other in ({"t_end": 9000.0}, {"t_end": 10_000.0, "start": (1.0, 0.0, 0.0, 0.0)}):
+        with pytest.raises(ss.ParameterError, match="holds something else"):
+            ss.fate_map(p, **BELT, store=store, **other)
+    text = store.read_text(encoding="utf-8")
+    assert all(f"# {line}\n" in text for line in ("model: kang_nam", "x0: 0.0", "vy0: 0.0", "t_end: 10000.0"))
 
 
 def test_the_map_is_drawn_by_one_command(tmp_path: Any) -> None:

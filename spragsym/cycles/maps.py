@@ -25,6 +25,7 @@ from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_s
 from ..progress import advance
 from ..sweeps import code
 from ..sweeps import workers as processes
+from ..sweeps.result import Results
 from ..sweeps.workers import Workers
 from .verdicts import UNFOLLOWED
 
@@ -60,7 +61,10 @@ class FateMap(Result):
     ----------
     inputs : dict of str to ndarray
         The parameters as they were given, which broadcast together.
+    start : tuple of float
+        Where every motion begins: coordinates, then rates.
     t_end : float
+    backend : str
     kind : ndarray of int8
         0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic.
     period : ndarray
@@ -79,7 +83,9 @@ class FateMap(Result):
     table_codes: ClassVar[Mapping[str, type[Kind]]] = {"kind": Kind}
 
     inputs: dict[str, FloatArray]
+    start: tuple[float, ...]
     t_end: float
+    backend: str
     kind: NDArray[np.int8]
     period: FloatArray
     exponent: FloatArray
@@ -96,7 +102,13 @@ class FateMap(Result):
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write ``*.csv``: one line a point."""
         explained = {**self.model.quantities, **EXPLAINED}
-        storage.write(Path(path), dict, self._columns, storage.provenance() | {"t_end": self.t_end}, explained)
+        names = (f"{name}0" for name in (*self.model.coordinates, *self.model.rates))
+        made = {
+            **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,
+            "backend": self.backend,
+            "fingerprint": _fingerprint(self.model, self.inputs, self.start, self.t_end, self.backend),
+        }  # fmt: skip
+        storage.write(Path(path), dict, self._columns, made, explained)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         shape = self.kind.shape
@@ -156,6 +168,7 @@ def fate_map(
     columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
     points = dict(enumerate(zip(*columns, strict=True)))
     work = partial(_record, model, state, t_end, name)
+    made = partial(_made, model, inputs, shape, state, t_end, name)
 
     def records(done: dict[int, Record], keep: Any) -> FateMap:
         left = {i: point for i, point in points.items() if i not in done}
@@ -163,7 +176,7 @@ def fate_map(
             for i, record in found:
                 keep(i, record)
                 step()
-        return _made(model, inputs, shape, t_end, [done[i] for i in points])
+        return made([done[i] for i in points])
 
     if store is None:
         kept: dict[int, Record] = {}
@@ -171,17 +184,10 @@ def fate_map(
     target = storage.resolved(store)
     if target.suffix != ".csv":
         raise ParameterError(f"store = {target} does not end in .csv")
-    settings = {
-        "model": model.name,
-        "start": state,
-        "t_end": t_end,
-        "integrator": integrators.version(name),
-        "code": code.digest("cycles"),
-    }
-    key = storage.fingerprint(inputs, settings)
+    key = _fingerprint(model, inputs, state, t_end, name)
     if target.is_file():
         clear(target, key, len(points))
-        return _loaded(target, model, inputs, shape, t_end)
+        return made(_loaded(target, key))
     storage.check_target(target, 100_000 + 1000 * len(points))
     with journal(target, key, len(points)) as (done, keep):
         found = records(done, keep)
@@ -202,22 +208,27 @@ def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, va
     return [float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why
 
 
-def _made(model: Any, inputs: dict[str, FloatArray], shape: tuple[int, ...], t_end: float, records: list[Record]) -> FateMap:
+def _fingerprint(model: Any, inputs: dict[str, FloatArray], start: tuple[float, ...], t_end: float, backend: str) -> str:
+    """A hash of everything that decides the bits of a map."""
+    settings = {"start": start, "t_end": t_end, "integrator": integrators.version(backend), "code": code.digest("cycles")}
+    return storage.fingerprint(inputs, {**settings, **Results(model).identity()})
+
+
+def _made(
+    model: Any, inputs: dict[str, FloatArray], shape: tuple[int, ...], start: tuple[float, ...], t_end: float, backend: str,
+    records: list[Record],
+) -> FateMap:  # fmt: skip
     table = np.array([values for values, _ in records], dtype=float).reshape(-1, len(MEASURED))
     columns: dict[str, Any] = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     columns["kind"] = columns["kind"].astype(np.int8)
     why = np.array([storage.plain(text) for _, text in records], dtype=np.str_).reshape(shape)
-    return FateMap(inputs, t_end, **columns, why=why, model=model)
+    return FateMap(inputs, start, t_end, backend, **columns, why=why, model=model)
 
 
-def _loaded(path: Path, model: Any, inputs: Mapping[str, FloatArray], shape: tuple[int, ...], t_end: float) -> FateMap:
-    """The map that a file holds, if it is this one."""
+def _loaded(path: Path, key: str) -> list[Record]:
+    """The records of the map that a file holds, if it is this one."""
     columns, attributes = storage.read(path)
-    given = {name: np.broadcast_to(values, shape).ravel() for name, values in inputs.items()}
-    same = len(columns.get("why", ())) == len(next(iter(given.values()))) and all(
-        np.array_equal(np.asarray(columns[name], dtype=float), values) for name, values in given.items()
-    )
-    if not same or float(attributes.get("t_end", "nan")) != t_end:
-        raise TargetError(f"{path} exists and holds something else; remove it, or give another path")
+    if attributes.get("fingerprint") != key:
+        raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
     numbers = np.array([np.asarray(columns[name], dtype=float) for name in MEASURED]).T.tolist()
-    return _made(model, dict(inputs), shape, t_end, list(zip(numbers, (str(text) for text in columns["why"]), strict=True)))
+    return list(zip(numbers, (str(text) for text in columns["why"]), strict=True))

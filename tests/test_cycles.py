@@ -787,6 +787,16 @@ def test_chaos_is_proved_by_exponents() -> None:
     assert "not told from 0" in short.why
 
 
+def test_rounding_is_no_chaos() -> None:
+    """x″ + x = 0, both exponents of which are 0, and whose orbits lie in a plane."""
+    model = ss.load("stick_slip")
+    p = model.Parameters(mu_s=0.0, zeta=0.0, V=0.5)
+    for found in (model.fate(p, start=(1.0, 0.0), t_end=4000.0), model.lyapunov(p, start=(1.0, 0.0), t_end=4000.0)):
+        assert found.kind == "undecided"
+        assert "not told from 0" in found.why
+        assert (np.abs(found.exponents) <= found.error).all()
+
+
 def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Any) -> None:
     p, store, asked = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 42.0]), mu0=0.5), tmp_path / "map.csv", []
 

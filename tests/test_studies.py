@@ -16,8 +16,9 @@ from spragsym.design.design_space import PHYSICAL, dimensionless
 from spragsym.kang_nam.design.events import have_jumped
 from spragsym.models.varying_units import BalanceInUnits
 from spragsym.studies import brake_quantities, friction, jump_verdicts, tolerances
+from spragsym.studies.examples import example
 from spragsym.studies.jump_verdicts import certificate
-from tests.support import few
+from tests.support import few, model_of
 from validation import reports as validate_reports
 
 BRAKE = """[brake]
@@ -1095,3 +1096,24 @@ def test_a_remark_names_places_in_the_units_of_the_file(study: ss.Study) -> None
     for text in ("psi0 = 2, max = 4, and mu0 is 3", "theta_1 in [0, 1] rad"):
         assert said([text]) == [text]
     assert Units(study.dimensionless.model).said(["x in [0, 1]"]) == ["x in [0, 1]"]
+
+
+@pytest.mark.thorough
+def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_path: Path) -> None:
+    """What is stable is so with the law's own damping, and an oscillation is looked for, by any name."""
+    pytest.importorskip("sympy")
+    page = (Path(ss.__file__).resolve().parent.parent / "derive" / "models" / "damped.py").read_text(encoding="utf-8")
+    told = {}
+    for name in ("V", "U"):
+        folder = tmp_path / name
+        folder.mkdir()
+        text = page.replace('V = page.parameter("V"', f'{name} = page.parameter("{name}"').replace("(x, V,", f"(x, {name},")
+        assert text.count(f"{name} = page") == 1
+        model = model_of(text, "own", folder)
+        (folder / "brake.toml").write_text(example(model), encoding="utf-8")
+        found = ss.Study.from_file(folder / "brake.toml").report(n=64, redesign=False)
+        assert found.study.moves
+        told[name] = json.dumps(found.to_dict(), default=str).replace(str(folder), "").replace(f'"{name}"', '"speed"')
+        told[name] = told[name].replace(f"{name} = ", "speed = ")
+    assert told["V"] == told["U"]
+    assert '"oscillation": null' not in told["U"]

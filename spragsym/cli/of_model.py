@@ -172,7 +172,7 @@ class OfModel(click.Command):
         """The values of a file, as options take them."""
         from ..studies import brake_quantities
 
-        model, moves = load(study.model), {"V", "d"} & set(load(study.model).parameters) <= set(study.quantities)
+        model, moves = load(study.model), study.moves
         p, _ = brake_quantities.dimensionless(study.model, study.values)
         if not self.statics and not moves:
             raise ParameterError(

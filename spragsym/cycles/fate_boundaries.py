@@ -418,7 +418,8 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
     for place in asked.inside(*(value + sign * aside for aside in ASIDE for sign in (-1, 1))):
         asked.ask(place)
     kind, state, growth, distance = _saddle(asked, low.value, high.value)
-    others = {(a.value, b.value) for a, b in asked.changes() if a.value < b.value and not a.value <= value <= b.value}
+    away = [(a.value, b.value) for a, b in asked.changes() if a.value < b.value]
+    others = {(a, b) for a, b in away if b < value - error or a > value + error}  # what the error reaches is this one
     return FateBoundary(
         asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
         np.array(sorted(others)).reshape(-1, 2), asked.field,

@@ -37,6 +37,9 @@ PROVED = 2.0
 #: A motion has settled once the slowest decay has made deviations smaller by exp of this.
 SETTLED = 5.0
 
+#: What errors of integration may add to a rate: an exponent below is not told from 0, however little it scatters.
+FLOOR = 1e-10
+
 #: Slower than this the flow is no direction: the motion is at rest.
 STILL = 1e-9
 
@@ -97,7 +100,7 @@ class Rates:
         found = half_widths(self.logs, self.stretch)
         if self.moves:
             found[0] = float(np.ptp(self.flow)) / self.span
-        return found
+        return np.maximum(found, FLOOR)
 
     def undecided(self, before: float) -> str:
         """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it was followed before."""
@@ -107,12 +110,13 @@ class Rates:
         open_ = np.flatnonzero(np.abs(across) <= PROVED * error)
         if len(open_):
             worst = open_[int(np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300)))]
-            return (
-                f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: a longer motion narrows that as "
-                "the root of its time; on a torus it stays"
-            )
+            longer = "a longer motion narrows that as the root of its time; on a torus it stays"
+            hope = longer if error[worst] > FLOOR else "errors of integration may be as large"
+            return f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: {hope}"
         if across.max() < 0:
-            return "all exponents but the trivial one are negative: it nears a cycle, which a longer motion reaches"
+            return "all exponents but the trivial one are negative: what it nears attracts, and a longer motion may reach it"
+        if len(across) == 1:
+            return "deviations grow, but the motion of one coordinate is never chaotic: a longer motion tells what it comes to"
         slowest = float(-across[across < 0].max(initial=-np.inf))
         if before * slowest < SETTLED:
             return f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed for {before:g} before"

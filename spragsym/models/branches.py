@@ -171,7 +171,7 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     counts = int(begin.q.shape[1]), int(end.q.shape[1])
     mirrored = bool((along.kinds == "pitchfork").any() and (along.kinds[within] == "pitchfork").all())
     if mirrored and within.any():
-        return _across_pitchfork(along, pairs, begin, end)
+        return _across_pitchfork(along, pairs, begin, end, [value in along.at for value in step])
     # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
     over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
     if over_fold:
@@ -180,8 +180,12 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     return len(pairs) == counts[0] == counts[1]
 
 
-def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: _States) -> bool:
-    """Pairs of the states that meet at a pitchfork: none crosses the mirror; of three that begin there the upper goes on."""
+def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]) -> bool:
+    """Pairs of the states that meet at a pitchfork, all but those that end there; ``on`` says which of both values are on it.
+
+    The outer two and the one that is left on the other side agree in the sign of det K. Where that is positive none ends, and of
+    three that begin the upper goes on. Where it is negative it is the middle one that is stable: it ends, and begins.
+    """
     turned = along.balance.coordinates.index(along.balance.model.about["mirror"]["turned"][0])
     one = [k for k in range(begin.q.shape[1]) if k not in pairs]
     two = [k for k in range(end.q.shape[1]) if k not in pairs.values()]
@@ -189,7 +193,14 @@ def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: 
     two.sort(key=lambda k: float(end.q[turned, k]))
     if not {len(one), len(two)} <= {1, 3}:
         return not one and not two
-    pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[-1])
+    sides = zip((begin, end), (one, two), on, strict=True)
+    soft = any(states.signs[slots].sum() > 0 for states, slots, there in sides if not there)
+    if len(two) == 3 and len(one) == 1:
+        pairs |= {one[0]: two[2 if soft else 1]}
+    elif len(two) == 1 and not on[1] and not soft:
+        pairs |= {slot: two[0] for slot in one if begin.signs[slot] < 0 and not on[0]}
+    else:
+        pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[0])
     return True
 
 

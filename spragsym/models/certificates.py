@@ -16,6 +16,7 @@ from ..exact.interval_arrays import FloatArray
 from ..progress import doing
 from ..results.equilibria import Stability
 from .equilibria import equilibria
+from .foremost import foremost
 from .state_certificates import STATES, certify_states, corner_values
 from .tube_regions import ByColumn, Flags, Parts, Place
 from .tubes import SMALL, Tubes
@@ -119,7 +120,7 @@ class Splitting:
         if not eq.decided or not stable.size:
             raise ConvergenceError(f"no state in the middle of the box is known to be stable at {self.vary} = {self.begin:g}")
         states = np.array([eq.coordinates[name][stable] for name in self.balance.coordinates])
-        first: FloatArray = states[:, np.abs(states[0]).argmin()]
+        first: FloatArray = states[:, foremost(np.abs(states[0]), states, eq.error[stable])]
         return first
 
     def point(self, values: FloatArray) -> Any:

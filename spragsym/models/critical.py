@@ -21,6 +21,7 @@ from .cusps import cusps
 from .equilibria import equilibria
 from .folds import folds
 from .forces import Model
+from .foremost import foremost
 from .paths import OVER_BORDER, ModelEnd, first_end
 from .points import arranged, endless, given_column, ranges, search
 from .remarks import of_ranges
@@ -255,7 +256,7 @@ class _Search:
                 f"no state at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
             )
         states = np.array([eq.coordinates[name][stable] for name in self.balance.coordinates])
-        way = self.carried(here, self.over, np.array(places), states[:, np.abs(states[0]).argmin()])
+        way = self.carried(here, self.over, np.array(places), states[:, foremost(np.abs(states[0]), states, eq.error[stable])])
         self.beginning = dict(zip(places, way.T, strict=True))
 
     def carried(self, p: Any, name: str, values: Any, q: Any) -> Any:

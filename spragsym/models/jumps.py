@@ -16,6 +16,7 @@ from ..parameters import Range, as_number, as_numbers
 from ..results.equilibria import Stability
 from .balance import Balance
 from .equilibria import equilibria
+from .foremost import foremost
 from .paths import first_end
 from .points import FAR
 from .stability import filled
@@ -78,7 +79,8 @@ def jump_value(
     Notes
     -----
     Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.models.turning_points`: the state is
-    the stable one of smallest first coordinate at the first value, or the one of smallest where none is stable. What tubes don't
+    the stable one of smallest first coordinate at the first value, or the one of smallest where none is stable; of those that are
+    alike the one of larger coordinates. What tubes don't
     decide is followed between all folds that are found by search, see :func:`spragsym.models.paths.first_end`; an end there may
     also be where the state leaves the contact.
     """
@@ -144,7 +146,9 @@ class Followed:
         if until is None:
             far = FAR * max(1.0, abs(self.model.base.get(self.vary) or 0.0))
             end = allowed.high if self.forward > 0 else allowed.low
-            until = allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max()))
+            until = (
+                allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max(initial=0.0)))
+            )
         ends = np.broadcast_to(as_numbers("until", until, allowed).reshape(-1), self.begin.shape)
         if ((ends - self.begin) * self.forward < 0).any():
             way = "below" if self.forward > 0 else "above"
@@ -183,10 +187,10 @@ class Followed:
         n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
         p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
         eq = equilibria(self.model, p)
-        first = np.abs(getattr(eq, self.balance.coordinates[0]))
+        states = np.array([getattr(eq, name) for name in self.balance.coordinates])
         stable = eq.stability == Stability.STABLE
-        open_ = np.where(stable.any(axis=1, keepdims=True), stable, ~np.isnan(first))
-        slot = np.where(open_, first, np.inf).argmin(axis=1)
+        open_ = np.where(stable.any(axis=1, keepdims=True), stable, ~np.isnan(states[0]))
+        slot = foremost(np.where(open_, np.abs(states[0]), np.inf), states, eq.error)
         z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0

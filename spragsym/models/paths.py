@@ -26,11 +26,14 @@ from .branches import Along, links
 from .equilibria import columns, equilibria
 from .folds import folds
 from .forces import Model
+from .foremost import foremost
 from .points import arranged, given_column, search
 from .stability import linearization
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
 BESIDE = 1e-3
+#: How far beyond its ends a range is searched, so that folds on them lie inside, over the larger of 1 and the end.
+AROUND = 1e-6
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
 
@@ -85,8 +88,10 @@ def quasi_static_path(
     The rules are those of :func:`spragsym.quasi_static_path`. A value that is equal to a fold as ``model.folds`` gives it counts
     as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the first
     value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then the
-    path goes on with the stable one of those two, or jumps. At a pitchfork nothing jumps: where three equilibria become one, each
-    goes on as that one; where one becomes three, the path goes on with the one of larger x, or whatever the mirror turns.
+    path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable each
+    goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or whatever
+    the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states that are
+    equally small, or equally near, the one of larger coordinates is taken.
     """
     along = as_numbers("values", values)
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
@@ -134,8 +139,8 @@ class _Way:
         low, high = float(along.min()), float(along.max())
         # Folds on the ends are inside of what is searched.
         allowed: Range = p.ranges.get(vary, Range(-np.inf, np.inf))
-        low = max(low - BESIDE * max(1.0, abs(low)), allowed.low)
-        high = min(high + BESIDE * max(1.0, abs(high)), allowed.high)
+        low = max(low - AROUND * max(1.0, abs(low)), allowed.low)
+        high = min(high + AROUND * max(1.0, abs(high)), allowed.high)
         self.folds: Points = folds(model, p, vary, between={vary: (low, high)})
         if not self.folds.decided:
             raise ConvergenceError(
@@ -213,7 +218,10 @@ class _Way:
         if not stable:
             at = f"the first value, {self.vary} = {float(self.stops[0])!r}"
             raise ParameterError(f"{at}, has no equilibrium in contact; begin where there is one: at folds they begin and end")
-        return (min if start == "small" else max)(stable, key=lambda slot: abs(self.state(0, slot)[0][0]))
+        states = np.array([self.state(0, slot)[0] for slot in stable]).T
+        error = max(self.state(0, slot)[2] for slot in stable)
+        sign = 1.0 if start == "small" else -1.0
+        return stable[int(foremost(sign * np.abs(states[0]), states, np.full(len(stable), error)))]
 
     def _met(self, stop: int) -> int | None:
         """The number of the fold or border that a stop is equal to."""
@@ -266,12 +274,14 @@ class _Way:
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
-                how = "leaves the contact" if end.kind == "border" else "ends in a fold"
+                how = "leaves the contact" if end.kind == "border" else f"ends in a {end.kind}"
                 raise ConvergenceError(
                     f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path "
                     "before it, or say in Python by after_jump where it goes"
                 )
-            slot = min(stable, key=lambda k: sum((float(eq.coordinates[name][k]) - before[name]) ** 2 for name in before))
+            states = np.array([eq.coordinates[name][stable] for name in before])
+            apart = np.linalg.norm(states - np.array(list(before.values()))[:, None], axis=0)
+            slot = stable[int(foremost(apart, states, eq.error[stable] + end.error))]
         else:
             slot = choose(eq, before)
             if not 0 <= slot < count:

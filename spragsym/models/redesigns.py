@@ -44,7 +44,10 @@ def jump_margin(model: Any, p: Any, scale: Mapping[str, float], *, vary: str, be
 
     def ending(z: FloatArray) -> NDArray[np.bool_]:
         some = designs.sets(z)
-        return ~np.isnan(Followed(model, some, vary, "up", begin, getattr(some, vary)).ends(patient=False).value)
+        # A design below where the parameter begins has not come to any end.
+        return ~np.isnan(
+            Followed(model, some, vary, "up", begin, np.maximum(begin, getattr(some, vary))).ends(patient=False).value
+        )
 
     def safe(radius: float) -> bool:
         return _safe(designs, radius, vary, begin)

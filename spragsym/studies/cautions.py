@@ -114,7 +114,8 @@ def _friction(study: Study) -> Iterator[str]:
     if not _has(study, "mu0"):
         return
     if study.fraction < FULL:
-        since = f"since d V = {study.values['d'] * abs(study.values['V']):.3g}; check d and V" if _has(study, "d") else "check V"
+        both = _has(study, "d") and _has(study, "V")
+        since = f"since d V = {study.values['d'] * abs(study.values['V']):.3g}; check d and V" if both else f"check {study.belt}"
         yield (
             f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
             f"of {study.values['mu0']:.4g}, {since}"
@@ -147,9 +148,9 @@ def _fit(study: Study) -> Iterator[str]:
 
 
 def _units(study: Study) -> Iterator[str]:
-    if "V" in study.quantities and abs(study.values["V"]) > FAST:
-        speed = study.values["V"]
-        yield f"V = {study.shown('V', speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"
+    belt = study.belt
+    if belt is not None and _has(study, belt) and abs(speed := study.values[belt]) > FAST:
+        yield f"{study.shown_speed(speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"
     angle = study.quantities.get("theta0")
     if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
         yield (

@@ -33,7 +33,7 @@ def law_of(study: Study) -> str:
     for the friction at a speed.
     """
     said = study.about["friction"]
-    known = "V" in study.quantities and set(said["quantities"]) <= set(study.quantities)
+    known = said["belt"] != "0" and set(said["quantities"]) <= set(study.quantities)
     return "friction_at_speed" if known and said["at_rest"] != "other" else "friction_at_rest"
 
 
@@ -177,10 +177,11 @@ def speed_for(study: Study, friction: float) -> float:
     Source: bounds of the model's law over intervals of the speed, from 0 up to 2³⁰ times the belt's own, and over all other
     tolerances. Where the law neither rises nor falls in these, its bounds are loose, and it is a little less than that.
     """
-    if not study.moves or law_of(study) != "friction_at_speed" or not study.values["V"]:
+    if not study.moves or law_of(study) != "friction_at_speed" or study.belt is None or not study.values[study.belt]:
         return math.nan
     law, low, high = _law_and_box(study)
-    place, speed = law.parameters.index("V"), abs(float(study.dimensionless.V))
+    name = study.about["friction"]["belt"]
+    place, speed = law.parameters.index(name), abs(float(getattr(study.dimensionless, name)))
 
     def reaches(slow: float, fast: float) -> bool:
         low[place], high[place] = slow, fast

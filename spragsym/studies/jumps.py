@@ -84,7 +84,7 @@ def jump_peak(study: Study, mu0: float, jump: float, speed: float) -> JumpPeak |
     begin, end = (np.array([where[name] for name in model.coordinates]) for where in (turn.before, turn.after))
     at = p.replace(mu0=1.0)
     if jump > study.friction[2]:
-        at = at.replace(V=speed * scales.time / scales.length)
+        at = at.replace(**{model.about["friction"]["belt"]: speed * scales.time / scales.length})
     at = at.replace(mu0=jump / float(model.friction(at)))  # to which the law is proportional
     held = int(np.abs(end - begin).argmax())
     start = _balanced(model, p.replace(mu0=mu0), begin + AWAY * (end - begin), held)

@@ -118,4 +118,5 @@ def _change_json(study: Study, target: float, one: Change) -> dict[str, Any]:
 
 
 def _speed_json(report: Report) -> dict[str, Any] | None:
-    return None if math.isnan(report.facts.speed) else _in_file(report.study, {"V": report.facts.speed})["V"]
+    belt = report.study.belt
+    return None if belt is None or math.isnan(report.facts.speed) else _in_file(report.study, {belt: report.facts.speed})[belt]

@@ -13,6 +13,7 @@ from ..display import Result
 from ..errors import ParameterError, SpragsymError
 from ..progress import doing, show_progress, tell
 from ..results.points import Points
+from .brake_files import OPTIONAL
 from .cautions import cautions
 from .effort import effort
 from .facts import Facts, facts
@@ -195,8 +196,8 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     low, working, high = study.friction
     if high == 0 and "mu0" in study.quantities and study.quantities["mu0"].high > 0:
         raise ParameterError(
-            f"V = {study.shown('V', study.values['V'])}: nothing slides at that speed, and the friction law has no friction "
-            "there; give the speed of the belt, or leave V and d out for friction at full slip"
+            f"{study.shown_speed(study.values[study.belt or 'V'])}: nothing slides at that speed, and the friction law has no "
+            "friction there; give the speed of the belt, or leave V and d out for friction at full slip"
         )
     tell("jumps, lowest fold and states")
     p, at, asked, end = study.dimensionless, study.at_work, _Asked(study), top(study)
@@ -239,6 +240,8 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     target = safety * (so.full[2] if faster else high)
     sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")
     plain = bool(p.model.about["friction"]) and p.model.about["friction"]["at_rest"] == "mu0"
+    # Friction at full slip is that of a study without the belt's speed, which a file may leave out where it is called V.
+    plain &= not faster or study.belt in OPTIONAL
     needed = redesign and target > 0 and bool(sprags) and plain and (not faster or mu_jump is None or mu_jump <= so.full[2])
     if redesign and sprags and not plain:
         asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")

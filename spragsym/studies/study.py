@@ -150,9 +150,15 @@ class Study:
 
     @cached_property
     def moves(self) -> bool:
-        """Whether belt speed and steepness of the friction law are known, so that there is a motion in time."""
-        needed = {"V", "d"} & {entry["name"] for entry in self.about["parameters"]}
-        return bool(needed) and needed <= set(self.quantities)
+        """Whether all that the motion in time depends on is known; a file may leave out V and d."""
+        return {entry["quantity"] for entry in self.about["parameters"]} <= set(self.quantities)
+
+    @property
+    def belt(self) -> str | None:
+        """The quantity that is the speed of the belt, whatever the page calls it; None where none alone is that."""
+        law = self.about["friction"]
+        names = {entry["name"]: entry["quantity"] for entry in self.about["parameters"]}
+        return names.get(law["belt"]) if law else None
 
     @cached_property
     def fraction(self) -> float:
@@ -184,6 +190,12 @@ class Study:
     def shown(self, name: str, value: float, digits: int = 4) -> str:
         """A value of a quantity as text, in the unit in which it came."""
         return shown_in(value, self.quantities[name].unit, self.si(name), digits)
+
+    def shown_speed(self, speed: float, digits: int = 4) -> str:
+        """A speed of the belt as text, by the name of the page: ``V = 1.2 m/s``."""
+        return (
+            f"a speed of {speed:.{digits}g} m/s" if self.belt is None else f"{self.belt} = {self.shown(self.belt, speed, digits)}"
+        )
 
     def in_file(self, name: str, value: float) -> float:
         """A value of a quantity in the unit in which it came."""

@@ -68,13 +68,13 @@ def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
         begin = "As drawn it does not sprag" if so.within == "refuted" or so.hits else "It does not sprag"
         return f"{begin}{model}: {state} {what}{_within(study, parts)}."
     if so.reach == "faster":
-        speed = study.shown("V", study.values["V"], 3)
-        above = "at a higher speed" if math.isnan(so.speed) else f"above V = {study.shown('V', so.speed, 3)}"
+        at = "the belt's speed" if study.belt is None else study.shown(study.belt, study.values[study.belt], 3)
+        above = "at a higher speed" if math.isnan(so.speed) else f"above {study.shown_speed(so.speed, 3)}"
         works = f"only {high:.3g} of your {full:.3g}" if high < full else f"{high:.3g}"
-        if so.speed < study.values["V"]:
-            above = f"at lower speeds, from V = {study.shown('V', so.speed, 3)} on"
+        if study.belt is not None and so.speed < study.values[study.belt]:
+            above = f"at lower speeds, from {study.shown_speed(so.speed, 3)} on"
         return (
-            f"It sprags{model} {above}: {state} jumps at a friction of {jump:.4g}; at {speed} {works} "
+            f"It sprags{model} {above}: {state} jumps at a friction of {jump:.4g}; at {at} {works} "
             f"works, and it does not jump{_within(study, parts)}."
         )
     friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
@@ -183,7 +183,7 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
         if so.slow:
             yield ("the same at full slip", f"{100 * (jump / so.full[2] - 1):+.1f} %")
     if study.moves and report.mu_jump is not None:
-        begins = "at no speed" if math.isnan(so.speed) else f"{study.shown('V', so.speed)}, with the largest friction"
+        begins = "at no speed" if math.isnan(so.speed) else f"{study.shown(str(study.belt), so.speed)}, with the largest friction"
         yield ("speed at which it begins to jump", begins)
     if "theta0" in study.quantities:
         yield ("jump at this friction", _or_unknown(report.theta0_jump_deg, "at {:.6g} deg", "never"))
@@ -274,7 +274,7 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     first = next(iter(found.before))
     unit = first.rpartition("_")[2]
     places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {unit}"
-    faster = f" and V = {report.study.shown('V', report.facts.speed, 3)}" if report.facts.reach == "faster" else ""
+    faster = f" and {report.study.shown_speed(report.facts.speed, 3)}" if report.facts.reach == "faster" else ""
     yield ("the states before and after", f"at friction {found.friction:.4g}{faster}, {places}")
     yield ("let go at rest", f"{100 * AWAY:g} % of the way beyond the fold")
     for key, (least, most) in found.ranges.items():

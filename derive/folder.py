@@ -149,13 +149,15 @@ def description(model: Model) -> dict[str, Any]:
             {
                 "name": datum.becomes, "symbol": datum.latex, "meaning": datum.meaning, "unit": "rad" if datum.unit == "rad" else "1",
                 **_domain(datum.domain), "base": datum.base, "role": "both" if datum.becomes in of_statics else "motion",
-                "quantity": str(datum.symbol), "quantity_unit": datum.unit,
+                "quantity": str(datum.symbol), "quantity_unit": datum.unit, "scale": _scale(model.page, units.read(datum.unit)),
             }
             for datum in it.parameters
         ],
         "scales": {
             name: _scale(model.page, dimension)
-            for name, dimension in (("length", units.LENGTH), ("time", units.TIME), ("force", units.FORCE))
+            for name, dimension in (
+                ("length", units.LENGTH), ("time", units.TIME), ("force", units.FORCE), ("rate", units.times(units.NONE, units.TIME, -1)),
+            )
         },
         "angles": {str(angle.symbol): [str(angle.c), str(angle.s)] for angle in it.angles},
         "arguments": {

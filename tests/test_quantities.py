@@ -15,6 +15,7 @@ from spragsym.cli import cli
 from spragsym.files import storage
 from spragsym.generated import scales
 from spragsym.generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
+from spragsym.models.load import shipped
 from spragsym.parameters import RANGES, range_of
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -51,8 +52,31 @@ def test_no_meaning_is_typed_again() -> None:
 
 def test_help_and_files_say_what_the_nomenclature_says() -> None:
     assert "Friction coefficient at full slip." in CliRunner().invoke(cli, ["equilibria", "--help"]).output
-    assert storage.attributes("y") == {"units": "L_0", "long_name": "displacement across the belt, negative into the belt"}
-    assert storage.attributes("vx0") == {"units": "L_0 sqrt(k_c/m)", "long_name": "initial speed along the belt"}
+    said = ss.load("kang_nam").quantities
+    assert storage.attributes("y", said) == {"units": "L_0", "long_name": "displacement across the belt, negative into the belt"}
+    assert storage.attributes("kappa", said) == {"units": "L_0*k_c", "long_name": "preload that presses the mass on the belt"}
+
+
+@pytest.mark.parametrize("name", shipped())
+def test_files_say_what_one_of_each_number_is(name: str) -> None:
+    """Of parameters by the quantities of the page, in any units of measure; of results by those of what they are made of."""
+    from spragsym.studies import brake_quantities
+
+    model = ss.load(name)
+    about, said = model.about, model.quantities
+    bases = dict(zip((entry["name"] for entry in about["units"]), (0.3, 7.0e5, 0.05), strict=False))
+    sizes = {**bases, "sqrt": math.sqrt, "rad": 1.0}
+    given = {entry["quantity"]: 0.1 * (place + 1) for place, entry in enumerate(about["parameters"])}
+    p, _ = brake_quantities.dimensionless(name, {**given, **bases})
+    for entry in about["parameters"]:
+        one = eval(said[entry["name"]][0], {}, sizes)  # noqa: S307  # written by the derivation
+        assert float(getattr(p, entry["name"])) * one == pytest.approx(given[entry["quantity"]], rel=1e-12)
+    assert {said[key][0] for key in ("rms", "mean", "cycle_x", model.coordinates[0], f"{model.coordinates[0]}0")} == {
+        said["rms"][0]
+    }
+    one, rate = (eval(said[key][0], {}, sizes) for key in ("period", "rate"))  # noqa: S307
+    assert one * rate == pytest.approx(1.0)
+    assert all(model.coordinates[0] in said[key][1] for key in ("rms", "amplitude", "cycle_x"))
 
 
 @pytest.mark.parametrize("name", ["x", "y", "L", "vx", "vy", "V", "d", "tau"])

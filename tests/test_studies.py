@@ -493,6 +493,11 @@ def test_a_cycle_in_seconds_millimetres_and_newtons(tmp_path: Path, capsys: pyte
     assert found["period_s"] == pytest.approx(0.5 * cycle.period, rel=1e-9)
     assert found["amplitude_mm"] == pytest.approx(500 * cycle.amplitude, rel=1e-9)
     assert found["contact_force_N"] == pytest.approx([2 * force for force in cycle.contact_force], rel=1e-9)
+    # Where it is printed it is typed: lengths as the file has them, speeds in the unit of V.
+    assert found["state"] == pytest.approx((cycle.state * [500, 500, 1, 1]).tolist(), rel=1e-9)
+    with pytest.raises(SystemExit):
+        main(["cycles", "--data", str(file), "--near", ",".join(map(str, found["state"])), "--json"])
+    assert json.loads(capsys.readouterr().out)["period_s"] == pytest.approx(found["period_s"], rel=1e-9)
 
 
 @pytest.mark.thorough

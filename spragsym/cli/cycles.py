@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..errors import ParameterError
+from ..progress import show_progress
 from .of_model import Case, of_model
 from .options import as_json
 from .spans import Span, Typed, span, vary
@@ -62,15 +63,20 @@ def cycles(
     if whole and along is not None:
         _tell_diagram(case, p, along, [] if start is None else [start], points, plot, json_output)
         return
-    found = case.model.cycle(p, start)
+    with show_progress("looking for a cycle"):
+        found = case.model.cycle(p, start)
     summary, title = case.units.measured({"model": case.model.name, **_summary(found)}), ""
+    # As --near takes it.
+    summary["state"] = [value * one for value, one in zip(summary["state"], _ones(case), strict=True)]
     if prove:
-        summary |= _proof(found)
+        with show_progress("proving it"):
+            summary |= _proof(found)
     if along is not None:
         from ..cycles import cycle_branch
 
         title = along.title
-        branch = cycle_branch(found, along.name, _held(along, found), points=points)
+        with show_progress(f"following cycles along {along.name}"):
+            branch = cycle_branch(found, along.name, _held(along, found), points=points)
         summary |= _branch(case, branch, along)
         if plot is not None:
             _draw(branch, plot)
@@ -92,7 +98,8 @@ def _tell_diagram(
     from ..models.diagram import diagram
 
     unit, title = along.unit, along.title
-    found = diagram(p, along.name, along.between[along.name], starts=starts, points=points)
+    with show_progress(f"equilibria and cycles along {along.name}"):
+        found = diagram(p, along.name, along.between[along.name], starts=starts, points=points)
     if plot is not None:
         from ..figures import diagram_figure
 
@@ -144,16 +151,21 @@ def _proof(found: Cycle) -> dict[str, Any]:
 
 
 def _state(text: str | None, case: Case) -> list[float] | None:
-    names = (*case.model.coordinates, *case.model.rates)
     if text is None:
         return None
+    names = (*case.model.coordinates, *case.model.rates)
     try:
         numbers = [float(part) for part in text.split(",")]
     except ValueError:
         numbers = []
     if len(numbers) != len(names):
         raise ParameterError(f"--near {text!r} is not {len(names)} numbers with commas, {', '.join(names)}")
-    return [number / case.units.state(name) for name, number in zip(names, numbers, strict=True)]
+    return [number / one for number, one in zip(numbers, _ones(case), strict=True)]
+
+
+def _ones(case: Case) -> list[float]:
+    """What one of each component of a state is where it is typed, and where it is printed to be typed again."""
+    return [case.units.state(name) for name in (*case.model.coordinates, *case.model.rates)]
 
 
 def _summary(found: Cycle) -> dict[str, Any]:

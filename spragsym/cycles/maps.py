@@ -32,16 +32,6 @@ from .verdicts import UNFOLLOWED
 #: Numbers of a record, in this order.
 MEASURED = ("kind", "period", "exponent", "exponent_error", "time_scale", "t")
 
-#: What a file says of the results.
-EXPLAINED = {
-    "kind": ("1", "0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic"),
-    "exponent": ("sqrt(k_c/m)", "largest Lyapunov exponent but the trivial one"),
-    "exponent_error": ("sqrt(k_c/m)", "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it"),
-    "time_scale": ("sqrt(m/k_c)", "on which the slowest deviations from steady sliding die out"),
-    "t": ("sqrt(m/k_c)", "how long the motion was followed"),
-    "why": ("1", "what decides the kind, or would"),
-}
-
 
 class Kind(IntEnum):
     """What a motion comes to, as :attr:`spragsym.Fate.kind` has it in words."""
@@ -101,7 +91,7 @@ class FateMap(Result):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write ``*.csv``: one line a point."""
-        explained = {**self.model.quantities, **EXPLAINED}
+        explained = {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
         names = (f"{name}0" for name in (*self.model.coordinates, *self.model.rates))
         made = {
             **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,

@@ -168,7 +168,7 @@ class Cycle(Result):
         """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
         path = Path(path)
         if path.suffix == ".nc":
-            storage.write(path, self.to_dataset, dict, {})
+            storage.write(path, self.to_dataset, dict, {}, {})
         else:
             self.trajectory().save(path)
 

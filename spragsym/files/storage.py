@@ -26,51 +26,7 @@ import numpy as np
 from .._version import __version__
 from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError
 from ..generated import SOURCE_HASH
-from ..generated.quantities import PARAMETERS
-from ..generated.quantities import QUANTITIES as _TABLE
 from .locks import exclusive, write_all
-
-
-def _model(name: str) -> tuple[str, str]:
-    """Unit and meaning of a quantity of the nomenclature."""
-    quantity = _TABLE[name]
-    return quantity.unit, quantity.meaning
-
-
-def _initial(name: str) -> tuple[str, str]:
-    """The same for its initial value, without the remark on its sign."""
-    unit, meaning = _model(name)
-    return unit, f"initial {meaning.partition(',')[0]}"
-
-
-#: (unit, meaning) of every quantity that a file can hold: the model's from the nomenclature, then what is computed from a motion.
-QUANTITIES = {
-    **{name: _model(name) for name in (*PARAMETERS, "V", "d", "x", "y", "vx", "vy")},
-    **{f"{name}0": _initial(name) for name in ("x", "y", "vx", "vy")},
-    "theta0_deg": ("degree", "the same in degrees"),
-    "t": _model("tau"),
-    "error": ("1", "largest difference of x, y, x', y' to a run at a tighter tolerance"),
-    "rms": ("L_0", "root mean square of x about zero, after the transient"),
-    "spread": ("L_0", "root mean square of x about its mean, after the transient"),
-    "amplitude": ("L_0", "largest |x| after the transient"),
-    "mean": ("L_0", "mean of x after the transient"),
-    "mean_y": ("L_0", "mean of y after the transient"),
-    "period": ("sqrt(m/k_c)", "period of the cycle that the motion is on or approaches; NaN for none"),
-    "rate": ("sqrt(k_c/m)", "rate at which what the motion settles to or approaches attracts"),
-    "distance": ("1", "what is left of the way there: of the reach of a cycle, over L_0 for rest"),
-    "cycle_mean": ("L_0", "mean of x over one period of the cycle"),
-    "cycle_rms": ("L_0", "root mean square of x about zero over one period of the cycle"),
-    "cycle_x": ("L_0", "largest x of the cycle"),
-    "cycle_y": ("L_0", "y of the cycle where its x is largest"),
-    "cycle_vy": ("L_0 sqrt(k_c/m)", "speed across the belt of the cycle where its x is largest"),
-    "contact_lost": ("1", "times contact was lost after the transient"),
-    "slip_reversed": ("1", "times x' passed V after the transient"),
-    "regime": ("1", "what the motion settles to or approaches"),
-    "equilibrium": ("1", "index of the equilibrium that it settles to or approaches; -1 for none"),
-    "reason": ("1", "why a point has no result"),
-    "event_t": ("sqrt(m/k_c)", "time of an event"),
-    "event": ("1", "what happened"),
-}
 
 
 def xarray() -> Any:
@@ -84,7 +40,7 @@ def xarray() -> Any:
     return xarray
 
 
-def attributes(name: str, explained: Mapping[str, tuple[str, str]] = QUANTITIES) -> dict[str, str]:
+def attributes(name: str, explained: Mapping[str, tuple[str, str]]) -> dict[str, str]:
     """Unit and meaning of a quantity."""
     unit, meaning = explained[name]
     return {"units": unit, "long_name": meaning}
@@ -154,7 +110,7 @@ def write(
     dataset: Callable[[], Any],
     columns: Callable[[], Mapping[str, Any]],
     attrs: Mapping[str, Any],
-    explained: Mapping[str, tuple[str, str]] = QUANTITIES,
+    explained: Mapping[str, tuple[str, str]],
 ) -> None:
     """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes.
 

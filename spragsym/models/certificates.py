@@ -248,7 +248,8 @@ def certify(
         ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of the box where ``vary`` begins,
         and what it becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact,
         and meets no other state. ``"one equilibrium"``: there is one in contact. ``"no flutter"``: of no equilibrium in contact
-        does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27), without dampers.
+        does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27): without dampers and the slope of the
+        friction law, with which a state may grow all the same, see :func:`spragsym.flutter_onsets`.
     vary : str
         The parameter that rises, for ``"no jump"`` only.
     begin : float

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
+
+#: Name, unit, name of the rate, and its unit.
+Place: TypeAlias = tuple[str, str, str, str]
 
 
 def described(about: Mapping[str, Any]) -> str:
@@ -33,17 +36,56 @@ def units_of(about: Mapping[str, Any]) -> str:
 
 
 def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
-    """Unit and meaning of everything that files of motions hold, by its name."""
-    found = {"t": (about["scales"]["time"], "time"), "error": ("1", "largest difference to a run at a tighter tolerance")}
+    """Unit and meaning of everything that files of motions hold, by its name: of the model, and of what is computed of it."""
+    time, rate = about["scales"]["time"], about["scales"]["rate"]
+    found = {"t": (time, "time"), "event_t": (time, "time of an event"), "event": ("1", "what happened")}
+    places = []
     for entry in about["coordinates"]:
-        name, rate = entry["name"], entry["rate"]
-        found |= {name: (entry["scale"], entry["meaning"]), rate: (entry["rate_scale"], f"rate of {name}")}
-        found |= {f"{name}0": (entry["scale"], f"initial {name}"), f"{rate}0": (entry["rate_scale"], f"initial {rate}")}
+        name, of_rate, unit = entry["name"], entry["rate"], "rad" if entry["unit"] == "rad" else entry["scale"]
+        places.append((name, unit, of_rate, entry["rate_scale"]))
+        found |= {name: (unit, entry["meaning"]), of_rate: (entry["rate_scale"], f"rate of {name}")}
+        found |= {f"{name}0": (unit, f"initial {name}"), f"{of_rate}0": (entry["rate_scale"], f"initial {of_rate}")}
     for entry in about["parameters"]:
-        found[entry["name"]] = (entry["unit"], entry["meaning"])
+        found[entry["name"]] = ("rad" if entry["unit"] == "rad" else entry["scale"] or "1", entry["meaning"])
     for name in about["angles"]:
         found[f"{name}_deg"] = ("degree", found[name][1])
-    return found
+    return found | _of_motions(places[0], places[1] if len(places) > 1 else None, time, rate)
+
+
+def _of_motions(first: Place, second: Place | None, time: str, rate: str) -> dict[str, tuple[str, str]]:
+    """Of what is computed of motions, by its first coordinate, and the second if there is one."""
+    x, unit, *_ = first
+    after, alone = "after the transient", "of a second coordinate, of which there is none"
+    y, across, vy, speed = second or ("", "1", "", "1")
+    of_second = {
+        "mean_y": (across, f"mean of {y} {after}"),
+        "cycle_y": (across, f"{y} of the cycle where its {x} is largest"),
+        "cycle_vy": (speed, f"{vy} of the cycle where its {x} is largest"),
+    }
+    return {
+        "error": ("1", "largest difference of the state to a run at a tighter tolerance"),
+        "rms": (unit, f"root mean square of {x} about zero, {after}"),
+        "spread": (unit, f"root mean square of {x} about its mean, {after}"),
+        "amplitude": (unit, f"largest |{x}| {after}"),
+        "mean": (unit, f"mean of {x} {after}"),
+        "period": (time, "period of the cycle that the motion is on or approaches; NaN for none"),
+        "rate": (rate, "rate at which what the motion settles to or approaches attracts"),
+        "distance": ("1", f"what is left of the way there: of the reach of a cycle, over {unit} for rest"),
+        "cycle_mean": (unit, f"mean of {x} over one period of the cycle"),
+        "cycle_rms": (unit, f"root mean square of {x} about zero over one period of the cycle"),
+        "cycle_x": (unit, f"largest {x} of the cycle"),
+        **(of_second if second else dict.fromkeys(of_second, ("1", alone))),
+        "contact_lost": ("1", f"times contact was lost {after}"),
+        "slip_reversed": ("1", f"times the sliding speed changed its sign {after}"),
+        "regime": ("1", "what the motion settles to or approaches"),
+        "equilibrium": ("1", "index of the equilibrium that it settles to or approaches; -1 for none"),
+        "reason": ("1", "why a point has no result"),
+        "kind": ("1", "0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic"),
+        "exponent": (rate, "largest Lyapunov exponent but the trivial one"),
+        "exponent_error": (rate, "half-width of its 95 % interval; 0 where eigenvalues or multipliers give it"),
+        "time_scale": (time, "on which the slowest deviations from steady sliding die out"),
+        "why": ("1", "what decides the kind, or would"),
+    }
 
 
 def _behind(entry: Mapping[str, Any]) -> str:

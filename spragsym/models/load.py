@@ -25,7 +25,7 @@ USUAL = "kang_nam"
 #: What ``model.json`` says at least.
 _KEYS = frozenset((
     "name", "summary", "drawing", "source", "coordinates", "parameters", "angles", "arguments", "by_parameters", "contact",
-    "dampers", "drawn", "friction", "mirror", "springs", "ties", "files",
+    "dampers", "drawn", "friction", "mirror", "scales", "springs", "ties", "files",
 ))  # fmt: skip
 
 _LOADED: dict[str, Model] = {}
@@ -118,6 +118,8 @@ def _about(folder: Path) -> dict[str, Any]:
         raise StoreError(f"{path} is not what this version of spragsym writes (without {missing}); derive the page again")
     if "algebra.py" not in about["files"]:
         raise StoreError(f"{folder} was derived by another version (without algebra.py); derive the page again")
+    if "rate" not in about["scales"]:
+        raise StoreError(f"{folder} was derived by another version (without the units of its files); derive the page again")
     if about["friction"] is not None and not about["friction"].keys() >= {"quantities", "at_rest"}:
         raise StoreError(f"{folder} was derived by another version (without what is said of its law); derive the page again")
     return about

@@ -150,9 +150,7 @@ class Model:
     @cached_property
     def quantities(self) -> Mapping[str, tuple[str, str]]:
         """Unit and meaning of everything that files of motions hold, by its name."""
-        from ..files.storage import QUANTITIES
-
-        return {**QUANTITIES, **explained(self.about)}
+        return explained(self.about)
 
     def describe(self) -> str:
         """The drawing, the coordinates and the parameters, as text."""

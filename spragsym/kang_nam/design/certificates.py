@@ -28,7 +28,9 @@ def certify(
         Two corners, scalars; a parameter may have the same value in both.
     claim : {"no jump", "one equilibrium", "no flutter"}
         ``"no jump"``: the state of small deformation does not jump as the friction rises from 0 to any μ₀ of the box.
-        ``"one equilibrium"``: there is one in contact, not three. ``"no flutter"``: no equilibrium in contact flutters.
+        ``"one equilibrium"``: there is one in contact, not three. ``"no flutter"``: no equilibrium in contact flutters by
+        (27), which has no dampers and no slope of the friction law: with that a state may grow all the same, see
+        :func:`spragsym.flutter_onsets`.
     max_boxes : int
         Boxes to look at before what is left is given back as undecided.
     refute : bool

@@ -1091,6 +1091,18 @@ def test_remarks_of_a_command_speak_of_the_quantities_of_the_file(tmp_path: Path
     assert float(told.split(", ")[1].split("]")[0]) == pytest.approx(end, rel=1e-7)
 
 
+def test_a_quantity_that_is_typed_is_in_the_unit_of_the_file(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """V is 1.2 m/s in the file, and mu0 has no unit."""
+    rms = []
+    for more in ([], ["-V", "1.2"], ["-V", "1.2", "--mu0", "0.45"], ["-V", "2.4"]):
+        with pytest.raises(SystemExit):
+            main(["simulate", "--data", str(path), "--t-end", "0.5", "--json", *more])
+        rms.append(json.loads(capsys.readouterr().out)["rms_mm"])
+    assert rms[1] == pytest.approx(rms[0], rel=1e-9)
+    assert rms[2] == pytest.approx(rms[0], rel=1e-9)
+    assert rms[3] != pytest.approx(rms[0], rel=1e-6)
+
+
 def test_a_remark_names_places_in_the_units_of_the_file(study: ss.Study) -> None:
     from spragsym.cli.units import Units
 

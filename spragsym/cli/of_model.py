@@ -11,6 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
+from click.core import ParameterSource
 
 from ..errors import ParameterError
 from ..models import load
@@ -131,6 +132,12 @@ class OfModel(click.Command):
         values = {name: ctx.params.pop(name) for name in self.model.parameters}
         radians = {name: np.radians(values[name]) for name in angles if values[name] is not None}
         method, units = ctx.params.pop("method", None), Units(self.model, ctx.obj)
+        if ctx.obj is not None:
+            # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
+            for entry in self.model.about["parameters"]:
+                name, typed = entry["name"], ctx.get_parameter_source(entry["name"]) == ParameterSource.COMMANDLINE
+                if typed and name == entry["quantity"] and name not in angles:
+                    values[name] = values[name] / units.varied(name)[1]
         start = {f"{name}0": ctx.params.pop(f"{name}0") / units.state(name) for name in self._state()}
         case = Case(self.model, values | radians, start, units, {"method": method} if method else {})
         assert self.callback is not None  # each has its work

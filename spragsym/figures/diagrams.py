@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .labels import shown
 from .oscillation import COLOURS, draw_stretches
 from .style import BLACK, DOUBLE, GREY, Sheet, Table, panels
 
@@ -22,40 +23,34 @@ CLOSE = 0.04
 def diagram_figure(found: Diagram) -> Sheet:
     """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
     figure, ((ax,),) = panels(1, 1, DOUBLE, 3.6)
-    unit = np.degrees(1.0) if found.vary.startswith("theta") else 1.0
+    (title, unit), (height, one) = (shown(found.model, name) for name in (found.vary, found.name))
     tables: dict[str, Table] = {}
     for i, rest in enumerate(found.equilibria):
         colour = BLACK if rest.mode == "contact" else GREY
-        draw_stretches(ax, unit * rest.values, rest.states[:, 0], rest.stable, colour, 1.1)
+        draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
         tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
     for i, branch in enumerate(found.cycles):
         for heights in (branch.highest, branch.lowest):
-            draw_stretches(ax, unit * branch.values, heights, branch.stable, COLOURS[i % len(COLOURS)], 1.3)
+            draw_stretches(ax, unit * branch.values, one * heights, branch.stable, COLOURS[i % len(COLOURS)], 1.3)
         tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
             "stable": branch.stable,
         }  # fmt: skip
     ax.set(xlim=(unit * found.to[0], unit * found.to[1]))
-    ax.set(
-        xlabel=r"$\theta_0$ (deg)" if found.vary == "theta0" else found.vary,
-        ylabel=f"${found.name}$: rest, cycles from least to largest",
-    )
+    ax.set(xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
     ax.margins(y=0.12)
-    shown: list[tuple[str, float, float]] = []
+    named: list[tuple[str, float, float]] = []
     low, high = ax.get_ylim()
     for label in found.labels:
         if label.label not in MARKERS:
             continue
-        ax.plot(
-            unit * label.value, label.height, MARKERS[label.label], color=BLACK, markersize=4, markerfacecolor="white", zorder=4
-        )
-        place = ((label.value - found.to[0]) / (found.to[1] - found.to[0]), (label.height - low) / (high - low))
-        if any(name == label.label and abs(place[0] - x) + abs(place[1] - y) < CLOSE for name, x, y in shown):
+        at = unit * label.value, one * label.height
+        ax.plot(*at, MARKERS[label.label], color=BLACK, markersize=4, markerfacecolor="white", zorder=4)
+        place = ((label.value - found.to[0]) / (found.to[1] - found.to[0]), (at[1] - low) / (high - low))
+        if any(name == label.label and abs(place[0] - x) + abs(place[1] - y) < CLOSE for name, x, y in named):
             continue
-        shown.append((label.label, *place))
-        ax.annotate(
-            label.label, (unit * label.value, label.height), xytext=_aside(label, place), textcoords="offset points", fontsize=7
-        )
+        named.append((label.label, *place))
+        ax.annotate(label.label, at, xytext=_aside(label, place), textcoords="offset points", fontsize=7)
     tables["labels"] = {
         "label": np.array([label.label for label in found.labels]), found.vary: np.array([label.value for label in found.labels]),
         found.name: np.array([label.height for label in found.labels]),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ..dynamics.field import Field
 from ..dynamics.pictures import in_letters, symbol
 from ..models import Model
 from ..results.points import Points
@@ -24,6 +26,12 @@ def label(model: Model, name: str) -> str:
     own = name in entries and entries[name]["quantity"] == name
     letters = entries[name]["symbol"] if own else symbol(name)
     return f"${letters}$ (deg)" if model.is_angle(name) else f"${letters}$"
+
+
+def shown(known: Model | Field, name: str) -> tuple[str, float]:
+    """What an axis calls a parameter or a coordinate of a motion, and what one of it is there: angles are degrees."""
+    angle = known.is_angle(name)
+    return f"${symbol(name)}$ (deg)" if angle else f"${symbol(name)}$", math.degrees(1.0) if angle else 1.0
 
 
 def with_unit(model: Model, name: str) -> str:

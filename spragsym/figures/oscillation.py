@@ -22,7 +22,7 @@ from ..parameters import FloatArray, Parameters
 from ..results.bifurcation_sets import BifurcationSet
 from ..results.equilibria import Stability
 from .captions import BASE_TEXT, MODEL
-from .labels import label
+from .labels import label, shown
 from .style import (
     BLACK,
     BLUE,
@@ -172,19 +172,20 @@ def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
 
 @styled
 def branch_figure(branch: CycleBranch) -> Sheet:
-    """Root mean square of x and period along one branch."""
+    """Root mean square of the first coordinate and period along one branch."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
-    unit = np.degrees(1.0) if branch.vary == "theta0" else 1.0
-    for ax, values, title in ((left, branch.rms, r"RMS of $x$"), (right, branch.periods, "period")):
+    field = branch.cycles[0].field
+    (along, unit), (first, one) = (shown(field, name) for name in (branch.vary, field.coordinates[0]))
+    for ax, values, title in ((left, one * branch.rms, f"RMS of {first}"), (right, branch.periods, "period")):
         draw_stretches(ax, unit * branch.values, values, branch.stable, BLUE, 1.3)
-        ax.set(xlabel=r"$\theta_0$ (deg)" if branch.vary == "theta0" else branch.vary, ylabel=title)
+        ax.set(xlabel=along, ylabel=title)
     for kind, marker in {**MARKERS, "grazing": "|"}.items():
         for event in branch.of(kind):
-            for ax, value in ((left, event.cycle.rms), (right, event.cycle.period)):
+            for ax, value in ((left, one * event.cycle.rms), (right, event.cycle.period)):
                 ax.plot(unit * event.value, value, marker, color=BLACK, markersize=4, markerfacecolor="white")
     return figure.describe(
         "A branch of cycles: full where stable, dashed where not; circles are period doublings, squares folds, bars grazings.",
-        a={branch.vary: branch.values, "rms_x": branch.rms, "stable": branch.stable},
+        a={branch.vary: branch.values, f"rms_{field.coordinates[0]}": branch.rms, "stable": branch.stable},
         b={branch.vary: branch.values, "period": branch.periods},
     )
 

@@ -256,9 +256,12 @@ class Model:
 
         return cusp_friction(self, p, *self._rising_over(vary, over), **options)
 
-    def _rising_over(self, vary: str | None, over: str | None) -> tuple[str, str]:
-        """What rises, and over the range of what."""
+    def _rising_over(self, vary: str | None, over: str | None, called: str = "vary") -> tuple[str, str]:
+        """What rises, and over the range of what; ``called`` is the argument that says the first."""
         if vary is None or over is None:
+            if len(self.axes) < 2:
+                text = f"{self.name} has not both theta0 and mu0; give {called} and over, two of {', '.join(self.parameters)}"
+                raise ParameterError(text)
             first, second = self.two(None)
             vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
         return vary, over
@@ -275,7 +278,7 @@ class Model:
         """
         from .critical import critical_value
 
-        return critical_value(self, p, vary, bracket, *self._rising_over(along, over), **options)
+        return critical_value(self, p, vary, bracket, *self._rising_over(along, over, "along"), **options)
 
     @question
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> Path:

@@ -353,7 +353,7 @@ def test_any_text_is_one_cell_to_every_reader(words: list[str]) -> None:
         path = Path(folder) / "a.csv"
         cells = [storage.plain(word) for word in words]
         given_columns = {"theta0": np.ones(len(cells)), "reason": np.array(cells), "rms": np.zeros(len(cells))}
-        storage.write(path, dict, lambda: given_columns, {"a": "b, c"})
+        storage.write(path, dict, lambda: given_columns, {"a": "b, c"}, dict.fromkeys(given_columns, ("1", "any")))
         kinds = [float, "U99", float]
         table = np.genfromtxt(path, delimiter=",", names=True, comments="#", dtype=kinds, encoding="utf-8", ndmin=1)
         assert table.dtype.names == ("theta0", "reason", "rms")

@@ -17,10 +17,10 @@ GREEK = {
 
 
 def symbol(name: str) -> str:
-    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_{\\rm 0}``."""
+    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_0``."""
     base, _, index = name.partition("_")
-    if not index and (numbered := re.fullmatch(r"([^\W\d]+)(\d+)", base)):
-        base, index = numbered.groups()
+    if not index and (numbered := re.fullmatch(r"([^\W\d]+)(\d)", base)):
+        return f"{symbol(numbered[1])}_{numbered[2]}"
     return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
 
 

@@ -56,6 +56,8 @@ class Verdict:
     end : ndarray, shape (m,)
         Where the motion is at ``t``.
     t : float
+    names : tuple of str
+        Of the coordinates.
     otherwise : str
         What a motion within rounding comes to, where that is something else.
     """
@@ -63,6 +65,7 @@ class Verdict:
     outcome: Outcome
     end: FloatArray
     t: float
+    names: tuple[str, ...]
     otherwise: str = ""
 
     @property
@@ -82,7 +85,8 @@ class Verdict:
     def _limit(self) -> str:
         found = self.outcome
         if self.kind == Regime.EQUILIBRIUM:
-            return f"rest at x = {found.rest_x:.6g}" + (f", y = {found.rest_y:.6g}" if np.isfinite(found.rest_y) else "")
+            place = zip(self.names, (found.rest_x, found.rest_y), strict=False)
+            return "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
         if self.kind == Regime.LIMIT_CYCLE:
             return f"a cycle of period {found.period:.6g}"
         return "lift-off" if self.kind == Regime.LIFT_OFF else f"nothing that is decided by t = {self.t:g}"
@@ -96,7 +100,7 @@ def judged(
     state, begun = np.asarray(start, dtype=float), 0.0
     for t_end in times:
         motion = field.simulate(values, state, t_end - begun, backend=backend, rtol=rtol)
-        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
+        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end, field.coordinates)
         if verdict.decided:
             break
         state, begun = verdict.end, t_end

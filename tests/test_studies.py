@@ -1091,6 +1091,31 @@ def test_remarks_of_a_command_speak_of_the_quantities_of_the_file(tmp_path: Path
     assert float(told.split(", ")[1].split("]")[0]) == pytest.approx(end, rel=1e-7)
 
 
+def test_axes_of_a_figure_are_in_the_units_of_the_file(study: ss.Study) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    from spragsym.cli.units import Units
+    from spragsym.figures.labels import in_units
+
+    units, values = Units(study.dimensionless.model, study), study.dimensionless
+    assert (units.axis("theta0"), Units(values.model).axis("kappa")) == (None, None)
+    assert units.axis("mu0") == ("$\\mu_0$", 1.0)
+    for name, title, in_file in (("kappa", r"$F_{\rm L}$ (N)", 420.0), ("V", "$V$ (m/s)", 1.2), ("sigma", "$k$ (N/mm)", 180.0)):
+        shown = units.axis(name)
+        assert shown is not None
+        assert shown[0] == title
+        assert shown[1] * float(getattr(values, name)) == pytest.approx(in_file)
+    assert units.of_time("period") == ("period (s)", study.scales.time)
+    figure, ax = pyplot.subplots()
+    ax.plot([0.0, 0.01], [0.0, 1.0])
+    in_units(ax.xaxis, units.axis("kappa"))
+    figure.canvas.draw()
+    one = units.axis("kappa")[1]
+    for tick, text in zip(ax.get_xticks(), ax.get_xticklabels(), strict=True):
+        assert float(text.get_text().replace("−", "-")) == pytest.approx(one * tick)
+        assert one * tick == pytest.approx(round(one * tick / 100) * 100, abs=1e-6)
+    pyplot.close(figure)
+
+
 def test_a_quantity_that_is_typed_is_in_the_unit_of_the_file(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """V is 1.2 m/s in the file, and mu0 has no unit."""
     rms = []

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..progress import show_progress
+from .drawings import written
 from .of_model import Case, method, of_model
 from .options import as_json
 from .points import points_of, print_points
@@ -20,7 +21,7 @@ from .tables import print_json
 from .targets import force, refuse
 
 if TYPE_CHECKING:
-    from ..figures.style import Sheet
+    pass
 
 
 @of_model(statics=True)
@@ -107,17 +108,6 @@ def plane(case: Case, vary: tuple[Typed, ...], plot: Path | None, force: bool) -
     return along
 
 
-def written(path: Path, part: str, make: Callable[[], Sheet]) -> None:
-    """Draw a figure in its house's style, and write it."""
-    from ..figures import FORMATS
-    from ..figures.style import house_style
-
-    kind = path.suffix[1:]
-    with house_style(), show_progress(part):
-        make().savefig(path, format=kind, metadata=FORMATS[kind])
-    click.echo(f"drew {path}", err=True)
-
-
 def _draw(case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], cusps: Any, n: int) -> None:
     """The bifurcation set; by closed forms where the model has them for all of this plane."""
     from ..figures import bifurcation_figure
@@ -128,4 +118,5 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any],
 
     between = None if closed else window(case.model, vary, ranges, cusps)
     drawing = f"drawing folds and cusps in the plane of {' and '.join(vary)}"
-    written(path, drawing, lambda: bifurcation_figure(p, vary, between=between, n=n))
+    across, up = (case.units.axis(name) for name in vary)
+    written(path, drawing, lambda: bifurcation_figure(p, vary, between=between, n=n), [(across, up)])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +9,7 @@ import click
 
 from ..errors import ParameterError
 from ..progress import show_progress
+from .drawings import written
 from .of_model import Case, of_model
 from .options import as_json
 from .spans import Span, Typed, span, vary
@@ -79,7 +79,7 @@ def cycles(
             branch = cycle_branch(found, along.name, _held(along, found), points=points)
         summary |= _branch(case, branch, along)
         if plot is not None:
-            _draw(branch, plot)
+            _draw(case, branch, plot)
     if json_output:
         print_json(summary)
         return
@@ -103,7 +103,8 @@ def _tell_diagram(
     if plot is not None:
         from ..figures import diagram_figure
 
-        _drawn(lambda: diagram_figure(found), plot)
+        first = case.units.axis(found.name, after=": rest, cycles from least to largest")
+        written(plot, "drawing the diagram", lambda: diagram_figure(found), [(case.units.axis(found.vary), first)])
     labels = [
         {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
         for label in found.labels
@@ -193,21 +194,12 @@ def _branch(case: Case, branch: CycleBranch, along: Span) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _draw(branch: CycleBranch, path: Path) -> None:
+def _draw(case: Case, branch: CycleBranch, path: Path) -> None:
     from ..figures import branch_figure
 
-    _drawn(lambda: branch_figure(branch), path)
-
-
-def _drawn(figure: Callable[[], Any], path: Path) -> None:
-    """A figure written to a file."""
-    from ..figures import FORMATS
-    from ..figures.style import house_style
-
-    kind = path.suffix[1:]
-    with house_style():
-        figure().savefig(path, format=kind, metadata=FORMATS[kind])
-    click.echo(f"drew {path}", err=True)
+    units, along = case.units, case.units.axis(branch.vary)
+    axes = [(along, units.axis(case.model.coordinates[0], "RMS of ")), (along, units.of_time("period"))]
+    written(path, "drawing the branch", lambda: branch_figure(branch), axes)
 
 
 def _shown(value: Any) -> Any:

@@ -8,6 +8,7 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
+from .drawings import written
 from .motion import BACKEND, grid_of
 from .of_model import Case, of_model
 from .options import Axis, workers
@@ -49,10 +50,7 @@ def fates(
     with resumed(output, force):
         found = fate_map(p, start=begin, t_end=t_end, backend=backend, workers=workers, progress=not quiet, store=output)
     if plot is not None:
-        from ..figures import FORMATS, fate_map_figure
-        from ..figures.style import house_style
+        from ..figures import fate_map_figure
 
-        kind = plot.suffix[1:]
-        with house_style():
-            fate_map_figure(found).savefig(plot, format=kind, metadata=FORMATS[kind])
+        written(plot, "drawing the map", lambda: fate_map_figure(found))
     click.echo(f"{output}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))

@@ -11,7 +11,8 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..progress import show_progress
-from .bifurcation import plane, written
+from .bifurcation import plane
+from .drawings import written
 from .of_model import Case, of_model
 from .options import as_json
 from .spans import Span, Typed, vary
@@ -61,7 +62,8 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
     if plot is not None:
         from ..figures import stability_figure
 
-        written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(found))
+        across, up = (case.units.axis(name) for name in names)
+        written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(found), [(across, up)])
     curves = [{"criticality": curve.criticality.tolist(), **_columns(case, curve, along)} for curve in found.curves]
     points = _points(case, found, along)
     undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), case.units.said(found.remarks)

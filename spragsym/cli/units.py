@@ -60,6 +60,24 @@ class Units:
         known = list(dict.fromkeys(known if self.study else self.model.parameters))
         raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")
 
+    def axis(self, name: str, before: str = "", after: str = "") -> tuple[str, float] | None:
+        """What an axis of a figure says of a parameter or a coordinate, and what one of the model's own is there.
+
+        None without a file, and of angles, which figures show in degrees.
+        """
+        if self.study is None or self.model.is_angle(name):
+            return None
+        from ..dynamics.pictures import symbol
+
+        entries = {entry["name"]: (entry["quantity"], entry["quantity_unit"]) for entry in self.model.about["parameters"]}
+        quantity, si = entries.get(name, (name, "m"))
+        unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity if name in entries else "")
+        return f"{before}${symbol(quantity)}${f' ({unit})' if unit else ''}{after}", size
+
+    def of_time(self, title: str) -> tuple[str, float] | None:
+        """The same of a time."""
+        return None if self.study is None else (f"{title} (s)", self.time)
+
     def state(self, name: str) -> float:
         """What one of a coordinate or of its rate is where a state is typed: angles are degrees, their rates are not."""
         rates = {entry["rate"]: entry["unit"] for entry in self.model.about["coordinates"]}

@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from matplotlib.axis import Axis
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from ..dynamics.field import Field
 from ..dynamics.pictures import in_letters, symbol
@@ -41,6 +43,30 @@ def with_unit(model: Model, name: str) -> str:
     scales = {entry["name"]: entry["scale"] for entry in model.about["coordinates"]}
     scale = scales.get(name, "1" if name in model.parameters else model.about["scales"]["length"])
     return f"{label(model, name)} ({'dimensionless' if scale == '1' else f'units of ${in_letters(scale)}$'})"
+
+
+#: What an axis says, and what one of what is drawn is there.
+Shown = tuple[str, float]
+
+
+class _Round(MaxNLocator):
+    """Ticks at round numbers in the unit of an axis."""
+
+    def __init__(self, one: float) -> None:
+        super().__init__("auto", steps=[1, 2, 2.5, 5, 10])
+        self.one = one
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        return (np.asarray(super().tick_values(self.one * vmin, self.one * vmax)) / self.one).tolist()  # type: ignore[no-any-return]
+
+
+def in_units(axis: Axis, shown: Shown | None) -> None:
+    """Have an axis show other units than what is drawn is in; None leaves it as it is."""
+    if shown is not None:
+        title, one = shown
+        axis.set_label_text(title)
+        axis.set_major_locator(_Round(one))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{one * value:.6g}"))
 
 
 def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:

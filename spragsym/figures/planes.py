@@ -73,13 +73,13 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
         for begin, end in zip(begins, [*begins[1:], len(kinds) - 1], strict=True):
             part = slice(begin, end + 1)
             artists += ax.plot(across[part], up[part], styles[str(kinds[begin])], color=BLACK)
-    changes = (["GH"] * len(found.changes["error"]), found.changes, "o")
-    points = (found.points.kind.tolist(), {name: getattr(found.points, name) for name in found.vary}, "s")
-    for labels, rows, marker in (changes, points):
+    changes = (["GH"] * len(found.changes["error"]), found.changes, "o", (3, 3))
+    points = (found.points.kind.tolist(), {name: getattr(found.points, name) for name in found.vary}, "s", (3, -9))
+    for labels, rows, marker, aside in (changes, points):
         places = [_shown(model, name, rows[name]) for name in found.vary]
         artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
         for text, place in zip(labels, zip(*places, strict=True), strict=True):
-            artists.append(ax.annotate(text, place, (3, 3), textcoords="offset points", fontsize="x-small"))
+            artists.append(ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small"))
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
 

@@ -1,0 +1,31 @@
+"""Figures that commands draw: written to a file, their axes in the units of the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ..progress import show_progress
+
+if TYPE_CHECKING:
+    from ..figures.labels import Shown
+    from ..figures.style import Sheet
+
+
+def written(path: Path, part: str, make: Callable[[], Sheet], axes: Iterable[tuple[Shown | None, Shown | None]] = ()) -> None:
+    """Draw a figure in its house's style, and write it; ``axes`` says of each panel what its two axes show, None as it is."""
+    from ..figures import FORMATS
+    from ..figures.labels import in_units
+    from ..figures.style import house_style
+
+    kind = path.suffix[1:]
+    with house_style(), show_progress(part):
+        figure = make()
+        for ax, (across, up) in zip(figure.axes, axes, strict=False):
+            in_units(ax.xaxis, across)
+            in_units(ax.yaxis, up)
+        figure.savefig(path, format=kind, metadata=FORMATS[kind])
+    click.echo(f"drew {path}", err=True)

@@ -110,14 +110,14 @@ def test_the_friction_of_the_jump_is_told_where_the_angle_is_given(
     asked: list[str], at_this_angle: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert invoke("critical", *asked) == DONE
-    assert ("mu_jump: at this angle it jumps there" in capsys.readouterr().out) == at_this_angle
+    assert ("mu_jump: mu0 of the jump at this angle" in capsys.readouterr().out) == at_this_angle
 
 
 @pytest.mark.thorough
 def test_what_is_undecided_is_not_called_none(capsys: pytest.CaptureFixture[str]) -> None:
     assert invoke("critical", "--model", "trolley", "--theta0", "40") == DONE
     text = capsys.readouterr().out
-    for line in ("mu_lowest: below it it jumps at no angle ", "mu_cusp: the lowest cusp "):
+    for line in ("mu_lowest: no jump below this mu0", "mu_cusp: mu0 of the lowest cusp"):
         assert re.search(rf"^{line}\s+unknown$", text, re.MULTILINE)
 
 

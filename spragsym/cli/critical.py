@@ -171,9 +171,8 @@ def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str
     place = f" (a {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
     with_mu0, both = _has(case)
     if not both:
-        return {"mu_jump": "mu_jump: it jumps there"} if with_mu0 and vary != "mu0" else {}
-    known = {} if vary == "theta0" else {"mu_jump": "mu_jump: at this angle it jumps there"}
+        return {"mu_jump": "mu_jump: mu0 of the jump"} if with_mu0 and vary != "mu0" else {}
+    known = {} if vary == "theta0" else {"mu_jump": "mu_jump: mu0 of the jump at this angle"}
     linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if case.has_closed("linear_critical_friction") else {}
-    return known | {
-        "mu_lowest": f"mu_lowest: below it it jumps at no angle{place}", "mu_cusp": "mu_cusp: the lowest cusp", **linear,
-    }  # fmt: skip
+    lowest = {"mu_lowest": f"mu_lowest: no jump below this mu0{place}", "mu_cusp": "mu_cusp: mu0 of the lowest cusp"}
+    return known | lowest | linear

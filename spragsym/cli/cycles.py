@@ -27,12 +27,13 @@ if TYPE_CHECKING:
 @click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
 @click.option("--diagram", "whole", is_flag=True, help="Equilibria too, and cycles from Hopf points and doublings; with --vary.")
 @click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
+@click.option("--digits", type=click.IntRange(1), help="Digits of that proof; more of them prove what repels strongly.")
 @click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
 @force
 @as_json
 def cycles(
-    case: Case, near: str | None, vary: Typed | None, points: int, whole: bool, prove: bool, plot: Path | None, force: bool,
-    json_output: bool,
+    case: Case, near: str | None, vary: Typed | None, points: int, whole: bool, prove: bool, digits: int | None,
+    plot: Path | None, force: bool, json_output: bool,
 ) -> None:  # fmt: skip
     """A cycle of the motion with its multipliers; with --vary, a branch of cycles with the events on it.
 
@@ -57,6 +58,8 @@ def cycles(
         raise click.UsageError(f"--vary {along.name}: from where to where? Give it as {along.name}=FROM:TO")
     if whole and (along is None or prove):
         raise click.UsageError("--diagram goes with --vary, and without --prove")
+    if digits is not None and not prove:
+        raise click.UsageError("--digits goes with --prove")
     refuse([] if plot is None else [plot], force)
     p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
     start = _state(near, case)
@@ -70,7 +73,7 @@ def cycles(
     summary["state"] = [value * one for value, one in zip(summary["state"], _ones(case), strict=True)]
     if prove:
         with show_progress("proving it"):
-            summary |= _proof(found)
+            summary |= _proof(found, {} if digits is None else {"digits": digits})
     if along is not None:
         from ..cycles import cycle_branch
 
@@ -141,10 +144,10 @@ def _held(along: Span, found: Cycle) -> tuple[float, float]:
     return low, high
 
 
-def _proof(found: Cycle) -> dict[str, Any]:
+def _proof(found: Cycle, asked: dict[str, int]) -> dict[str, Any]:
     from .. import precise
 
-    proof = precise.prove_cycle(found)
+    proof = precise.prove_cycle(found, **asked)
     if not proof.proved:
         return {"proved": False, "reason": proof.reason}
     decimals = {f"{name}_proved": str(decimal) for name, decimal in proof.decimals().items()}

@@ -56,6 +56,10 @@ class Units:
                     )
                 title, unit = self._of(name, entry["quantity_unit"], name)
                 return entry["name"], unit, title
+        if any(name == entry["name"] for entry in self.model.about["units"]):
+            raise ParameterError(
+                f"--vary {name}: it is a unit of the model, and several parameters change with it; write a file for each value"
+            )
         known = [entry[key] for key in ("name", "quantity") for entry in entries]
         known = list(dict.fromkeys(known if self.study else self.model.parameters))
         raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")

@@ -66,7 +66,7 @@ def jump_value(
     Returns
     -------
     float or ndarray
-        NaN where the state is proved to go on.
+        NaN where the state is proved to go on, up to a fold that lies within its error of ``until``, if there is one.
 
     Raises
     ------

@@ -85,10 +85,10 @@ def quasi_static_path(
 
     Notes
     -----
-    The rules are those of :func:`spragsym.quasi_static_path`. A value that is equal to a fold as ``model.folds`` gives it counts
-    as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the first
-    value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then the
-    path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable each
+    The rules are those of :func:`spragsym.quasi_static_path`. A value that lies within the ``error`` of a fold of ``model.folds``
+    counts as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the
+    first value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then
+    the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable each
     goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or whatever
     the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states that are
     equally small, or equally near, the one of larger coordinates is taken.

@@ -32,7 +32,7 @@ from .stability import linearization
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
 BESIDE = 1e-3
-#: How far beyond its ends a range is searched, so that folds on them lie inside, over the larger of 1 and the end.
+#: How far beyond its ends a range is searched, over the larger of 1 and the end, where as much as that is not decided.
 AROUND = 1e-6
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
@@ -88,9 +88,9 @@ def quasi_static_path(
     The rules are those of :func:`spragsym.quasi_static_path`. A value that lies within the ``error`` of a fold of ``model.folds``
     counts as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the
     first value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then
-    the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable each
-    goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or whatever
-    the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states that are
+    the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable
+    each goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or of
+    whatever the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states that are
     equally small, or equally near, the one of larger coordinates is taken.
     """
     along = as_numbers("values", values)
@@ -136,18 +136,10 @@ class _Way:
     def __init__(self, model: Model, p: Any, vary: str, along: FloatArray) -> None:
         self.model, self.vary, self.balance = model, vary, Balance(model, contact=True)
         self.p = p
-        low, high = float(along.min()), float(along.max())
-        # Folds on the ends are inside of what is searched.
-        allowed: Range = p.ranges.get(vary, Range(-np.inf, np.inf))
-        low = max(low - AROUND * max(1.0, abs(low)), allowed.low)
-        high = min(high + AROUND * max(1.0, abs(high)), allowed.high)
-        self.folds: Points = folds(model, p, vary, between={vary: (low, high)})
-        if not self.folds.decided:
-            raise ConvergenceError(
-                f"folds along {vary} between {low:.17g} and {high:.17g} are not all decided; model.folds lists the boxes, and a "
-                "path needs a range without them"
-            )
-        self.ends = [self.folds, *self._touches((low, high))]
+        try:
+            self.ends = self._ends(along, BESIDE)
+        except ConvergenceError:  # of what lies beyond the values nothing is asked
+            self.ends = self._ends(along, AROUND)
         at = self._snapped(along)
         self.within = (at >= along.min()) & (at <= along.max())
         self.at, self.kinds = at[self.within], self._column("kind")
@@ -157,6 +149,20 @@ class _Way:
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
         self.links = links(Along(self.balance, p, vary, self.at, self.kinds), self.stops, self.eq)
+
+    def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
+        """Where states vanish: folds, and where they leave the contact. Those on the ends are inside of what is searched."""
+        allowed: Range = self.p.ranges.get(self.vary, Range(-np.inf, np.inf))
+        low, high = float(along.min()), float(along.max())
+        low = max(low - beyond * max(1.0, abs(low)), allowed.low)
+        high = min(high + beyond * max(1.0, abs(high)), allowed.high)
+        found = folds(self.model, self.p, self.vary, between={self.vary: (low, high)})
+        if not found.decided:
+            raise ConvergenceError(
+                f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all decided; model.folds lists the boxes, "
+                "and a path needs a range without them"
+            )
+        return [found, *self._touches((low, high))]
 
     def _snapped(self, along: FloatArray) -> FloatArray:
         """Where states vanish; on a value that lies within the error of that, the value: another search rounds otherwise."""

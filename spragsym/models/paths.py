@@ -90,8 +90,8 @@ def quasi_static_path(
     first value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then
     the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable
     each goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or of
-    whatever the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states that are
-    equally small, or equally near, the one of larger coordinates is taken.
+    whatever the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states
+    that are equally small, or equally near, the one of larger coordinates is taken.
     """
     along = as_numbers("values", values)
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)

@@ -31,7 +31,7 @@ WORDS = frozenset((
 
 #: What the commands of a model call their options, and the values of these: `spragsym folds --vary`. A test holds this list against them.
 OF_COMMANDS = frozenset((
-    "backend", "data", "diagram", "error", "estimate_error", "force", "help", "json", "json_output", "method",
+    "backend", "data", "diagram", "digits", "error", "estimate_error", "force", "help", "json", "json_output", "method",
     "model", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "t_end", "transient", "undamped", "vary", "whole", "within", "workers",
 ))  # fmt: skip
 

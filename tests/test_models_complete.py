@@ -114,8 +114,8 @@ def test_a_range_that_was_cut_is_not_complete() -> None:
     cut, asked = model.folds(p, "mu0"), model.folds(p, "mu0", between={"mu0": (0.0, 10.0)})
     assert cut.mu0.tolist() == asked.mu0.tolist()  # both by search
     assert (cut.complete, asked.complete) == (False, True)
-    assert any("mu0 from 0 to 10" in text for text in cut.remarks)
-    assert "from 0 to 10" in str(asked)
+    assert any("mu0 in [0, 10]" in text for text in cut.remarks)
+    assert "in [0, 10]" in str(asked)
     assert not model.cusps(p).complete
     assert model.cusps(p, between={"mu0": (0.0, 1.0)}).complete
 
@@ -124,7 +124,7 @@ def test_a_range_that_was_cut_is_not_complete() -> None:
 def test_commands_say_what_was_searched() -> None:
     run = CliRunner().invoke
     told = run(cli, ["folds", "--method", "search", "--theta0", "60"]).output
-    assert "searched mu0 from 0 to 10" in told
+    assert "searched mu0 in [0, 10]" in told
     told = run(cli, ["equilibria", "--theta0", "30", "--within", "x=0:0.5"]).output
     assert "searched within x in [0, 0.5]" in told
     told = run(cli, ["folds", "--theta0", "60", "--vary", "mu0=4:5"]).output

@@ -58,6 +58,7 @@ def fold_of_rod(e: Any) -> Any:
     return (1 - np.abs(e) ** (2 / 3)) ** 1.5
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("load", [[0.5, 0.9, 1.1, 1.5], [0.5, 1 - 1e-9, 1 + 1e-9]])
 def test_a_stable_state_between_two_that_are_not_ends_where_they_meet(load: list[float], rod: Any) -> None:
     path = rod.quasi_static_path(rod.Parameters(), "P", load)
@@ -69,12 +70,14 @@ def test_a_stable_state_between_two_that_are_not_ends_where_they_meet(load: list
     assert path.phi[np.array(load) <= 1] == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.thorough
 def test_its_value_is_the_limit_of_that_of_imperfect_ones(rod: Any) -> None:
     e = np.array([1e-2, 1e-4, 1e-6, 0.0])
     found = rod.jump_value(rod.Parameters(e=e), "P", begin=0.5, until=1.5)
     assert found == pytest.approx(fold_of_rod(e), abs=1e-14)
 
 
+@pytest.mark.thorough
 def test_a_state_that_becomes_stable_between_two_others_is_followed(rod: Any) -> None:
     path = rod.quasi_static_path(rod.Parameters(), "P", [1.5, 1.1, 0.9, 0.5], start=0)
     assert path.phi == pytest.approx(0.0, abs=1e-12)
@@ -82,6 +85,7 @@ def test_a_state_that_becomes_stable_between_two_others_is_followed(rod: Any) ->
     assert path.jumps == ()
 
 
+@pytest.mark.thorough
 def test_of_two_states_that_are_equally_small_the_one_of_larger_coordinates_is_followed(tmp_path: Any) -> None:
     """Not the one that rounding makes smaller; the fold is that of two bars, 2 (L^(2/3) − 1)^(3/2) with L² = 1 + h²."""
     arch = model_of(ARCH, "arch", tmp_path)
@@ -105,6 +109,7 @@ def test_a_margin_asks_of_designs_below_where_the_parameter_begins(rod: Any) -> 
     assert begun == pytest.approx(cubic.jump_margin(p, {"mu0": 0.05}).distance, rel=1e-9)
 
 
+@pytest.mark.thorough
 def test_a_path_asks_nothing_of_what_lies_outside_of_its_values() -> None:
     cubic, pivoted = ss.load("cubic_contact"), ss.load("sprag_rod")
     path = cubic.quasi_static_path(cubic.Parameters(theta0=0.7), "kappa", [0.001, 0.1, 0.3])

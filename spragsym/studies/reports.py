@@ -241,10 +241,13 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")
     plain = bool(p.model.about["friction"]) and p.model.about["friction"]["at_rest"] == "mu0"
     # Friction at full slip is that of a study without the belt's speed, which a file may leave out where it is called V.
-    plain &= not faster or study.belt in OPTIONAL
-    needed = redesign and target > 0 and bool(sprags) and plain and (not faster or mu_jump is None or mu_jump <= so.full[2])
-    if redesign and sprags and not plain:
+    without = not faster or study.belt in OPTIONAL
+    wanted, within = redesign and bool(sprags), not faster or mu_jump is None or mu_jump <= so.full[2]
+    needed = wanted and target > 0 and plain and without and within
+    if wanted and not plain:
         asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")
+    elif wanted and not without:
+        asked.remarks.append("what to change is not looked for: it jumps at another speed of the belt, and that is not called V")
     margin = None if mu_jump is None else 100 * (mu_jump / high - 1) if high > 0 else math.inf
     parts: dict[str, Any] = dict(
         mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu0_jump=mu0_jump,

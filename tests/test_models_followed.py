@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.models.foremost import foremost
 from tests.support import model_of
 
 pytest.importorskip("sympy")
@@ -124,3 +125,11 @@ def test_no_points_have_no_answers(name: str) -> None:
     p = model.Parameters(theta0=np.empty((0, 3)))
     assert model.jump_value(p).shape == (0, 3)
     assert model.jump_gradient(p).value.shape == (0, 3)
+
+
+def test_numbers_are_alike_by_their_size() -> None:
+    """Errors of equilibria are over the larger of 1 and the coordinate: 1e-16 of 1e6 is 1e-10."""
+    states = np.array([[1e6 - 1e-10, -1e6], [-1.0, 1.0]])
+    assert foremost(np.abs(states[0]), states, np.full(2, 1e-15)) == 0
+    assert foremost(np.abs(states[0]), states[::-1], np.full(2, 1e-15)) == 1
+    assert foremost(np.abs(states[0]), states[::-1], np.full(2, 1e-18)) == 0

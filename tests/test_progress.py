@@ -93,6 +93,7 @@ def test_a_terminal_sees_the_text_as_it_is(monkeypatch: pytest.MonkeyPatch, caps
 
 
 def test_what_is_no_text_or_function_is_refused() -> None:
-    for asked in ({"part": print}, {"to": "stderr"}):
-        with pytest.raises(ss.ParameterTypeError, match="to=print"), ss.show_progress(**asked):  # type: ignore[arg-type]
+    wrong: list[dict[str, Any]] = [{"part": print}, {"to": "stderr"}]
+    for asked in wrong:
+        with pytest.raises(ss.ParameterTypeError, match="to=print"), ss.show_progress(**asked):
             pass

@@ -68,14 +68,16 @@ def test_files_say_what_one_of_each_number_is(name: str) -> None:
     sizes = {**bases, "sqrt": math.sqrt, "rad": 1.0}
     given = {entry["quantity"]: 0.1 * (place + 1) for place, entry in enumerate(about["parameters"])}
     p, _ = brake_quantities.dimensionless(name, {**given, **bases})
+
+    def one_of(key: str) -> float:
+        return float(eval(said[key][0], {}, sizes))  # noqa: S307  # written by the derivation
+
     for entry in about["parameters"]:
-        one = eval(said[entry["name"]][0], {}, sizes)  # noqa: S307  # written by the derivation
-        assert float(getattr(p, entry["name"])) * one == pytest.approx(given[entry["quantity"]], rel=1e-12)
+        assert float(getattr(p, entry["name"])) * one_of(entry["name"]) == pytest.approx(given[entry["quantity"]], rel=1e-12)
     assert {said[key][0] for key in ("rms", "mean", "cycle_x", model.coordinates[0], f"{model.coordinates[0]}0")} == {
         said["rms"][0]
     }
-    one, rate = (eval(said[key][0], {}, sizes) for key in ("period", "rate"))  # noqa: S307
-    assert one * rate == pytest.approx(1.0)
+    assert one_of("period") * one_of("rate") == pytest.approx(1.0)
     assert all(model.coordinates[0] in said[key][1] for key in ("rms", "amplitude", "cycle_x"))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 import numpy as np
@@ -19,9 +19,6 @@ from .points import points_of, print_points
 from .spans import Span, Typed, box, span, vary, within
 from .tables import print_json
 from .targets import force, refuse
-
-if TYPE_CHECKING:
-    pass
 
 
 @of_model(statics=True)

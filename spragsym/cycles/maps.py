@@ -18,7 +18,7 @@ from ..display import Result
 from ..door import model_of
 from ..dynamics import integrators
 from ..dynamics.trajectory import initial_state
-from ..errors import ParameterError, TargetError
+from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
@@ -217,8 +217,6 @@ def _made(
 
 def _loaded(path: Path, key: str) -> list[Record]:
     """The records of the map that a file holds, if it is this one."""
-    columns, attributes = storage.read(path)
-    if attributes.get("fingerprint") != key:
-        raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
+    columns = storage.read_own(path, key)
     numbers = np.array([np.asarray(columns[name], dtype=float) for name in MEASURED]).T.tolist()
     return list(zip(numbers, (str(text) for text in columns["why"]), strict=True))

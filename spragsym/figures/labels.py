@@ -57,7 +57,7 @@ class _Round(MaxNLocator):
         self.one = one
 
     def tick_values(self, vmin: float, vmax: float) -> list[float]:
-        return (np.asarray(super().tick_values(self.one * vmin, self.one * vmax)) / self.one).tolist()  # type: ignore[no-any-return]
+        return [tick / self.one for tick in super().tick_values(self.one * vmin, self.one * vmax)]
 
 
 def in_units(axis: Axis, shown: Shown | None) -> None:

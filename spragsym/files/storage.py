@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 
 from .._version import __version__
-from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError
+from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
 from ..generated import SOURCE_HASH
 from .locks import exclusive, write_all
 
@@ -219,6 +219,14 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
         raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
     content = _verified(path, data)
     return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
+
+
+def read_own(path: Path, key: str) -> dict[str, Any]:
+    """Columns of the file that a call of this fingerprint wrote; a TargetError for any other one."""
+    columns, attributes = read(path)
+    if attributes.get("fingerprint") != key:
+        raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
+    return columns
 
 
 def read_text(path: Path) -> str:

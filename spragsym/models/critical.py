@@ -242,7 +242,7 @@ class _Search:
         p = self.p.replace(**(changed or {}))
         given = given_column(p, balance.parameters, vary)
         spans = self.spans[[(self.over, self.vary).index(name) for name in vary]]
-        with doing("{} over {}", type(condition).__name__, " and ".join(vary)):
+        with doing("other candidates over {}", " and ".join(vary)):
             found = search(balance, vary, condition, given, spans)
         return arranged(balance, p, vary, given, found, np.full(found.roots.point.size, "candidate"))
 

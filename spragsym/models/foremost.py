@@ -21,7 +21,7 @@ def foremost(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDAr
     states : ndarray, shape (n, ..., slots)
         Coordinates.
     error : ndarray, shape (..., slots)
-        Bounds on the errors of both.
+        Bounds on the errors of both, over max(1, |coordinate|), as of equilibria.
 
     Examples
     --------
@@ -30,7 +30,8 @@ def foremost(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDAr
     >>> int(foremost(np.abs(x), np.array([x, h]), np.full(3, 1e-16)))
     1
     """
-    room = ALIKE * np.nan_to_num(error).max(axis=-1, keepdims=True, initial=0.0)
+    sizes = np.maximum(1.0, np.abs(states).max(axis=0))
+    room = ALIKE * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
     left = np.isfinite(measure)
     for one in (measure, *(-row for row in states)):
         here = np.where(left, one, np.inf)

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..dynamics import integrators
 from ..dynamics.regimes import Regime
-from ..errors import TargetError
 from ..files import storage
 from ..files.journal import Record
 from ..parameters import FloatArray, degrees
@@ -178,11 +177,7 @@ class Results:
 
     def loaded(self, path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
         """The sweep that a file holds, if it is this one."""
-        columns, attributes = storage.read(path)
-        if attributes.get("fingerprint") != key:
-            raise TargetError(
-                f"{path} exists and holds something else, or was made by other code; remove it, or give another path"
-            )
+        columns = storage.read_own(path, key)
         kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
         results = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
         return self.sweep(inputs, settings, results)

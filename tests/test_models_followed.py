@@ -48,6 +48,22 @@ page.spring(k_x, along=x)
 page.force(0, -P, at=(x, y))
 '''
 
+#: It snaps through along y³ − y + P = 0 with x = 0; below y = 0 that is unstable, and stable are (√−y, y) and its mirror image.
+COLUMN = r'''r"""A column that snaps through and then leans to one side."""
+from spragsym.derive.model import Page
+
+page = Page("A column that snaps through and then leans to one side.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+l = page.unit("l", "m", "length")
+P = page.parameter("P", "N", "load", ">= 0", 0.1, becomes="P")
+x = page.coordinate("x", "m", "sideways")
+y = page.coordinate("y", "m", "height")
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+page.potential(k * ((y**4 + x**4) / (4 * l**2) + y * x**2 / (2 * l) - y**2 / 2))
+page.force(0, -P, at=(x, y))
+'''
+
 
 @pytest.fixture(scope="module")
 def rod(tmp_path_factory: pytest.TempPathFactory) -> Any:
@@ -96,6 +112,17 @@ def test_of_two_states_that_are_equally_small_the_one_of_larger_coordinates_is_f
     for height in h[:4]:
         path = arch.quasi_static_path(arch.Parameters(h=height), "P", [0.0, 1e-4])
         assert path.y[0] == pytest.approx(height)
+
+
+@pytest.mark.thorough
+def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same(tmp_path: Any) -> None:
+    column = model_of(COLUMN, "column", tmp_path)
+    p = column.Parameters()
+    (jump,) = column.quasi_static_path(p, "P", [0.1, 0.5], start=3).jumps
+    folds = column.folds(p, vary="P", between={"P": (0.01, 1.0)})
+    y = min(np.roots([1.0, 0.0, -1.5, 2 / 27**0.5]).real)
+    for after in (jump.after, {name: float(folds.after[name][0]) for name in ("x", "y")}):
+        assert (after["x"], after["y"]) == pytest.approx((np.sqrt(-y), y), abs=1e-12)
 
 
 @pytest.mark.thorough

@@ -12,6 +12,7 @@ from ..results.points import Ended, Points, nothing_ends
 from .balance import Balance
 from .branches import Along, links
 from .equilibria import equilibria
+from .foremost import foremost
 from .paths import BESIDE
 
 #: Where two states meet and nothing more is known.
@@ -68,8 +69,9 @@ def _after(points: Points, row: int, eq: Equilibria, beyond: int) -> dict[str, f
     slots = [slot for slot in range(int(eq.count[beyond])) if eq.stability[beyond, slot] == Stability.STABLE]
     if not slots:
         return {}
-    behind = np.array([[eq.coordinates[name][beyond, slot] for name in names] for slot in slots])
-    goal = behind[np.linalg.norm(behind - before, axis=1).argmin()]
+    behind = np.array([eq.coordinates[name][beyond, slots] for name in names])
+    apart = np.linalg.norm(behind - before[:, None], axis=0)
+    goal = behind[:, foremost(apart, behind, eq.error[beyond, slots] + points.error[row])]
     here = equilibria(points.parameters.model.search, points.parameters.replace(**{vary: float(getattr(points, vary)[row])}))
     states = np.array([here.coordinates[name][: int(here.count)] for name in names])
     slot = int(np.linalg.norm(states - goal[:, None], axis=0).argmin())

@@ -233,7 +233,7 @@ def test_slopes_over_a_box_are_about_as_narrow_as_they_are() -> None:
     slopes = box.tubes.slopes(parts, Intervals.point(z))[..., 0]
     shares = np.random.default_rng(1).uniform(-1, 1, (3, 2000))
     points = Parts(np.repeat(parts.fixed, 2000, axis=1), parts.centre + parts.half * shares, np.full((3, 2000), 1e-9))
-    sampled = box.tubes._floats(points, np.repeat(z, 2000, axis=1))[1]
+    sampled = box.tubes.floats(points, np.repeat(z, 2000, axis=1))[1]
     low, high = sampled.min(axis=-1), sampled.max(axis=-1)
     assert (slopes.low <= low).all()
     assert (high <= slopes.high).all()

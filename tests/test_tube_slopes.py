@@ -62,7 +62,7 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
         + region.off * ends[2]
     )
     points = Parts(np.repeat(parts.fixed, count, axis=1), p, np.full_like(p, 1e-9))
-    sampled = tubes._floats(points, z)[1]
+    sampled = tubes.floats(points, z)[1]
     intervals = tubes.slopes(parts, region.box)
     assert (intervals.low <= sampled).all()
     assert (sampled <= intervals.high).all()
@@ -81,11 +81,11 @@ def test_slopes_by_units_are_those_of_the_forces() -> None:
     """By differences: of a parameter at the units' base values, and of a unit on which several depend."""
     box, parts, region = region_of(*BOXES[-1])
     tubes, z, step = box.tubes, region.middle, 1e-5
-    _, slopes = tubes._floats(parts, z)
+    _, slopes = tubes.floats(parts, z)
     for k in range(len(tubes.free)):
         sides = []
         for side in (-1, 1):
             centre = parts.centre.copy()
             centre[k] += side * step
-            sides.append(tubes._floats(Parts(parts.fixed, centre, parts.half), z)[0])
+            sides.append(tubes.floats(Parts(parts.fixed, centre, parts.half), z)[0])
         np.testing.assert_allclose(slopes[:, tubes.n + 1 + k], (sides[1] - sides[0]) / (2 * step), rtol=1e-6, atol=1e-9)

@@ -2,33 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .design_space import Space
+from .gradients import JumpGradient
 
+#: The jump value of one set of a model, and its slopes; it may take the set for a near neighbour of the last one.
+Gradient: TypeAlias = Callable[[Any], JumpGradient]
 #: Steps at most, the last of them over the size, and how much shorter the next one is where they don't get smaller.
 STEPS, LAST, SHORTER = 40, 1e-8, 0.3
 #: How near to its limit a jump value is on the border, over the slopes by z.
 ON = 1e-9
 
 
-def on_border(designs: Space, z: FloatArray, vary: str, limit: float | None = None, **options: Any) -> FloatArray | None:
+def on_border(
+    designs: Space, z: FloatArray, vary: str, gradient: Gradient, limit: float | None = None
+) -> FloatArray | None:  # fmt: skip
     """The z of smallest size near a given one where the state ends at a limit, or at the design's own value, if there is one.
 
     Source: g(z) = 0, how far beyond the limit the state ends. Each step goes to the point of smallest size of the plane
-    g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a part of the way where steps don't get smaller. ``options``
-    are those of jump_gradient.
+    g + ∇g · (z′ − z) = 0, by jump values along ``vary`` and their gradients, or a part of the way where steps don't get smaller.
     """
     limits = designs.limits()
 
     def step(z: FloatArray) -> tuple[FloatArray, float]:
         """The point of smallest size of the plane at z, and how far z is from the plane, over the slopes."""
         p, slopes = designs.sets(z), designs.slopes(z)
-        found = p.model.jump_gradient(p, vary, **options)
+        found = gradient(p)
         # What is not among them the jump does not depend on, as the belt's speed.
         by_z = sum((float(found.slopes[name]) * slopes[name] for name in found.slopes if name in slopes), np.zeros(z.size))
         ahead = float(found.value) - (float(getattr(p, vary)) if limit is None else limit)

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from ..display import Result
 from ..parameters import FloatArray, ParameterSet, PhysicalParameters
 from .design_space import Space
-from .jump_boundary import on_border
-from .nearest import RAYS, Member, nearest, shortened
+from .jump_boundary import Gradient, on_border
+from .nearest import RAYS, Member, nearest
 
 #: Shares of the distance within which a proof that nothing jumps is tried.
 _SHARES = (0.95, 0.8, 0.5, 0.2)
@@ -41,14 +40,19 @@ class JumpMargin(Result):
 
 
 def margin(
-    designs: Space, member: Member, safe: Callable[[float], bool] | None, vary: str = "mu0", rays: int = RAYS, **options: Any
+    designs: Space, member: Member, safe: Callable[[float], bool] | None, vary: str, gradient: Gradient, rays: int = RAYS
 ) -> JumpMargin:
-    """The nearest of the designs that jump, which ``member`` tells; ``safe`` proves that none does within a radius.
+    """The nearest design that jumps along ``vary``, which ``member`` tells; ``safe`` proves that none does within a radius."""
 
-    ``options`` are those of jump_gradient along ``vary``.
-    """
-    found = nearest(member, designs.limits(), rays)
-    best = None if found is None else polished(designs, found, member, vary, **options)
+    def on_fold(z: FloatArray) -> FloatArray | None:
+        better = on_border(designs, z, vary, gradient)
+        if better is None:
+            return None
+        # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
+        beyond = better * (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
+        return better if member(beyond).any() else None
+
+    best = nearest(member, designs.limits(), on_fold, rays)
     distance = np.inf if best is None else float(np.linalg.norm(best))
     # Where nothing was found two tolerances are enough.
     proved = np.nan if safe is None else _proved(safe, distance if best is not None else 2.0)
@@ -56,19 +60,6 @@ def margin(
         return JumpMargin(distance, proved, {}, None)
     change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
     return JumpMargin(distance, proved, change, designs.made(best))
-
-
-def polished(designs: Space, z: FloatArray, member: Member, vary: str = "mu0", **options: Any) -> FloatArray:
-    """The nearest point of the sheet of folds on which a state jumps; where there is none, the border along the ray to it."""
-    if not z.any():
-        return z
-    better = on_border(designs, z, vary, **options)
-    # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
-    if better is not None and np.linalg.norm(better) <= np.linalg.norm(z):
-        beyond = better * (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
-        if member(beyond).any():
-            return better
-    return shortened(member, z)
 
 
 def _proved(safe: Callable[[float], bool], distance: float) -> float:

@@ -1,7 +1,9 @@
 """The nearest point of a set, in units of tolerances, where only membership can be asked for, of many points at once.
 
-Rays from the origin, evenly spread and the same in every run, are walked outward to their first member; the best of them is
-turned and shortened. That finds a set that a ray meets, and proves nothing about one that all rays miss.
+A point of the set's border that is the nearest one of its neighbours comes first. Rays from the origin, evenly spread and the
+same in every run, then ask for members that are nearer, and from these the next such point is sought, until no ray meets one.
+Where there is no point to begin with, rays are walked outward to their first member; the best of them is turned and shortened.
+That finds a set that a ray meets, and proves nothing about one that all rays miss.
 """
 
 from __future__ import annotations
@@ -15,6 +17,8 @@ from ..parameters import FloatArray
 from ..progress import doing
 
 Member = Callable[[FloatArray], NDArray[np.bool_]]
+#: From a point near the border, or from 0, to the nearest point of the border about there, a member, if it is found.
+Improved = Callable[[FloatArray], FloatArray | None]
 
 #: Rays for each dimension squared, and radii at which each is asked, the last of them the farthest.
 RAYS, _RADII = 64, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
@@ -22,9 +26,13 @@ RAYS, _RADII = 64, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
 _POINTS = 64
 #: Halvings of a radius while rays are compared, and at the end, to 1e-11 of it.
 _COARSE, _FINE = 9, 36
+#: Shares of the distance of a member at which rays ask for nearer ones, and how often the nearest of these is improved at most.
+_SHARES, _ROUNDS = (0.999, 0.7, 0.4), 20
 
 
-def nearest(member: Member, limits: tuple[FloatArray, FloatArray], each: int = RAYS) -> FloatArray | None:
+def nearest(
+    member: Member, limits: tuple[FloatArray, FloatArray], improved: Improved, each: int = RAYS
+) -> FloatArray | None:  # fmt: skip
     """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
 
     Parameters
@@ -33,6 +41,8 @@ def nearest(member: Member, limits: tuple[FloatArray, FloatArray], each: int = R
         Tells of points, of shape (n, dimensions), which are members.
     limits : (ndarray, ndarray)
         The smallest and the largest value of each coordinate.
+    improved : callable
+        The nearest member on the border about a point, if it finds one.
     each : int
         Rays for each dimension squared.
     """
@@ -40,6 +50,45 @@ def nearest(member: Member, limits: tuple[FloatArray, FloatArray], each: int = R
     if member(np.zeros((1, size)))[0]:
         return np.zeros(size)
     rays = _rays(size, each)
+    found = improved(np.zeros(size))
+    if found is None:
+        far = _walked(member, rays, limits, each)
+        if far is None:
+            return None
+        found = _better(member, far, improved)
+    for _ in range(_ROUNDS):
+        nearer = _nearer(member, rays, limits, float(np.linalg.norm(found)))
+        if nearer is None:
+            break
+        found = _better(member, nearer, improved)
+    return found
+
+
+def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray:
+    """The border on the ray to a member, or the nearest member about there."""
+    border = shortened(member, point)
+    # Just inside of the border.
+    found = improved(border * (1 - 1e-9))
+    return border if found is None or np.linalg.norm(found) > np.linalg.norm(border) else found
+
+
+def _nearer(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray], distance: float) -> FloatArray | None:
+    """A member that is nearer than a distance by some share of it: the nearest one of those that rays meet, if any does."""
+    reach = _reach(rays, limits)
+    radii = np.array([share * distance for share in _SHARES])
+    asked = np.argwhere(radii[:, None] <= reach)
+    with doing("designs less than {:.4g} tolerances away", distance):
+        inside = asked[member(rays[asked[:, 1]] * radii[asked[:, 0], None])]
+    if not inside.size:
+        return None
+    found = _shortened(member, rays[inside[:, 1]], radii[inside[:, 0]], _COARSE)
+    best = int(np.argmin(found))
+    nearer: FloatArray = rays[inside[best, 1]] * found[best]
+    return nearer
+
+
+def _walked(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray], each: int) -> FloatArray | None:
+    """A member about as near to 0 as rays find it that are walked outward."""
     radius = _first(member, rays, limits, _POINTS * each)
     if not np.isfinite(radius).any():
         return None

@@ -13,8 +13,8 @@ from ..display import Result
 from ..errors import ParameterError
 from ..parameters import FloatArray, ParameterSet, PhysicalParameters
 from .design_space import Space
-from .jump_boundary import on_border
-from .nearest import RAYS, Member, nearest, shortened
+from .jump_boundary import Gradient, on_border
+from .nearest import RAYS, nearest
 from .values import Values
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
@@ -48,10 +48,10 @@ class Redesign(Result):
 
 
 def redesigned(
-    designs: Space, wanted: Mapping[str, float], jumps: Jumps, solved: Callable[[Any, str], float], rays: int = RAYS,
-    **options: Any,
+    designs: Space, wanted: Mapping[str, float], jumps: Jumps, solved: Callable[[Any, str], float],
+    gradient: Callable[[str], Gradient], rays: int = RAYS,
 ) -> Redesign:  # fmt: skip
-    """The nearest of the designs that reach all targets; ``solved`` says where one jumps; ``options`` of jump_gradient."""
+    """The nearest of the designs that reach all targets; ``solved`` says where one jumps, ``gradient`` is along a parameter."""
     for name in wanted:
         if name in designs.names:
             raise ParameterError(f"{name} is the target and can't be what changes; leave it out of one of the two")
@@ -66,26 +66,21 @@ def redesigned(
                 result[left[list(at.reasons)]] = False
         return result
 
-    found = nearest(member, designs.limits(), rays)
-    if found is None:
+    along = {name: gradient(name) for name in wanted}
+
+    def on_target(z: FloatArray) -> FloatArray | None:
+        """The nearest design on a fold at one of the targets, verified."""
+        candidates = []
+        for name, limit in wanted.items():
+            better = on_border(designs, z, name, along[name], limit)
+            if better is not None:
+                outward = better * (1 + _OUTWARD)[:, None]
+                candidates += list(outward[member(outward)][:1])
+        return min(candidates, key=np.linalg.norm, default=None)
+
+    best = nearest(member, designs.limits(), on_target, rays)
+    if best is None:
         return Redesign(np.inf, {}, None, {})
-    best = _on_target(designs, found, wanted, member, **options) if found.any() else found
     change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
     jump = {name: solved(designs.sets(best), name) for name in wanted}
     return Redesign(float(np.linalg.norm(best)), change, designs.made(best), jump)
-
-
-def _on_target(designs: Space, z: FloatArray, wanted: Mapping[str, float], member: Member, **options: Any) -> FloatArray:
-    """The nearest design on a fold at one of the targets, verified; else the border along the ray."""
-    candidates = []
-    # Just inside of the border there is a jump at the target.
-    border = shortened(member, z)
-    inside = border * (1 - 1e-9)
-    for name, limit in wanted.items():
-        better = on_border(designs, inside, name, limit, **options)
-        if better is not None:
-            outward = better * (1 + _OUTWARD)[:, None]
-            verified = np.flatnonzero(member(outward))
-            if verified.size:
-                candidates.append(outward[verified[0]])
-    return min([border, *candidates], key=lambda one: float(np.linalg.norm(one)))

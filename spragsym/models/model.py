@@ -573,7 +573,7 @@ class Model:
 
         return redesign(self, p, change, target, scale, begin=begin)
 
-    flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")
+    flutter_boundary = unanswered("onset_curves(p, vary) has the curves of onsets in the plane of two parameters")
     surface = unanswered("equilibria(p) has all states over a grid of parameters")
     linear_sprag = unanswered("equilibria(p) has the states")
     linear_critical_friction = unanswered("folds(p, vary) has the values at which states meet")

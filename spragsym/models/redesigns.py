@@ -16,6 +16,7 @@ from ..exact.interval_arrays import FloatArray
 from ..parameters import as_number
 from .certificates import certify
 from .jumps import Ends, Followed, jump_value
+from .moved_folds import MovedFold
 
 #: Rays for each dimension squared: a point takes some milliseconds.
 RAYS = 8
@@ -52,7 +53,7 @@ def jump_margin(model: Any, p: Any, scale: Mapping[str, float], *, vary: str, be
     def safe(radius: float) -> bool:
         return _safe(designs, radius, vary, begin)
 
-    return margin(designs, ending, safe if prove else None, vary, RAYS, begin=begin)
+    return margin(designs, ending, safe if prove else None, vary, MovedFold(model, vary, begin), RAYS)
 
 
 def redesign(
@@ -87,7 +88,7 @@ def reaching(model: Any, designs: Space, wanted: Mapping[str, float], begin: flo
     def solved(one: Any, name: str) -> float:
         return float(jump_value(model, one, name, begin=begin))
 
-    return redesigned(designs, wanted, jumps, solved, RAYS, begin=begin)
+    return redesigned(designs, wanted, jumps, solved, lambda name: MovedFold(model, name, begin), RAYS)
 
 
 def _safe(designs: Space, radius: float, vary: str, begin: float) -> bool:

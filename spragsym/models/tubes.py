@@ -113,7 +113,7 @@ class Tubes:
         """What moves, and the free parameters where any box has a width."""
         return [self.vary, *(self.free if parts.half.any() else ())]
 
-    def _floats(self, parts: Parts, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
+    def floats(self, parts: Parts, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
         """Forces and their slopes in the middle of the boxes, in floats."""
         columns = parts.fixed.copy()
         columns[self.moving], columns[self.places] = z[self.n], parts.centre
@@ -149,7 +149,7 @@ class Tubes:
         """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every other step."""
         others, z, inverse = self._others(pivot), z.copy(), np.zeros(0)
         for number in range(STEPS):
-            forces, slopes = self._floats(parts, z, slopes=number % 2 == 0)
+            forces, slopes = self.floats(parts, z, slopes=number % 2 == 0)
             if number % 2 == 0:
                 inverse = contractors.inverse(slopes[:, others])
             step = np.einsum("ijN,jN->iN", inverse, forces)
@@ -162,7 +162,7 @@ class Tubes:
     def tangents(self, parts: Parts, z: FloatArray, pivot: int) -> tuple[FloatArray, FloatArray]:
         """dz/ds and dz/dp in the middle of the boxes."""
         others = self._others(pivot)
-        slopes = self._floats(parts, z)[1]
+        slopes = self.floats(parts, z)[1]
         inverse = contractors.inverse(slopes[:, others])
         by_s, by_p = np.ones(z.shape), np.zeros((self.n + 1, *parts.half.shape))
         by_s[others] = -np.einsum("ijN,jN->iN", inverse, slopes[:, pivot])

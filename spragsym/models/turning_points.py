@@ -96,7 +96,14 @@ def _size(z: FloatArray) -> FloatArray:
 
 def _in_floats(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: FloatArray) -> tuple[FloatArray, Flags]:
     """Where dv/ds = 0, by secants from a state on the curve; whether that was found, on the side where v moves on."""
-    begun, size = z[pivot], _size(z[pivot])
+    begun = z[pivot]
+    z, met = secants(tubes, parts, z, pivot, towards)
+    return z, met & ((z[pivot] - begun) * towards > 0)
+
+
+def secants(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: FloatArray) -> tuple[FloatArray, Flags]:
+    """Where dv/ds = 0, from states on the curve, of which it is the first slope, to one that is a step ``towards`` it, and on."""
+    size = _size(z[pivot])
     step = towards * PROBE * size
     by_s = tubes.tangents(parts, z, pivot)[0]
     slope = by_s[tubes.n]
@@ -109,7 +116,7 @@ def _in_floats(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: F
         slope, step = by_s[tubes.n], np.where(np.isfinite(ahead), np.clip(ahead, -longest, longest), 0.0)
         if (np.abs(step) <= MET * size).all():
             break
-    return z, (np.abs(step) <= MET * size) & np.isfinite(z).all(axis=0) & ((z[pivot] - begun) * towards > 0)
+    return z, (np.abs(step) <= MET * size) & np.isfinite(z).all(axis=0)
 
 
 def _proved(

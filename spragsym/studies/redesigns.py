@@ -79,10 +79,10 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
 
 def distance(study: Study) -> float:
-    """The nearest jump in tolerances at the friction that works, see :func:`spragsym.jump_margin`; NaN where it is not asked."""
+    """The nearest jump in tolerances at the friction that works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
     names = (*brake_quantities.balanced(study.model), "mu0")
     scale = {name: size for name, size in study.tolerances.items() if name in names}
-    if not scale or not effort(study).margin:
+    if not scale:
         return math.nan
     return float(load(study.model).jump_margin(design(study), scale).distance)
 
@@ -91,7 +91,7 @@ def design(study: Study) -> Design:
     """The brake as drawn, with the friction that works, as a design of the model: quantities in SI."""
     model = load(study.model)
     return Design(
-        {**study.values, "mu0": study.friction[1]},
+        {**study.values, "mu0": float(study.at_work.mu0)},
         brake_quantities.ranges(study.model, study.values),
         partial(brake_quantities.groups, study.model),
         dict,

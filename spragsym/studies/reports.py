@@ -51,7 +51,7 @@ class Report(Result):
     margin_percent : float or None
         By how much ``mu_jump`` exceeds the largest friction within the tolerances; NaN where nothing jumps.
     distance : float
-        The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that was not asked.
+        The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that is not known.
     states : tuple of State
         All states in contact.
     complete : bool
@@ -248,11 +248,14 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
         asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")
     elif wanted and not without:
         asked.remarks.append("what to change is not looked for: it jumps at another speed of the belt, and that is not called V")
+    tell("the nearest jump" if rises else "")
+    nearest = asked.known("the nearest jump is", partial(distance, study)) if rises else None
     margin = None if mu_jump is None else 100 * (mu_jump / high - 1) if high > 0 else math.inf
     parts: dict[str, Any] = dict(
         mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu0_jump=mu0_jump,
         mu_lowest=lowest[0], theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=working,
-        margin_percent=margin, distance=distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
+        margin_percent=margin, distance=math.nan if nearest is None else nearest, states=found, folds=turns,
+        oscillation=lives, certificate=reached,
         complete=bool(eq.complete and (not rises or ("mu0" in turns and turns["mu0"].complete))),
         probability=odds, redesign=changes(study.at_full_slip() if faster else study, target) if needed else (),
         needed=needed, target=target, peak=peak, facts=so,

@@ -16,6 +16,7 @@ from .cells import Boxes
 from .certificates import halved
 from .claims import CLAIMS
 from .events import have_jumped
+from .gradients import jump_gradient
 
 #: Boxes that a proof that nothing jumps may take.
 _BOXES = 3_000
@@ -45,7 +46,8 @@ def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], 
     Notes
     -----
     Source: f = f′ = 0 at the least change. That the point found is on a fold at which that state jumps is certain; that there is
-    no nearer one is known within ``proved`` only: the search follows rays, up to 256 tolerances away, and then the fold.
+    no nearer one is known within ``proved`` only: the search follows the fold that ends the state, and asks along rays for nearer
+    ones; where the state has no end, it goes out along them, up to 256 tolerances away.
 
     Examples
     --------
@@ -58,7 +60,8 @@ def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], 
     designs = space(p, scale, None)
     if prove and not isinstance(p, Parameters):
         raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
-    return margin(designs, partial(jumping, designs), partial(_nothing_jumps_within, designs) if prove else None)
+    safe = partial(_nothing_jumps_within, designs) if prove else None
+    return margin(designs, partial(jumping, designs), safe, "mu0", partial(jump_gradient, vary="mu0"))
 
 
 def jumping(designs: Space, z: FloatArray) -> NDArray[np.bool_]:

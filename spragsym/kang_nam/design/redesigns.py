@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from ...design.redesigns import Redesign, redesigned
 from ...design.values import FROM_LOWER_END
 from ...errors import ParameterError
 from ...parameters import RANGES, Parameters, PhysicalParameters, as_number
+from .gradients import jump_gradient
 from .jump_values import FirstJumps, exactly, first_jumps
 
 
@@ -46,7 +48,7 @@ def redesign(
     Notes
     -----
     Source: f = f′ = 0 at the target. That the new design keeps it is verified; that there is no smaller change is not proved: the
-    search follows rays, up to 256 scales away, and then the fold.
+    search follows the fold, and asks along rays for nearer ones, or goes out along them, up to 256 scales away, if it knows none.
 
     Examples
     --------
@@ -67,4 +69,5 @@ def redesign(
     def jumps(p: Any, name: str, limit: float) -> FirstJumps:
         return first_jumps(p, name, apart_from=np.full(p.shape, limit))
 
-    return redesigned(space(p, scale, change, "change"), wanted, jumps, lambda p, name: exactly(p, name)[0])
+    designs = space(p, scale, change, "change")
+    return redesigned(designs, wanted, jumps, lambda p, name: exactly(p, name)[0], lambda name: partial(jump_gradient, vary=name))

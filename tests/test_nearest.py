@@ -1,0 +1,75 @@
+"""The nearest design that jumps: of several sheets the nearest one, whatever was found first, and the same for every model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.design.nearest import nearest
+
+#: Centres and radii of discs; the nearest point of each lies on the line to its centre.
+DISCS = ((np.array([5.0, 0.0, 0.0]), 1.0), (np.array([0.0, -2.0, 2.0]), 0.5), (np.array([-1.5, 3.0, 3.0]), 0.8))
+LIMITS = (np.full(3, -10.0), np.full(3, 10.0))
+BRAKE = """[brake]
+model = "MODEL"
+m = "0.35 kg"
+k = "180 N/mm ± 15 %"
+L_0 = "38 mm"
+theta0 = "52 deg ± 1 deg"
+k_x = "9 N/mm ± 15 %"
+k_y = "0 N/mm"
+k_c = "1500 N/mm ± 15 %"
+F_L = "420 N"
+mu0 = "0.3 ± 5 %"
+V = "1.2 m/s"
+d = "10 s/m"
+"""
+
+
+def in_a_disc(z: Any) -> Any:
+    return np.any([np.linalg.norm(z - centre, axis=-1) <= radius for centre, radius in DISCS], axis=0)
+
+
+def on_disc(which: int | None) -> Callable[[Any], Any]:
+    """The nearest point of the disc that a point lies on, of one from the origin, if any."""
+
+    def improved(z: Any) -> Any:
+        if not z.any() and which is None:
+            return None
+        number = which if not z.any() else int(np.argmin([np.linalg.norm(z - centre) - radius for centre, radius in DISCS]))
+        assert number is not None
+        centre, radius = DISCS[number]
+        return centre * (1 - radius / np.linalg.norm(centre))
+
+    return improved
+
+
+@pytest.mark.parametrize("first", [None, 0, 1, 2])
+def test_of_several_sheets_the_nearest_one_is_found_whichever_comes_first(first: int | None) -> None:
+    found = nearest(in_a_disc, LIMITS, on_disc(first))
+    assert found is not None
+    assert np.linalg.norm(found) == pytest.approx(8**0.5 - 0.5, abs=1e-12)
+
+
+def test_a_border_that_nothing_improves_is_come_to_along_a_ray() -> None:
+    found = nearest(in_a_disc, LIMITS, lambda _: None)
+    assert found is not None
+    assert np.linalg.norm(found) == pytest.approx(8**0.5 - 0.5, rel=3e-3)
+    assert nearest(lambda z: np.zeros(z.shape[:-1], dtype=bool), LIMITS, lambda _: None) is None
+
+
+@pytest.mark.thorough
+def test_a_report_has_the_nearest_jump_of_every_model(tmp_path: Path) -> None:
+    """A cubic contact without its cubic part is the article's, by search where that one has closed forms."""
+    found = []
+    for name, more in (("kang_nam", ""), ("cubic_contact", 'k_3 = "0 N/m^3"\n')):
+        file = tmp_path / f"{name}.toml"
+        file.write_text(BRAKE.replace("MODEL", name) + more, encoding="utf-8")
+        found.append(ss.Study.from_file(file).report(probability=False, redesign=False, oscillation=False).distance)
+    assert found[1] == pytest.approx(found[0], rel=1e-9)
+    assert 0 < found[0] < 10

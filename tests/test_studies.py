@@ -1159,3 +1159,25 @@ def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_
         told[name] = told[name].replace(f"{name} = ", "speed = ")
     assert told["V"] == told["U"]
     assert '"oscillation": null' not in told["U"]
+
+
+@pytest.mark.thorough
+def test_what_the_friction_law_alone_takes_may_be_left_out_whatever_it_is_called(tmp_path: Path) -> None:
+    """Friction is μ₀ then, as for changes where a faster belt makes it jump; of another law nothing may be missing."""
+    pytest.importorskip("sympy")
+    page = (Path(ss.__file__).resolve().parent.parent / "derive" / "models" / "damped.py").read_text(encoding="utf-8")
+    model = model_of(
+        page.replace('V = page.parameter("V"', 'U = page.parameter("U"').replace("(x, V,", "(x, U,"), "own", tmp_path
+    )
+    whole, less = tmp_path / "whole.toml", tmp_path / "less.toml"
+    whole.write_text(example(model), encoding="utf-8")
+    lines = example(model).splitlines(keepends=True)
+    less.write_text("".join(line for line in lines if not line.startswith(("U ", "d "))), encoding="utf-8")
+    study, slipping = ss.Study.from_file(whole), ss.Study.from_file(less)
+    assert study.fraction < 1 == slipping.fraction
+    assert study.at_full_slip().quantities == slipping.quantities
+    found = slipping.report(n=64, redesign=False, oscillation=False)
+    assert any(one.startswith("U and d are not given") and 'U = "1.2 m/s"' in one for one in found.warnings)
+    less.write_text("".join(line for line in example(ss.load("stribeck")).splitlines(True) if line[:2] not in ("V ", "d ")))
+    with pytest.raises(ss.ParameterError, match="V, d"):
+        ss.Study.from_file(less)

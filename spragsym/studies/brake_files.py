@@ -23,8 +23,6 @@ from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
-#: What may be missing: without the belt's speed and the steepness of the law friction is that at full slip.
-OPTIONAL = ("V", "d")
 #: Bytes; a larger file is no file of this kind.
 _LARGEST = 1 << 20
 
@@ -135,12 +133,12 @@ def _syntax(message: str, lines: _Lines) -> str:
     if "overwrite" in message:
         remedy = f"{key} is there twice; keep one of the two"
     else:
-        example = _example(key, brake_quantities.quantity_units(USUAL).get(key, "kg"))
+        example = example_of(key, brake_quantities.quantity_units(USUAL).get(key, "kg"))
         remedy = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
     return f"{lines.path}, line {number}: {line!r} is not TOML ({said[:1].lower()}{said[1:]}); {remedy}"
 
 
-def _example(key: str, unit: str) -> str:
+def example_of(key: str, unit: str) -> str:
     """How an engineer would write a quantity."""
     return _EXAMPLES.get(key) or EXAMPLES.get(unit, (f"1 {unit}",))[0]
 
@@ -232,7 +230,7 @@ def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | N
 
 
 def _check_complete(found: Mapping[str, Measured], units: Mapping[str, str], model: str, lines: _Lines) -> None:
-    missing = [key for key in units if key not in found and key not in OPTIONAL]
+    missing = [key for key in units if key not in found and key not in brake_quantities.of_the_law(model)]
     if missing:
-        wanted = ", ".join(f'{key} = "{_example(key, units[key])}"' for key in missing)
+        wanted = ", ".join(f'{key} = "{example_of(key, units[key])}"' for key in missing)
         raise ParameterError(f"{lines.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")

@@ -115,6 +115,18 @@ def balanced(name: str) -> tuple[str, ...]:
     return tuple(quantity for quantity in quantity_units(name) if quantity in found)
 
 
+@cache
+def of_the_law(name: str) -> tuple[str, ...]:
+    """Quantities that a brake may be given without: those of the friction law alone, without which friction is μ₀, at full slip.
+
+    Of a law that is not proportional to mu0, or not mu0 at full slip, there are none.
+    """
+    law = about(name)["friction"]
+    if not law or law["at_rest"] != "mu0":
+        return ()
+    return tuple(quantity for quantity in law["quantities"] if quantity not in (*balanced(name), "mu0"))
+
+
 def share(model: Any, p: Any) -> Any:
     """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of the shape of ``p``."""
     full, works = (model.friction(p, law) for law in ("friction_at_rest", "friction_at_speed"))

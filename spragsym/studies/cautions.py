@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from . import brake_quantities
+from .brake_files import example_of
 from .states import State
 from .study import Study
 
@@ -21,8 +23,6 @@ POOR = 0.1
 STEEP, FULL_AT = 8.0, 0.1
 #: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
-#: How speeds and steepness are written.
-_EXAMPLE = {"V": "1.2 m/s", "d": "10 s/m"}
 #: Degrees up to which an inclination looks like radians.
 FLAT = 3.15
 
@@ -94,17 +94,14 @@ def _stiffness(study: Study) -> Iterator[str]:
 
 def _friction(study: Study) -> Iterator[str]:
     law = study.about["friction"]
-    missing = [name for name in ("V", "d") if law and name in law["quantities"] and not _has(study, name)]
+    missing = [name for name in brake_quantities.of_the_law(study.model) if not _has(study, name)]
     also = f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given"
-    write = " and ".join(f'{name} = "{_EXAMPLE[name]}"' for name in missing)
-    if missing and law["at_rest"] == "mu0":
+    write = " and ".join(f'{name} = "{example_of(name, study.si(name))}"' for name in missing)
+    if missing:
         yield (
             f"{also}: friction is taken at full slip, the friction law's damping is left out of what is called stable, and no "
             f"oscillation is looked for; add {write}"
         )
-    elif missing:
-        taken = ", ".join(f"{name} = {float(getattr(study.dimensionless, name)):g}" for name in missing)
-        yield f"{also}: the base values of the model are taken, {taken} in its own units; add {write}"
     elif law and law["at_rest"] == "other" and _has(study, "mu0"):
         yield (
             "the friction law is not proportional to mu0, or not mu0 at full slip: friction is taken as statics has it, and "

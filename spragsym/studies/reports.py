@@ -13,7 +13,7 @@ from ..display import Result
 from ..errors import ParameterError, SpragsymError
 from ..progress import doing, show_progress, tell
 from ..results.points import Points
-from .brake_files import OPTIONAL
+from . import brake_quantities
 from .cautions import cautions
 from .effort import effort
 from .facts import Facts, facts
@@ -195,9 +195,11 @@ class _Asked:
 def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int | None) -> Report:
     low, working, high = study.friction
     if high == 0 and "mu0" in study.quantities and study.quantities["mu0"].high > 0:
+        law = " and ".join(brake_quantities.of_the_law(study.model))
+        without = f", or leave {law} out for friction at full slip" if law else ""
         raise ParameterError(
             f"{study.shown_speed(study.values[study.belt or 'V'])}: nothing slides at that speed, and the friction law has no "
-            "friction there; give the speed of the belt, or leave V and d out for friction at full slip"
+            f"friction there; give the speed of the belt{without}"
         )
     tell("jumps, lowest fold and states")
     p, at, asked, end = study.dimensionless, study.at_work, _Asked(study), top(study)
@@ -240,14 +242,10 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     target = safety * (so.full[2] if faster else high)
     sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")
     plain = bool(p.model.about["friction"]) and p.model.about["friction"]["at_rest"] == "mu0"
-    # Friction at full slip is that of a study without the belt's speed, which a file may leave out where it is called V.
-    without = not faster or study.belt in OPTIONAL
     wanted, within = redesign and bool(sprags), not faster or mu_jump is None or mu_jump <= so.full[2]
-    needed = wanted and target > 0 and plain and without and within
+    needed = wanted and target > 0 and plain and within
     if wanted and not plain:
         asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")
-    elif wanted and not without:
-        asked.remarks.append("what to change is not looked for: it jumps at another speed of the belt, and that is not called V")
     tell("the nearest jump" if rises else "")
     nearest = asked.known("the nearest jump is", partial(distance, study)) if rises else None
     margin = None if mu_jump is None else 100 * (mu_jump / high - 1) if high > 0 else math.inf

@@ -17,7 +17,7 @@ from ..models.load import USUAL
 from ..names import hint
 from ..parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
 from . import brake_quantities
-from .brake_files import OPTIONAL, BrakeFile, read_brake
+from .brake_files import BrakeFile, read_brake
 from .measurements import FrictionFit
 from .units import Measured, factor, read, shown_in
 
@@ -181,7 +181,8 @@ class Study:
 
     def at_full_slip(self) -> Study:
         """The study without the belt's speed: friction is μ₀."""
-        return self.with_quantities({name: one for name, one in self.quantities.items() if name not in ("V", "d")})
+        left_out = brake_quantities.of_the_law(self.model)
+        return self.with_quantities({name: one for name, one in self.quantities.items() if name not in left_out})
 
     def together(self, names: Sequence[str]) -> Dependence:
         """How some of the quantities vary together."""
@@ -277,7 +278,7 @@ def _given(parameters: Any, model: str, ranges: Mapping[str, Range]) -> dict[str
         if name not in ranges:
             remark = hint(name, ranges) or f"; it has {', '.join(ranges)}"
             raise ParameterError(f"parameters: {name!r} is no quantity of {model}{remark}")
-    missing = [name for name in ranges if name not in parameters and name not in OPTIONAL]
+    missing = [name for name in ranges if name not in parameters and name not in brake_quantities.of_the_law(model)]
     if missing:
         raise ParameterError(f"parameters are without {', '.join(missing)}; give them in SI units")
     return {name: as_number(name, value, ranges[name]) for name, value in parameters.items()}

@@ -98,11 +98,11 @@ def test_critical_frictions_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert invoke("critical", "--theta0", "40", "--json") == DONE
     found = json.loads(capsys.readouterr().out)
     lowest = ss.critical_friction(ss.Parameters.article())
-    assert found["mu_cusp"] == ss.cusp_friction(ss.Parameters.article())
-    assert (found["mu_lowest"], found["kind_lowest"]) == (float(lowest), lowest.kind)
+    assert found["mu0_cusp"] == ss.cusp_friction(ss.Parameters.article())
+    assert (found["mu0_lowest"], found["kind_lowest"]) == (float(lowest), lowest.kind)
     assert found["theta0_lowest_deg"] == math.degrees(lowest.theta0)
     assert found["mu_cr"] == float(ss.linear_critical_friction(ss.Parameters.article()))
-    assert found["jumps"][0]["mu0"] == found["mu_jump"] == ss.jump_value(ss.Parameters.article(theta0=math.radians(40.0)))
+    assert found["jumps"][0]["mu0"] == found["mu0_jump"] == ss.jump_value(ss.Parameters.article(theta0=math.radians(40.0)))
 
 
 @pytest.mark.parametrize(("asked", "at_this_angle"), [(["--theta0", "40"], True), (["--vary", "theta0", "--mu0", "0.7"], False)])
@@ -110,14 +110,14 @@ def test_the_friction_of_the_jump_is_told_where_the_angle_is_given(
     asked: list[str], at_this_angle: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert invoke("critical", *asked) == DONE
-    assert ("mu_jump: mu0 of the jump at this angle" in capsys.readouterr().out) == at_this_angle
+    assert ("mu0_jump: mu0 of the jump at this angle" in capsys.readouterr().out) == at_this_angle
 
 
 @pytest.mark.thorough
 def test_what_is_undecided_is_not_called_none(capsys: pytest.CaptureFixture[str]) -> None:
     assert invoke("critical", "--model", "trolley", "--theta0", "40") == DONE
     text = capsys.readouterr().out
-    for line in ("mu_lowest: no jump below this mu0", "mu_cusp: mu0 of the lowest cusp"):
+    for line in ("mu0_lowest: no jump below this mu0", "mu0_cusp: mu0 of the lowest cusp"):
         assert re.search(rf"^{line}\s+unknown$", text, re.MULTILINE)
 
 
@@ -159,6 +159,25 @@ def test_check_fails_where_a_row_is_not_as_recorded(
     monkeypatch.setattr(derivation, "run", lambda: checked[1:])
     assert invoke("check") == FAILED
     assert "eq-1 is not as recorded" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"), [(["--row", "eq-9"], "deriving the equations"), (["--claims", "--row", "claim-mu-cr"], "claim-mu-cr")]
+)
+def test_a_check_that_takes_long_says_what_it_is_at(
+    asked: list[str], said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from spragsym.claims import ledger
+    from spragsym.derive.kang_nam import check as derivation
+
+    def slowly(run: Callable[..., Any]) -> Callable[..., Any]:
+        return lambda *arguments: (time.sleep(0.2), run(*arguments))[1]
+
+    monkeypatch.setattr("spragsym.progress.LONG", 0.02)
+    monkeypatch.setattr(derivation, "run", slowly(lambda: []))
+    monkeypatch.setattr(ledger, "_row", slowly(ledger._row))
+    invoke("check", *asked)
+    assert re.search(rf"{said}.*: 0 s so far", capsys.readouterr().err)
 
 
 @pytest.mark.parametrize("theta0_deg", ["30", "49", "1e-9", "179.99"])

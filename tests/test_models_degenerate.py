@@ -205,7 +205,7 @@ def test_commands_for_a_model_say_what_the_articles_own_say():
     assert list(jump) == list(known)
     assert jump["mu0"] == pytest.approx(known["mu0"], abs=1e-12)
     assert (jump["searched"], jump["kind"], jump["way"]) == ([0.0, 10.0], "fold", "up")
-    for name in ("mu_jump", "mu_lowest", "theta0_lowest_deg", "mu_cusp"):
+    for name in ("mu0_jump", "mu0_lowest", "theta0_lowest_deg", "mu0_cusp"):
         assert first[name] == pytest.approx(other[name], abs=1e-7)
 
 

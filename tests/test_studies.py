@@ -167,6 +167,8 @@ def test_shares_that_the_samples_do_not_resolve_are_not_told() -> None:
 
     known = Chance(0.4, 0.39, 0.41, 0.95, 8192, {"mu0": (0.7, 0.8, 0.03), "k": (0.2, 0.3, 0.02)})
     assert [name for name, _ in texts._indices(known)] == ["how much mu0 decides", "how much k decides"]
+    noise = Chance(0.4, 0.39, 0.41, 0.95, 8192, {"k": (-0.012, 0.07, 0.02)})
+    assert dict(texts._indices(noise))["how much k decides"].startswith("0 % by itself, 7 %")
     lost = Chance(0.9998, 0.999, 0.99997, 0.95, 8192, {"mu0": (-3.0, 2.5, 3.0), "k": (0.0, 0.0, 0.0)})
     assert [said for _, said in texts._indices(lost)] == ["not told by 8192 samples, of which too few differ"]
 
@@ -436,7 +438,7 @@ def test_commands_take_the_file(path: Path, capsys: pytest.CaptureFixture[str]) 
     found = ss.folds(p, "alpha")
     rows = answer("folds", "--vary", "k_x")["points"]
     assert [row["k_x_N/mm"] for row in rows] == pytest.approx((1500 * found.alpha).tolist(), rel=1e-9)
-    assert answer("critical")["mu_jump"] == pytest.approx(ss.jump_value(p), rel=1e-12)
+    assert answer("critical")["mu0_jump"] == pytest.approx(ss.jump_value(p), rel=1e-12)
     jumps = answer("path", "--vary", "mu0=0:1:3")["jumps"]
     assert jumps[0]["mu0"] == pytest.approx(ss.jump_value(p), rel=1e-12)
     eq = ss.equilibria(p)
@@ -457,8 +459,8 @@ def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.
     set_ = json.loads(printed("bifurcation", "--data", str(path), "--json"))
     assert [row["x_mm"] for row in set_["folds"]["points"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
     frictions = json.loads(printed("critical", "--data", str(path), "--json"))
-    assert frictions["mu_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
-    assert frictions["mu_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
+    assert frictions["mu0_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
+    assert frictions["mu0_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
     arguments = ("--data", str(path), "--json", "--vary", "k_x=5:20:2")
     points = json.loads(printed("equilibria", *arguments))["points"]
     for point, k_x in zip(points, (5.0, 20.0), strict=True):
@@ -748,7 +750,7 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     file.write_text("\n".join(rows), encoding="utf-8")
     found = ss.Study.from_file(file).report(oscillation=False, probability=False, redesign=False)
     assert found.mu_jump is None
-    assert any("no mu0" in one for one in found.warnings)
+    assert any("no mu0" in one and "spragsym critical --vary" in one for one in found.warnings)
     assert found.states
     assert found.current is None
     assert all(state.contact_force_N is not None and math.isfinite(state.contact_force_N) for state in found.states)
@@ -870,6 +872,22 @@ def test_without_at_rest_the_friction_is_that_at_the_belts_speed(tmp_path: Path)
     assert found.probability is not None
     low, high = found.probability.proved
     assert low < (1.3 - JUMPS / works) / 0.3 < high < low + 0.01
+
+
+@pytest.mark.thorough
+def test_a_key_of_critical_and_report_means_one_thing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Where a part of mu0 works, mu0 at the jump and the friction there are two numbers."""
+    model = with_law(tmp_path, "mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
+    report = told(tmp_path, model, {"V": "0.7 m/s", "mu0": "1.3"}, probability=False).to_dict()
+    with pytest.raises(SystemExit) as stop:
+        main(["critical", "--data", str(tmp_path / "slow.toml"), "--vary", "mu0=0:2", "--json"])
+    assert stop.value.code == 0
+    critical = json.loads(capsys.readouterr().out)
+    assert report["mu0_jump"] == pytest.approx(JUMPS / -math.expm1(-0.7))
+    both = {key for key in set(report) & set(critical) if isinstance(critical[key], float)}
+    assert both >= {"mu0_jump", "theta0_lowest_deg"}
+    for key in both:
+        assert critical[key] == pytest.approx(report[key], rel=1e-9), key
 
 
 @pytest.mark.thorough

@@ -12,6 +12,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..progress import doing
+
 #: What a row may hold: numbers, words, or lists of them.
 Value: TypeAlias = float | int | str | list[float] | list[int] | list[str]
 
@@ -74,7 +76,11 @@ class Row:
 
 def run(statements: Sequence[Statement]) -> list[Row]:
     """Compute every row; nothing is read from the record."""
-    return [_row(statement) for statement in statements]
+    rows = []
+    for statement in statements:
+        with doing(statement.id):
+            rows.append(_row(statement))
+    return rows
 
 
 def recorded() -> list[dict[str, Any]]:

@@ -15,6 +15,7 @@ import click
 
 from ..errors import MissingExtraError, ParameterError
 from ..models.load import page_of
+from ..progress import show_progress
 from .commands import command
 from .of_model import TEXT
 from .options import as_json
@@ -92,7 +93,8 @@ def _check_claims(json_output: bool, only: tuple[str, ...]) -> None:
     from ..claims import STATEMENTS, drifted, recorded, run
 
     chosen = _chosen(only, [statement.id for statement in STATEMENTS], "the claims")
-    rows = run([statement for statement in STATEMENTS if statement.id in chosen])
+    with show_progress("computing what the article states"):
+        rows = run([statement for statement in STATEMENTS if statement.id in chosen])
     if json_output:
         print_json([row.as_dict() for row in rows])
     else:
@@ -115,7 +117,8 @@ def _check_equations(json_output: bool, only: tuple[str, ...]) -> None:
         from ..derive.kang_nam import check as derivation
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym check", error.name or "sympy", "derive") from error
-    every = derivation.run()
+    with show_progress("deriving the equations of the article"):
+        every = derivation.run()
     chosen = _chosen(only, [row.id for row in every], "the equations (statements of the text: --claims)")
     rows = [row for row in every if row.id in chosen]
     recorded = json.loads(resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8"))["rows"]
@@ -142,7 +145,8 @@ def _check_model(name: str, json_output: bool) -> None:
         from ..derive.kang_nam import variant_models
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym check --model", error.name or "sympy", "derive") from error
-    rows = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
+    with show_progress(f"deriving the equations of {model.name}"):
+        rows = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
     if json_output:
         print_json([asdict(row) for row in rows])
         return

@@ -50,7 +50,7 @@ def critical(case: Case, vary: Typed | None, json_output: bool) -> None:
         jumped = (
             not from_end
             and "mu0" in case.model.parameters
-            and bool((frictions["mu_jump"] or math.inf) <= float(case.values["mu0"]))
+            and bool((frictions["mu0_jump"] or math.inf) <= float(case.values["mu0"]))
         )
         ways = ["range"] if along.ends else ["up"] if from_end else ["up", "down"]
         jumps = [{"way": way, **_first(case, p, along, way, jumped)} for way in ways]
@@ -136,7 +136,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
             raise ParameterError(f"{model.name} has no mu0")
         value = float(model.jump_value(p, "mu0"))
         if math.isnan(value) and not case.has_closed("jump_value"):
-            remarks.append(f"mu_jump: followed up to mu0 = {ranges(model, ('mu0',), {})[0, 1]:g}; beyond that it is not known")
+            remarks.append(f"mu0_jump: followed up to mu0 = {ranges(model, ('mu0',), {})[0, 1]:g}; beyond that it is not known")
         return value
 
     def cusp() -> float | None:
@@ -148,14 +148,14 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
         if not plane:
             raise ParameterError(f"{model.name} has not both theta0 and mu0")
         found = model.critical_friction(p, **ask)
-        remarks.extend(f"mu_lowest: {text}" for text in found.remarks)
+        remarks.extend(f"mu0_lowest: {text}" for text in found.remarks)
         return found if found.complete else None
 
-    lowest = told("mu_lowest", fold)
+    lowest = told("mu0_lowest", fold)
     return {
-        "mu_jump": told("mu_jump", jump), "mu_lowest": None if lowest is None else float(lowest),
+        "mu0_jump": told("mu0_jump", jump), "mu0_lowest": None if lowest is None else float(lowest),
         "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),
-        "kind_lowest": None if lowest is None else lowest.kind or None, "mu_cusp": told("mu_cusp", cusp),
+        "kind_lowest": None if lowest is None else lowest.kind or None, "mu0_cusp": told("mu0_cusp", cusp),
         "mu_cr": told("mu_cr", lambda: float(model.linear_critical_friction(p))),
     }, case.units.said(remarks)  # fmt: skip
 
@@ -171,8 +171,8 @@ def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str
     place = f" (a {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
     with_mu0, both = _has(case)
     if not both:
-        return {"mu_jump": "mu_jump: mu0 of the jump"} if with_mu0 and vary != "mu0" else {}
-    known = {} if vary == "theta0" else {"mu_jump": "mu_jump: mu0 of the jump at this angle"}
+        return {"mu0_jump": "mu0_jump: mu0 of the jump"} if with_mu0 and vary != "mu0" else {}
+    known = {} if vary == "theta0" else {"mu0_jump": "mu0_jump: mu0 of the jump at this angle"}
     linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if case.has_closed("linear_critical_friction") else {}
-    lowest = {"mu_lowest": f"mu_lowest: no jump below this mu0{place}", "mu_cusp": "mu_cusp: mu0 of the lowest cusp"}
+    lowest = {"mu0_lowest": f"mu0_lowest: no jump below this mu0{place}", "mu0_cusp": "mu0_cusp: mu0 of the lowest cusp"}
     return known | lowest | linear

@@ -150,7 +150,10 @@ class _Asked:
     def jump(self, p: Any, vary: str, top: float = math.inf) -> float | None:
         """Where the state of small deformation jumps as a parameter rises."""
         if vary not in p.model.parameters:
-            self.remarks.append(f"the model has no {vary}: a jump along it is not defined")
+            self.remarks.append(
+                f"the model has no {vary}: a jump along it is not defined; call what rises {vary} in the page, or follow another "
+                "parameter, with jump_value(p, vary=...) or spragsym critical --vary"
+            )
             return None
         found = self.known(f"the jump along {vary} is", lambda: p.model.jump_value(p, vary))
         if found is not None and math.isnan(found) and self.study.quantities[vary].high > top:

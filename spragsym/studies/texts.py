@@ -345,7 +345,9 @@ def _indices(odds: Chance) -> Iterator[tuple[str, str]]:
         yield ("how much each of them decides", f"not told by {odds.n} samples, of which too few differ")
         return
     for name, (first, total, _) in told.items():
-        shares = f"{100 * first:.0f} % by itself, {100 * total:.0f} % with what it does together with others"
+        # A share is not negative; what is estimated from samples may be.
+        alone, together = (max(0.0, 100 * share) for share in (first, total))
+        shares = f"{alone:.0f} % by itself, {together:.0f} % with what it does together with others"
         yield (f"how much {name} decides", shares)
 
 

@@ -183,7 +183,7 @@ def test_critical_values_have_the_same_keys(name: str, capsys: pytest.CaptureFix
     vary = model.axes[-1]
     ends = "=20:60" if vary in model.about["angles"] else "=0.05:0.9"
     told = json.loads(run(capsys, "critical", *of(name), "--vary", f"{vary}{ends}", "--json"))
-    frictions = ["mu_jump", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_cr"]
+    frictions = ["mu0_jump", "mu0_lowest", "theta0_lowest_deg", "kind_lowest", "mu0_cusp", "mu_cr"]
     assert list(told) == ["model", "vary", "jumps", "jumped", *frictions, "remarks"]
     (jump,) = told["jumps"]
     places = [_title(model, name) for name in model.coordinates]

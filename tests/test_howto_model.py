@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import re
 from pathlib import Path
 
@@ -68,3 +70,22 @@ def test_the_gallery_has_every_model_as_it_is() -> None:
     plain = [line for line in shown if line and not line.startswith(computed)]
     assert plain == [line for line in page(points=False).splitlines() if line]
     assert sum(line.startswith(computed) for line in shown) == 18
+
+
+def test_what_the_page_calls_takes_what_it_is_given() -> None:
+    """Each call of a model's function within the text, by the signature that names its arguments."""
+    import spragsym as ss
+
+    calls = re.findall(r"`(model\.\w+\([^`]*\))`", PAGE.read_text(encoding="utf-8"))
+    assert len(calls) > 15
+    for text in calls:
+        call = ast.parse(text, mode="eval").body
+        assert isinstance(call, ast.Call)
+        assert isinstance(call.func, ast.Attribute)
+        places, names = [None] * len(call.args), {keyword.arg or "": None for keyword in call.keywords}
+        inspect.signature(getattr(ss.Model, call.func.attr)).bind(None, *places, **names)
+        public = inspect.signature(getattr(ss, call.func.attr, lambda *_, **__: None))
+        known = {*public.parameters, *inspect.signature(getattr(ss.Model, call.func.attr)).parameters}
+        assert {*names} <= known or "options" in public.parameters, text
+        required = [one for one in public.parameters.values() if one.kind is one.KEYWORD_ONLY and one.default is one.empty]
+        assert {one.name for one in required} <= {*names}, text

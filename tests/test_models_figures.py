@@ -160,6 +160,12 @@ def test_the_window_of_a_bifurcation_set_holds_every_cusp_that_was_found() -> No
     assert window(model, ("theta0", "mu0"), {"mu0": (0.0, 0.5)}, cusps)["mu0"] == (0.0, 0.5)
 
 
+def test_a_spectrum_is_over_the_models_own_unit_of_time():
+    model = ss.load("stick_slip")
+    motion = model.simulate(model.Parameters(), x0=0.1, t_end=20.0, backend="scipy")
+    assert figures.draw_spectrum(motion).axes.get_xlabel() == r"frequency $\times\ \sqrt{m/k}$"
+
+
 @pytest.mark.thorough
 def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path, monkeypatch):
     """Of the article's model and of one that turns: a row for each coordinate, with its plane and its spectrum."""

@@ -175,3 +175,13 @@ def test_a_new_design_of_another_model_keeps_its_target() -> None:
     for arguments, text in ((("theta0", {"theta0": 1.0}), "is the target"), (("theta0", {"nu": 1.0}), "give parameters of")):
         with pytest.raises(ss.ParameterError, match=text):
             model.redesign(p, *arguments)
+
+
+@pytest.mark.thorough
+def test_a_new_design_has_no_end_below_a_target_of_any_name() -> None:
+    """Of a set at whose own mu_k the state has ended before."""
+    model = ss.load("stribeck")
+    p = model.Parameters(theta0=0.8, mu_s=0.5, mu_k=0.8)
+    better = model.redesign(p, "theta0", {"mu_k": 0.9})
+    assert model.jump_value(better.parameters, "mu_k", begin=0.0) == pytest.approx(0.9, abs=1e-8)
+    assert better.jump["mu_k"] == pytest.approx(0.9, abs=1e-8)

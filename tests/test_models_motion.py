@@ -124,6 +124,8 @@ def test_arguments_that_make_no_sense() -> None:
     p = model.Parameters(theta0=1.0)
     with pytest.raises(ss.ParameterTypeError, match="did you mean x_a0"):
         model.simulate(p, xa0=1.0)
+    with pytest.raises(ss.ParameterTypeError, match=r"kappa is no argument but a parameter; .*p\.replace\(kappa="):
+        model.simulate(p, kappa=0.01)
     with pytest.raises(ss.ParameterError, match="it is x0, y0, x_a0, vx0, vy0, vx_a0"):
         model.simulate(p, start=[0.0, 0.0])
     with pytest.raises(ss.ParameterError, match="theta0 is missing"):

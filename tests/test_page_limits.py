@@ -327,7 +327,7 @@ def test_a_motion_without_x_is_drawn(tmp_path: Path) -> None:
     tr = model.simulate(model.Parameters(), t_end=5.0)
     line = figures.draw_motion(tr)
     assert line.axes.get_ylabel() == "$u$ / $L_0$"
-    assert figures.draw_motion(tr, "vu").axes.get_ylabel() == r"$u'$ / $L_0\,\sqrt{k_c/m}$"
+    assert figures.draw_motion(tr, "vu").axes.get_ylabel() == r"$u'$ / $(L_0\,\sqrt{k_c/m})$"
     np.testing.assert_allclose(line.get_ydata()[-1], tr.u[-1], atol=1e-9)
     with pytest.raises(ss.ParameterError, match="is not one of u, y"):
         figures.draw_motion(tr, "x")

@@ -28,7 +28,10 @@ def axis_label(model: Any, name: str) -> str:
     """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its unit."""
     unit = model.quantities[name][0]
     written = rf"{symbol(model.coordinates[model.rates.index(name)])}'" if name in model.rates else symbol(name)
-    return f"${written}$" if unit in ("1", "rad") else f"${written}$ / ${in_letters(unit)}$"
+    if unit in ("1", "rad"):
+        return f"${written}$"
+    letters = in_letters(unit)
+    return f"${written}$ / $({letters})$" if r"\," in letters else f"${written}$ / ${letters}$"
 
 
 def in_letters(scale: str) -> str:

@@ -315,7 +315,10 @@ def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, Arr
         values |= zip(names, given, strict=True)
     for name, value in initial.items():
         if name not in values:
-            raise ParameterTypeError(f"{name} is no argument{hint(name, names) or '; the initial state is ' + ', '.join(names)}")
+            remedy = hint(name, names) or "; the initial state is " + ", ".join(names)
+            if name in model.parameters:
+                remedy = f" but a parameter; give it within the first one, as p.replace({name}=...)"
+            raise ParameterTypeError(f"{name} is no argument{remedy}")
         values[name] = value
     return {name: as_numbers(name, value) for name, value in values.items()}
 

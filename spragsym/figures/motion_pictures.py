@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..dynamics import Trajectory
-from ..dynamics.pictures import axis_label, course_over_time
+from ..dynamics.pictures import axis_label, course_over_time, in_letters
 from ..errors import ParameterError
 from .labels import label
 from .style import BLUE, DOUBLE, GREY, Sheet, Table, own_axes, panels, styled
@@ -66,7 +66,8 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
     large = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max())
     ax.set(xlim=(0, frequency * found.frequency[min(2 * int(large[-1]) + 8, found.frequency.size - 1)]), ylim=(0, None))
-    across, up = labels or (r"frequency $\times\ \sqrt{m/k_c}$", f"amplitude of {axis_label(motion.model, of)}")
+    unit = in_letters(motion.model.quantities["t"][0])
+    across, up = labels or (rf"frequency $\times\ {unit}$", f"amplitude of {axis_label(motion.model, of)}")
     ax.set(xlabel=across, ylabel=up)
     return line
 

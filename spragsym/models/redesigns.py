@@ -69,7 +69,8 @@ def redesign(
     target : mapping of str to float
         For parameters that rise, below what value the state may not end.
     begin : float, optional
-        From where they rise, as for :func:`spragsym.models.jumps.jump_value`.
+        From where they rise instead of the lower end of their range: from its value in ``p`` a design whose state has ended
+        below that looks like one whose state goes on.
     """
     ranges = model.Parameters.ranges
     wanted = {name: as_number(f"target[{name!r}]", value, ranges[name]) for name, value in target.items() if name in ranges}
@@ -82,13 +83,17 @@ def redesign(
 def reaching(model: Any, designs: Space, wanted: Mapping[str, float], begin: float | None) -> Redesign:
     """The nearest of some designs whose followed state ends at no value below those that are wanted."""
 
+    def first(name: str) -> float | None:
+        allowed = model.Parameters.ranges[name]
+        return allowed.reached(allowed.low) if begin is None and np.isfinite(allowed.low) else begin
+
     def jumps(some: Any, name: str, limit: float) -> Ends:
-        return Followed(model, some, name, "up", begin, limit).ends(patient=False)
+        return Followed(model, some, name, "up", first(name), limit).ends(patient=False)
 
     def solved(one: Any, name: str) -> float:
-        return float(jump_value(model, one, name, begin=begin))
+        return float(jump_value(model, one, name, begin=first(name)))
 
-    return redesigned(designs, wanted, jumps, solved, lambda name: MovedFold(model, name, begin), RAYS)
+    return redesigned(designs, wanted, jumps, solved, lambda name: MovedFold(model, name, first(name)), RAYS)
 
 
 def _safe(designs: Space, radius: float, vary: str, begin: float) -> bool:

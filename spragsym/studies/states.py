@@ -147,7 +147,7 @@ def _roots(study: Study, q: list[float]) -> FloatArray:
     balance = Balance(model, True, friction.law_of(study))
     given, state = np.array([[value] for value in p.scalars(*model.parameters)]), np.array(q)[:, None]
     M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, state, given))
-    belt = (study.about["friction"] or {}).get("belt")
+    belt = str((study.about["friction"] or {}).get("belt", ""))
     if not study.moves and belt in model.parameters:
         level = np.array([[value] for value in p.replace(**{belt: LEVEL}).scalars(*model.parameters)])
         C = np.moveaxis(linearization(balance, state, level)[1], -1, 0)

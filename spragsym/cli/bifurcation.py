@@ -68,6 +68,8 @@ def bifurcation(
     both, ranges = tuple(one.name for one in along), {key: ends for one in along for key, ends in one.between.items()}
     if len(along) == 2:
         questions["cusps"] = lambda: case.model.cusps(case.set(*both), both, **case.searching(ranges, asked))
+    elif not vary:
+        click.echo(f"cusps are looked for in the plane of two parameters: --vary {name} --vary NAME", err=True)
     told, found = {}, {}
     for title, question in questions.items():
         with show_progress(f"searching for {title} along {' and '.join(both if title == 'cusps' else (name,))}"):

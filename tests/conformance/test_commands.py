@@ -160,6 +160,13 @@ def test_onsets_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]
 PLANES = [name for name in MODELS if len(load(name).axes) == 2]
 
 
+def test_a_model_without_a_plane_of_its_own_says_how_cusps_are_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
+    for name, said in (("mode_coupling", True), ("kang_nam", False)):
+        with pytest.raises(SystemExit, match="0"):
+            main(["bifurcation", *of(name)])
+        assert ("--vary mu0 --vary NAME" in capsys.readouterr().err) is said
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
 def test_cusps_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -109,6 +109,8 @@ def public(closed: Callable[..., Any]) -> Callable[..., Any]:
         first = args[0] if args and isinstance(args[0], ParameterSet) else next(sets_among((*args, *options.values())), None)
         return getattr(model_of(first if first is not None else Parameters()), name)(*args, **options)
 
+    summary, *more = inspect.cleandoc(closed.__doc__ or "").split("\n\n", 1)
+    ask.__doc__ = "\n\n".join((summary, f"Asked of the model of its parameters: :meth:`spragsym.Model.{name}`.", *more))
     return ask
 
 

@@ -208,6 +208,11 @@ def test_events_however_close_are_told_apart() -> None:
         check_crossings(fixed, "0.3217")
 
 
+def test_a_root_may_be_beyond_all_ratios_of_coefficients() -> None:
+    """(1 + √5)/2 of t² − t − 1, whose largest ratio is 1."""
+    assert fold_events._positive_roots((-1, -1, 1), None) == 1
+
+
 def test_an_event_of_two_kinds_is_one_event(monkeypatch: pytest.MonkeyPatch) -> None:
     """Polynomials with the roots 1/2 and 1/3, 1/2 and 2/3, 2/3 twice: three events."""
     conditions = [(1, -5, 6), (2, -7, 6), (4, -12, 9), (7, 1)]

@@ -81,16 +81,14 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> Non
                 theta = ends[0] if fixed else ends[0] + share * (ends[1] - ends[0])
                 middle, half = (boxes.low[:, k] + boxes.high[:, k]) / 2, (boxes.high[:, k] - boxes.low[:, k]) / 2
                 point = [mpmath.mpf(one) for one in middle + half * at[:n]]
-                given = {"c": mpmath.cos(theta), "s": mpmath.sin(theta), "c0": mpmath.cos(point[0]), "s0": mpmath.sin(point[0])}
-                for name, true in given.items():
-                    number = getattr(ground, name)
-                    assert abs(as_fraction(true) - value_at(number, at, k)) <= Fraction(float(number.error[k])) + Fraction(
-                        1, 10**15
-                    )
+                known = [
+                    (ground.c, mpmath.cos(theta)), (ground.s, mpmath.sin(theta)),
+                    (ground.c0, mpmath.cos(point[0])), (ground.s0, mpmath.sin(point[0])),
+                ]  # fmt: skip
                 for name, true in zip(NAMES, point, strict=False):
-                    number = ground.parameters[name]
-                    for side, power in powers.get(name, ()):
-                        true *= point[side] ** power
+                    factors = [point[side] ** power for side, power in powers.get(name, ())]
+                    known.append((ground.parameters[name], true * mpmath.fprod(factors)))
+                for number, true in known:
                     allowed = Fraction(float(number.error[k])) + Fraction(1, 10**15)
                     assert abs(as_fraction(true) - value_at(number, at, k)) <= allowed
     assert [one is ground.parameters[name] for one, name in zip(ground.others(), NAMES[1:], strict=True)] == [True] * 5
@@ -110,22 +108,20 @@ def test_a_unit_changes_all_that_depend_on_it() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(
-    ("k_c", "outcome"), [((0.85, 1.15), "proved"), pytest.param((0.02, 1.15), "refuted", marks=pytest.mark.thorough)]
-)
+@pytest.mark.parametrize(("k_c", "outcome"), [((0.85, 1.15), "proved"), ((0.02, 1.15), "refuted")])
 def test_units_of_measure_with_ranges(k_c: tuple[float, float], outcome: str) -> None:
     """What is proved holds for every stiffness of the contact, κ, α, σ and β all over it; a softer one jumps."""
     powers = dict.fromkeys(("kappa", "alpha", "sigma", "beta"), -1.0)
     units = {"k_c": Unit(*k_c, powers), "m": Unit(0.5, 2.0, {"V": 0.5}), "L_0": Unit(0.9, 1.1, {"kappa": -1.0})}
     low = ss.Parameters.article(theta0=np.radians(40.0), mu0=0.3)
     high = low.replace(mu0=0.4, sigma=0.11)
-    assert ss.certify(low, high, "no jump", units=units, max_boxes=4000).outcome == outcome
+    found = ss.certify(low, high, "no jump", units=units, max_boxes=4000)
+    assert found.outcome == outcome
     rng = np.random.default_rng(6)
     soft, length = rng.uniform(*k_c, 400), rng.uniform(0.9, 1.1, 400)
     sigma = rng.uniform(0.1, 0.11, 400)
     p = ss.Parameters(low.theta0, 0.4, low.kappa / soft / length, low.alpha / soft, sigma / soft, 0.0)
     assert (ss.jump_value(p, "mu0") < 0.4).any() == (outcome == "refuted")
-    found = ss.certify(low, high, "no jump", units=units, max_boxes=4000)
     if found.counterexample is not None:
         point = found.counterexample
         assert ss.jump_value(point, "mu0") < 0.4

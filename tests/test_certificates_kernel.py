@@ -201,16 +201,6 @@ def test_the_bound_stays_one_where_digits_underflow() -> None:
         assert error < 1e-300
 
 
-def test_the_depressed_cubic_is_the_resolvent_shifted() -> None:
-    rng = np.random.default_rng(4)
-    with mpmath.workdps(60):
-        for _ in range(20):
-            r0, r1, r2, z = map(mpmath.mpf, rng.normal(0, 5, 4))
-            P, Q = kernel.depressed(r0, r1, r2)
-            x = z - r2 / 3
-            assert abs(z**3 + 3 * P * z + 2 * Q - (x**3 + r2 * x**2 + r1 * x + r0)) < 1e-50
-
-
 # ------------------------------------------------------------------------------------------------- one positive
 
 

@@ -26,10 +26,7 @@ ERRORS = [0.0, 1e-17, 1e-15, 1e-6, 0.3, 1.5]
 NOWHERE = np.empty((0, 0))
 
 
-@pytest.fixture(autouse=True)
-def _silent() -> Any:
-    with np.errstate(all="ignore"):
-        yield
+pytestmark = pytest.mark.usefixtures("silent")
 
 
 def linear(x: Rounded, at: np.ndarray) -> list[Fraction]:

@@ -12,11 +12,7 @@ from spragsym.exact import boxes, certified_roots, contractors
 from spragsym.exact.interval_arrays import Intervals, stacked
 from spragsym.exact.parameter_tree import tree
 
-
-@pytest.fixture(autouse=True)
-def _silent():
-    with np.errstate(all="ignore"):
-        yield
+pytestmark = pytest.mark.usefixtures("silent")
 
 
 def fractions(values):
@@ -327,10 +323,9 @@ def test_no_look_loses_a_root(steps):
     points = tree(values, values)
     search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 5, boxes.NARROW)
     pairs, roots = random_pairs(rng, 600, points)
-    with np.errstate(all="ignore"):
-        left = pairs
-        for _ in range(steps):
-            left = search.look(left)
+    left = pairs
+    for _ in range(steps):
+        left = search.look(left)
     unique, where, undecided = (boxes.joined(part, 2) for part in (search.unique, search.where, search.undecided))
     for k in range(len(pairs)):
         node, (x, y) = pairs.nodes[k], roots[:, k]
@@ -509,8 +504,7 @@ def test_a_look_keeps_what_it_can_neither_prove_nor_rule_out():
     search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 100, boxes.NARROW)
     low = np.array([[0.0, 1.0, -5.0, 0.1], [0.0, 0.0, -5.0, 0.0]])
     high = np.array([[0.2, 1.2, 5.0, 0.14], [0.2, 5.0, 5.0, 0.2]])
-    with np.errstate(all="ignore"):
-        left = search.look(boxes.Pairs(ends_of(low, high), np.zeros(4, dtype=np.int64)))
+    left = search.look(boxes.Pairs(ends_of(low, high), np.zeros(4, dtype=np.int64)))
     unique = boxes.joined(search.unique, 2)
     assert (search.looks, search.work.tolist()) == (4, [4])
     assert len(unique) == 2

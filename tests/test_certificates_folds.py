@@ -26,10 +26,7 @@ SETS = list(map(Fixed._make, [
 ]))  # fmt: skip
 
 
-@pytest.fixture(autouse=True)
-def _quiet() -> object:
-    with np.errstate(all="ignore"):
-        yield
+pytestmark = pytest.mark.usefixtures("silent")
 
 
 @pytest.fixture(scope="module", params=SETS, ids=str)

@@ -30,10 +30,7 @@ U = np.float32(2.0**-24)
 DECADES = ((0, 0), (-2, 1.5), (-2, 1.5), (-2, 1.5), (-2, 1.5), (-2, 1.5))
 
 
-@pytest.fixture(autouse=True)
-def _quiet() -> Any:
-    with np.errstate(all="ignore"):
-        yield
+pytestmark = pytest.mark.usefixtures("silent")
 
 
 def _random(rng: np.random.Generator, n: int) -> Array:

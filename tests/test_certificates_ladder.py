@@ -143,25 +143,16 @@ def test_a_boundary_that_no_bits_settle_is_an_error(arith: Arithmetic) -> None:
         adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, Fraction(1, 2), 0, contact=False, arith=arith)
 
 
-def test_most_bits_grow_with_the_spread() -> None:
-    def most(*values: Any) -> int:
-        return adaptive_precision._most_bits(lambda a: a.pi(), [Fraction(value) for value in values])
-
-    assert most(1, 1, 1, 1, 1) == adaptive_precision.MAXIMUM_BITS
-    assert most(0, 1, 0, 1, 0) == adaptive_precision.MAXIMUM_BITS
-    assert (
-        most(2**10, 1, 1, 1, 1)
-        == most(1, Fraction(1, 2**10), 1, 1, 1)
-        == adaptive_precision.MAXIMUM_BITS + 10 * adaptive_precision.BITS_A_SPREAD
-    )
-    assert most(2**10, 1, 1, 1, Fraction(1, 2**30)) == adaptive_precision.MAXIMUM_BITS + 40 * adaptive_precision.BITS_A_SPREAD
-    assert (
-        adaptive_precision._most_bits(2.0**-20, [Fraction(1)] * 5)
-        == adaptive_precision.MAXIMUM_BITS + 20 * adaptive_precision.BITS_A_SPREAD
-    )
-    assert (
-        most(*[2**10] * 5) == adaptive_precision.MAXIMUM_BITS + 10 * adaptive_precision.BITS_A_SPREAD
-    )  # equations have coefficients of 1 as well
+@pytest.mark.parametrize(("values", "powers"), [
+    ([1] * 6, 0), ([1, 0, 1, 0, 1, 0], 0), ([1, 2**10, 1, 1, 1, 1], 10), ([1, 1, Fraction(1, 2**10), 1, 1, 1], 10),
+    ([1, 2**10, 1, 1, 1, Fraction(1, 2**30)], 40), ([2.0**-20, 1, 1, 1, 1, 1], 20),
+    ([1, *[2**10] * 5], 10),  # equations have coefficients of 1 as well
+])  # fmt: skip
+def test_most_bits_grow_with_the_spread(values: list[Any], powers: int) -> None:
+    theta0, *others = map(Fraction, values)
+    most = adaptive_precision.MAXIMUM_BITS + powers * adaptive_precision.BITS_A_SPREAD
+    for given in (theta0, lambda arith: arith.pi()) if theta0 == 1 else (theta0,):
+        assert adaptive_precision._most_bits(given, others) == most
     assert adaptive_precision.BITS_A_SPREAD >= 6  # a discriminant of the sixth degree
 
 

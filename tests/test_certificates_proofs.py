@@ -269,27 +269,14 @@ def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
             assert all(cusp_proofs.is_versal(arith, point) for point in points)
 
 
-def test_sines_of_cusps_are_all_real_roots_inside() -> None:
-    """One at sin θ = 1, where κ (α + σ) = (1 + β)(α + 2 σ) − α σ, counts."""
-    at_one = [Fraction(4, 3), Fraction(1, 2), Fraction(1), Fraction(0)]
-    assert sum(cusp_proofs.cusp_sines(*at_one, bits=50)[0]) == 0
-    for kappa, alpha, sigma, beta in [*_rationals(7, 8), at_one]:
-        polynomial, roots, count = cusp_proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
-        assert len(roots) == count
-        found = np.roots([float(value) for value in polynomial[::-1]])
-        real = np.sort(found[(abs(found.imag) < 1e-9) & (abs(found.real) < 1 + 1e-9)].real)
-        assert count == real.size
-        for (low, high), value in zip(roots, real, strict=True):
-            assert high - low <= Fraction(1, 2**50)
-            assert abs(float(low) - value) < 1e-5
-
-
-@pytest.mark.parametrize(
-    "values", ["4/3 1/2 1 0", "1/2 4 4 0", "7/1000 7/1000 1/10 0", "1 1 1/2 1", "2 3 5 1/3", "1/2 0 1/4 0", "2 0 4 1"]
-)
-def test_sines_of_cusps_at_both_ends(values: str) -> None:
+@pytest.mark.parametrize("values", [
+    *(list(map(Fraction, values.split())) for values in (
+        "4/3 1/2 1 0", "1/2 4 4 0", "7/1000 7/1000 1/10 0", "1 1 1/2 1", "2 3 5 1/3", "1/2 0 1/4 0", "2 0 4 1")),
+    *_rationals(7, 8),
+], ids=str)  # fmt: skip
+def test_sines_of_cusps_are_all_real_roots_inside(values: list[Fraction]) -> None:
     """At sin θ = 1 and −1 as well, where α > 0 (the first two: there the polynomial is 0); against SymPy's count."""
-    kappa, alpha, sigma, beta = map(Fraction, values.split())
+    kappa, alpha, sigma, beta = values
     polynomial, roots, count = cusp_proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
     coefficients = [sp.Rational(value.numerator, value.denominator) for value in reversed(polynomial)]
     exact = sp.Poly(coefficients, sp.Symbol("s")).sqf_part()
@@ -299,6 +286,9 @@ def test_sines_of_cusps_at_both_ends(values: str) -> None:
     ends = [end for end, there in zip((-1, 1), at_ends, strict=True) if there and alpha]
     assert [low for low, high in roots if low == high and abs(low) == 1] == ends
     assert roots == sorted(roots)
+    for low, high in roots:
+        assert high - low <= Fraction(1, 2**50)
+        assert low == high or exact.count_roots(*(sp.Rational(end.numerator, end.denominator) for end in (low, high))) == 1
 
 
 def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:

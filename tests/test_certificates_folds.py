@@ -10,7 +10,6 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-import spragsym as ss
 from spragsym.exact import intervals
 from spragsym.exact.descartes import Root
 from spragsym.generated import catastrophe as generated
@@ -309,17 +308,6 @@ def test_the_roots_closest_to_the_positive_axis_are_kept(
     monkeypatch.setattr(fold_curves, "polished", lambda _, values: values)
     values = fold_curves.positive_roots(np.array([0.5, 0.6]), number, FAMILY)
     assert values.tolist() == [wanted, wanted]
-
-
-def test_linear_critical_friction_has_the_shape_of_its_parameters() -> None:
-    one = ss.linear_critical_friction(ss.Parameters.article())
-    assert type(one) is float
-    assert one == pytest.approx(math.sqrt(4 * 0.007 * 0.107 * 1.1 / 0.01))
-    many = ss.linear_critical_friction(ss.Parameters.article(alpha=[0.0, 0.007], beta=[[0.0], [1.0], [2.0]]))
-    assert many.shape == (3, 2)
-    assert many[0, 1] == one
-    assert (many[:, 0] == 0).all()
-    assert many[2, 1] == pytest.approx(math.sqrt(4 * 0.007 * 0.107 * 3 * 3.1 / 0.01))
 
 
 # ------------------------------------------------------------------------------------ tracing families that are known

@@ -78,14 +78,6 @@ def test_counts_codes_and_errors_of_the_ladder(contact: bool, arith: Arithmetic)
             assert state.L > 0
 
 
-@pytest.mark.parametrize("digits", [1, 18, 40, 120])
-def test_errors_hold_at_any_number_of_digits(digits: int, arith: Arithmetic) -> None:
-    for point in [BASE, *list(_points(1))[::2]]:
-        found = adaptive_precision.equilibria(*point, digits=digits, arith=arith)
-        assert _holds(found.states, point, True, digits) <= 1
-        assert all(state.error <= mpmath.mpf(10) ** -digits for state in found.states)
-
-
 def test_no_more_bits_than_a_point_needs(arith: Arithmetic) -> None:
     """A wrong start or a loose enclosure shows in the bits that it takes."""
     for degrees in (20, 49, 90, 120, 160):

@@ -480,15 +480,19 @@ def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatc
 
 
 def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And of their states the two slots that hold one."""
     plain = adaptive_precision.equilibria
 
     def fold(*given: float, contact: bool) -> adaptive_precision.Settled:
-        return replace(plain(*given, contact=contact), fold=given[0] > 1)
+        found = plain(*given, contact=contact)
+        (one,) = found.states
+        return replace(found, states=(replace(one, theta=one.theta - 1), one, one), fold=True) if given[0] > 1 else found
 
     monkeypatch.setattr(adaptive_precision, "equilibria", fold)
     p = ss.Parameters([0.9, 1.1, 1.2], [0.5, 0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
     assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
     assert ss.equilibria(p).fold.tolist() == [False, False, True]
+    assert ss.equilibria(p).marginal.tolist() == [[False] * 3] * 2 + [[False, True, True]]
 
 
 #: Three points beside two whose numbers are so far apart that double-double arithmetic is not what its bounds say.

@@ -201,18 +201,3 @@ def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith
                     assert share * allowed <= radius <= share * allowed * (1 + Fraction(1, 10**6))
                     found = (cusp.theta0, cusp.mu0, cusp.theta, cusp.L, cusp.x, cusp.y)
                     assert abs(found[place] - middle) < 1e-11  # a radius has 30 bits, and its middle no finer ones
-
-
-def test_a_radius_is_allowed_by_the_size_of_its_number_whatever_its_sign(arith: Arithmetic) -> None:
-    exact = (Fraction(1, 5), Fraction(3, 2), Fraction(9, 10), Fraction(1, 2))
-    with arith.precision(200):
-        point = next(cusp_proofs.cusps(arith, exact, 200))
-        for middle in (-5, 5):
-            for off, fits in ((Fraction(49, 10**4), True), (Fraction(51, 10**4), False)):
-                x = arith.between(middle - off, middle + off)
-                wide = Point(point.parameters, point.theta, point.L, x, point.y)
-                if fits:
-                    assert 0.0049 <= digits._cusp(arith, wide, 3).radius <= 0.0049001
-                    continue
-                with pytest.raises(Undecided):
-                    digits._cusp(arith, wide, 3)

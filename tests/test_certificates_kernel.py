@@ -531,23 +531,6 @@ def test_factors_that_share_a_root_stay_as_they_are() -> None:
         np.testing.assert_array_equal(got, wanted)
 
 
-def test_polish_squares_the_error() -> None:
-    """From factors a little off, one step leaves the square of that; the exact factors stay."""
-    rng = np.random.default_rng(12)
-    with mpmath.workdps(80):
-        for _ in range(60):
-            p1, q1, p2 = (mpmath.mpf(float(value)) for value in rng.normal(0, 2, 3))
-            q1 = -abs(q1) - mpmath.mpf("0.1")
-            q2 = -1 / q1
-            monic = (p1 * q2 + p2 * q1, q1 + q2 + p1 * p2, p1 + p2)
-            size = max(map(abs, (p1, q1, p2, q2)))
-            signs = map(float, rng.choice([-1, 1], 4))
-            off = [value + sign * mpmath.mpf(10) ** -20 for value, sign in zip((p1, q1, p2, q2), signs, strict=True)]
-            for start, least in (((p1, q1, p2, q2), mpmath.mpf(10) ** -70), (off, mpmath.mpf(10) ** -34)):
-                after = kernel.polish(*monic, *start)
-                assert max(abs(new - old) for new, old in zip(after, (p1, q1, p2, q2), strict=True)) < least * (1 + size) ** 4
-
-
 def test_root_pairs() -> None:
     """The larger first, both to a rounding or two, and the sign of the discriminant."""
     rng = np.random.default_rng(13)
@@ -653,16 +636,6 @@ def test_the_rest_of_an_angle_counts_once_and_only_once() -> None:
             unit = np.spacing(np.abs(sine))
             lever = r * r * tail / unit
             assert abs((off / unit * lever).sum() / (lever * lever).sum()) < 0.1
-
-
-def test_directions() -> None:
-    rng = np.random.default_rng(17)
-    t = rng.choice([-1, 1], 2000) * 10.0 ** rng.uniform(-6, 6, 2000)
-    at = kernel.direction(t)
-    with mpmath.workdps(50):
-        for value, c, s in zip(map(mpmath.mpf, map(float, t)), at.cosine, at.sine, strict=True):
-            assert abs(float(c) - (1 - value**2) / (1 + value**2)) <= 7 * 2.0**-53 * abs(float(c))
-            assert abs(float(s) - 2 * value / (1 + value**2)) <= 4 * 2.0**-53 * abs(float(s))
 
 
 # ------------------------------------------------------------------------------------------------------- ranges

@@ -97,7 +97,10 @@ def test_what_is_not_finite_is_undecided() -> None:
 
 def test_rows_are_scaled_each_for_itself() -> None:
     scales = 2.0 ** np.array([-900, -300, 0, 300, 900])
-    found = bernstein.positive_roots([Rounded(value * scales, 0.0) for value in (6.0, -5.0, 1.0)], 5)
+    given = [Rounded(value * scales, 0.0) for value in (6.0, -5.0, 1.0)]
+    largest = np.abs(bernstein._beginning(given, 5).value).max(axis=0)
+    assert ((largest >= 0.5) & (largest < 1)).all()
+    found = bernstein.positive_roots(given, 5)
     assert not found.undecided.any()
     order = np.lexsort((found.t.value, found.row))
     assert found.row[order].tolist() == [0, 0, 1, 1, 2, 2, 3, 3, 4, 4]

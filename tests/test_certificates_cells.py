@@ -20,8 +20,8 @@ from tests.support import as_fraction
 BASE = ss.Parameters.article(theta0=0.5, mu0=0.6)
 
 
-#: κ = P u₁⁻¹ u₂⁻² and α = P u₁⁻¹ with units 6 and 7.
-POWERS = {"kappa": ((6, -1), (7, -2)), "alpha": ((6, -1),)}
+#: κ = P u₁⁻¹ u₂⁻², α = P u₁⁻¹ and σ = P u₂² with units 6 and 7.
+POWERS = {"kappa": ((6, -1), (7, -2)), "alpha": ((6, -1),), "sigma": ((7, 2),)}
 
 
 def random_boxes(seed: int, count: int, powers: dict[str, tuple[tuple[int, int], ...]] | None = None) -> Boxes:

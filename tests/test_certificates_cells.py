@@ -35,27 +35,6 @@ def random_boxes(seed: int, count: int, powers: dict[str, tuple[tuple[int, int],
 # ------------------------------------------------------------------------------------------------------------- cells
 
 
-def test_rows_middles_and_lines() -> None:
-    boxes = random_boxes(1, 5)
-    some = boxes.rows(np.array([4, 0]))
-    assert some.low.tolist() == boxes.low[:, [4, 0]].tolist()
-    assert some.high.tolist() == boxes.high[:, [4, 0]].tolist()
-    assert some.share.tolist() == boxes.share[[4, 0]].tolist()
-    middle = boxes.middle()
-    assert list(middle) == list(NAMES)
-    assert np.abs(middle["kappa"] - (boxes.low[2] + boxes.high[2]) / 2).max() < 1e-15
-    one, two = Line(np.array([1.0, 2.0]), np.array([[0.5, -3.0], [-1.0, 0.25]])), cells.constant(7.0, some)
-    assert one.reach().tolist() == [1.5, 3.25]
-    assert two.value.tolist() == [7.0, 7.0]
-    assert two.slopes.shape == (6, 2)
-    assert not two.slopes.any()
-    other = Line(two.value, np.zeros((2, 2)))
-    mixed = one.where(np.array([True, False]), other)
-    assert mixed.value.tolist() == [1.0, 7.0]
-    assert mixed.slopes.tolist() == [[0.5, 0.0], [-1.0, 0.0]]
-    assert one.rows(np.array([1])).slopes.tolist() == [[-3.0], [0.25]]
-
-
 def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
     """value + Σ terms ε of box k, exactly."""
     terms = zip(number.terms[:, k], at, strict=True)
@@ -186,22 +165,6 @@ def test_every_direction_is_looked_at() -> None:
         return Verdict(np.abs(angle - 0.3) > reach + 1e-4, (ground.c,))
 
     assert cells.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
-
-
-def test_cells_cover_the_way_between_two_directions() -> None:
-    """What the test is asked of first are four cells of each box from end to end; of an open one both halves."""
-    asked: list[list[tuple[float, float]]] = []
-
-    def test(ground: Ground) -> Verdict:
-        angle, reach = np.arctan2(ground.s.value, ground.c.value), np.abs(ground.s.terms).sum(axis=0) / np.abs(ground.c.value)
-        asked.append(sorted(zip(np.round(angle - reach, 6).tolist(), np.round(angle + reach, 6).tolist(), strict=True)))
-        return Verdict(reach < 0.11, (ground.c,))
-
-    proved, _ = cells.covered(whole(1), flat([0.0]), flat([1.0]), test)
-    assert proved.tolist() == [True]
-    assert asked[0] == [(0.0, 0.25), (0.25, 0.5), (0.5, 0.75), (0.75, 1.0)]
-    assert asked[1] == [(k / 8, (k + 1) / 8) for k in range(8)]
-    assert len(asked) == 2
 
 
 def test_hopeless_boxes_are_given_up_and_others_are_not() -> None:

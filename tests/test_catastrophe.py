@@ -419,6 +419,8 @@ def test_sliding_friction_is_the_law_at_rest() -> None:
         (lambda: ss.surface(BASE, 4.0, 1.0), "theta = 4"),
         (lambda: ss.surface(BASE, [1.0, 2.0], [1.0, 2.0, 3.0]), "broadcast"),
         (lambda: ss.quasi_static_path(BASE, "theta0", [1.0, 2.0, 1.5]), "both ways"),
+        (lambda: ss.quasi_static_path(BASE, "theta0", [1.0, 1.5, 1.5]), "repeat"),
+        (lambda: ss.quasi_static_path(BASE, "theta0", [2.0, 1.5, 1.5]), "repeat"),
         (lambda: ss.quasi_static_path(BASE, "theta0", []), "one axis"),
         (lambda: ss.quasi_static_path(BASE, "delta", [1.0]), "vary = 'delta'"),
         (lambda: ss.quasi_static_path(BASE, "theta0", [1.0], start=5), "start = 5"),

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
+import numpy as np
 import pytest
 from filelock import FileLock
 from hypothesis import settings
@@ -94,6 +95,13 @@ def c_library(once: Once) -> ctypes.CDLL:
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics: the package's and Arb's."""
     return Balls() if request.param == "integers" else pytest.importorskip("tests.oracles.arb").Arb()
+
+
+@pytest.fixture
+def silent() -> Iterator[None]:
+    """Arrays may hold NaN and infinities, of which NumPy says nothing."""
+    with np.errstate(all="ignore"):
+        yield
 
 
 # ----------------------------------------------------------------------------------------- processes that tests start

@@ -51,6 +51,19 @@ def as_fraction(value: mpmath.mpf) -> Fraction:
     return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
+def fractions(values: Iterable[Any]) -> list[Fraction]:
+    """Floats, exactly."""
+    return [Fraction(float(value)) for value in values]
+
+
+def with_roots(*roots: Fraction | int, lead: Fraction | int = 1) -> tuple[Fraction, ...]:
+    """Coefficients of the polynomial with these roots, lowest power first."""
+    product = (Fraction(lead),)
+    for root in roots:
+        product = tuple(a - root * b for a, b in zip((0, *product), (*product, 0), strict=True))
+    return product
+
+
 def as_mpf(value: Fraction) -> mpmath.mpf:
     """A rational to mpmath's precision."""
     return mpmath.mpf(value.numerator) / value.denominator

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import operator
 from fractions import Fraction
 from typing import Any
@@ -15,25 +16,38 @@ from spragsym.exact.affine import Affine
 from spragsym.exact.affine_functions import AFFINE
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.rounded import UNIT, Rounded
-from tests.support import as_fraction
+from tests.support import as_fraction, as_mpf, fractions
 
 OPERATIONS = [operator.add, operator.sub, operator.mul, operator.truediv]
 NUMBERS = [3, -7, 0.1, 1e-8]
 #: Errors, as shares of the value, from none at all to what lets a divisor vanish.
 ERRORS = [0.0, 1e-17, 1e-15, 1e-6, 0.3, 1.5]
+#: The ε of numbers without terms.
+NOWHERE = np.empty((0, 0))
 
 
-def fractions(values: Any) -> list[Fraction]:
-    return [Fraction(float(value)) for value in values]
+pytestmark = pytest.mark.usefixtures("silent")
 
 
-@pytest.fixture(autouse=True)
-def _silent() -> Any:
-    with np.errstate(all="ignore"):
-        yield
+def linear(x: Rounded, at: np.ndarray) -> list[Fraction]:
+    """value + Σ terms ε, exactly; of a number without terms its value."""
+    if not isinstance(x, Affine):
+        return fractions(x.value)
+    return [
+        Fraction(float(value)) + sum(Fraction(float(term)) * int(sign) for term, sign in zip(terms, signs, strict=True))
+        for value, terms, signs in zip(x.value, x.terms.T, at.T, strict=True)
+    ]
 
 
-# ---------------------------------------------------------------------------------------------------------- rounded
+def members(x: Rounded, at: np.ndarray, side: int) -> list[Fraction]:
+    """One that it stands for."""
+    return [one + side * error for one, error in zip(linear(x, at), fractions(x.error), strict=True)]
+
+
+def check(found: Rounded, at: np.ndarray, exact: list[Fraction | None]) -> None:
+    """At the same ε all that it stands for is within the error of its linear part."""
+    for here, error, number in zip(linear(found, at), found.error, exact, strict=True):
+        assert number is None or not np.isfinite(error) or abs(here - number) <= Fraction(float(error))
 
 
 def rounded_ones(seed: int, count: int = 160, size: float = 1.0) -> Rounded:
@@ -44,51 +58,49 @@ def rounded_ones(seed: int, count: int = 160, size: float = 1.0) -> Rounded:
     return Rounded(values, np.abs(values) * rng.choice(ERRORS, count))
 
 
-def members(x: Rounded, side: int) -> list[Fraction]:
-    return [value + side * error for value, error in zip(fractions(x.value), fractions(x.error), strict=True)]
-
-
-def check(found: Rounded, exact: list[Fraction | None]) -> None:
-    for value, error, number in zip(found.value, found.error, exact, strict=True):
-        assert number is None or not np.isfinite(error) or abs(Fraction(float(value)) - number) <= Fraction(float(error))
+def affine_ones(seed: int, count: int = 90, size: float = 1.0) -> Affine:
+    """Values, terms and errors, each of them 0 in some places."""
+    rng = np.random.default_rng(seed)
+    x = rounded_ones(seed, count, size)
+    terms = x.value * rng.uniform(-1, 1, (3, count)) * rng.choice([0.0, 1e-16, 1e-3, 0.2, 0.6], (3, count))
+    return Affine(x.value, terms, np.where(rng.integers(0, 2, count), x.error, 0.0))
 
 
 @pytest.mark.parametrize("operation", OPERATIONS)
-@pytest.mark.parametrize("size", [1.0, 2.0**-537, 2.0**-1060])
-def test_every_number_that_a_result_stands_for_is_within_its_error(operation: Any, size: float) -> None:
-    x, y = rounded_ones(1, size=size), rounded_ones(2, size=1.0 if operation is operator.truediv else size)
+@pytest.mark.parametrize(("ones", "size"), [
+    (rounded_ones, 1.0), (rounded_ones, 2.0**-537), (rounded_ones, 2.0**-1060), (affine_ones, 1.0), (affine_ones, 2.0**-537),
+])  # fmt: skip
+def test_every_number_that_a_result_stands_for_is_within_its_error(operation: Any, ones: Any, size: float) -> None:
+    divides, rng = operation is operator.truediv, np.random.default_rng(5)
+    x, y = ones(1, size=size), ones(2, size=1.0 if divides else size)
     found = operation(x, y)
-    for one in (-1, 0, 1):
-        for other in (-1, 0, 1):
-            pairs = zip(members(x, one), members(y, other), strict=True)
-            check(found, [operation(a, b) if b or operation is not operator.truediv else None for a, b in pairs])
-        for number in NUMBERS:
-            check(operation(x, number), [operation(a, Fraction(number)) for a in members(x, one)])
-            if operation is not operator.truediv:
-                check(operation(number, x), [operation(Fraction(number), a) for a in members(x, one)])
-            elif size == 1:
-                check(number / x, [Fraction(number) / a if a else None for a in members(x, one)])
+    for one, other in itertools.product((-1, 0, 1), repeat=2):
+        at = rng.choice([-1, 1, 0], (3, x.value.size))
+        mine = members(x, at, one)
+        pairs = zip(mine, members(y, at, other), strict=True)
+        check(found, at, [operation(a, b) if b or not divides else None for a, b in pairs])
+        for number, exact in zip(NUMBERS, fractions(NUMBERS), strict=True):
+            check(operation(x, number), at, [operation(a, exact) for a in mine])
+            if not divides or size == 1:
+                check(operation(number, x), at, [operation(exact, a) if a or not divides else None for a in mine])
+
+
+# ---------------------------------------------------------------------------------------------------------- rounded
 
 
 def test_errors_of_rounded_numbers_are_not_larger_than_needed() -> None:
     """To first order they are what calculus says; a divisor or a root that may be 0 has an infinite one."""
     x, y = Rounded(np.array([3.0]), np.array([1e-6])), Rounded(np.array([-2.0]), np.array([1e-7]))
     for found, error in (
-        (x + y, 1.1e-6),
-        (x - y, 1.1e-6),
-        (x * y, 2e-6 + 3e-7),
-        (x / y, 0.5e-6 + 0.75e-7),
-        (x * -4, 4e-6),
-        (x / 8, 1.25e-7),
-    ):
+        (x + y, 1.1e-6), (x - y, 1.1e-6), (x * y, 2e-6 + 3e-7), (x / y, 0.5e-6 + 0.75e-7), (x * -4, 4e-6), (x / 8, 1.25e-7),
+    ):  # fmt: skip
         assert found.error[0] == pytest.approx(error, rel=1e-5)
     assert x.sqrt().error[0] <= 1e-6 / np.sqrt(3) * (1 + 1e-6)
     exact = Rounded(np.array([3.0]))
     for found in (exact + 0.1, exact * 0.1, exact / 7, exact.sqrt()):
         assert found.error[0] <= UNIT * abs(found.value[0]) * (1 + 1e-12)
-    for gone in (Rounded(np.array([1.0, -1.0, 0.0]), np.array([1.0, 1.5, 0.0])),):
-        assert (1 / gone).error.tolist() == [np.inf] * 3
-        assert gone.sqrt().error.tolist() == [np.inf] * 3
+    gone = Rounded(np.array([1.0, -1.0, 0.0]), np.array([1.0, 1.5, 0.0]))
+    assert (1 / gone).error.tolist() == gone.sqrt().error.tolist() == [np.inf] * 3
     assert Rounded(np.array([-4.0])).sqrt().error[0] == np.inf
     small = Rounded(np.array([0.01]), np.array([1e-4]))
     assert (1 / small).error[0] == pytest.approx(1 / 0.0099 - 100, rel=1e-6)
@@ -99,16 +111,10 @@ def test_roots_of_rounded_numbers() -> None:
     for size in (1.0, 2.0**-600):
         x = rounded_ones(3, size=size)
         x = Rounded(np.abs(x.value), x.error)
-        found = x.sqrt()
         with mpmath.workprec(200):
             for side in (-1, 0, 1):
-                check(
-                    found,
-                    [
-                        as_fraction(mpmath.sqrt(mpmath.mpf(a.numerator) / a.denominator)) if a > 0 else None
-                        for a in members(x, side)
-                    ],
-                )
+                some = members(x, NOWHERE, side)
+                check(x.sqrt(), NOWHERE, [as_fraction(mpmath.sqrt(as_mpf(a))) if a > 0 else None for a in some])
 
 
 def test_signs_and_ends_of_rounded_numbers() -> None:
@@ -116,7 +122,7 @@ def test_signs_and_ends_of_rounded_numbers() -> None:
     assert x.sign().tolist() == [1, -1, 0, 0, 0, 0, 0]
     assert (-x).sign().tolist() == [-1, 1, 0, 0, 0, 0, 0]
     y = rounded_ones(4)
-    for low, high, least, most in zip(y.low(), y.high(), members(y, -1), members(y, 1), strict=True):
+    for low, high, least, most in zip(y.low(), y.high(), members(y, NOWHERE, -1), members(y, NOWHERE, 1), strict=True):
         assert least - Fraction(1, 2**40) < Fraction(float(low)) <= least
         assert most <= Fraction(float(high)) < most + Fraction(1, 2**40)
     assert y.rows([3, 1]).value.tolist() == [y.value[3], y.value[1]]
@@ -130,62 +136,14 @@ def test_cosines_of_angles() -> None:
     angles = np.concatenate([np.linspace(-4, 4, 300), [0.0, np.pi, np.pi / 2, 1e-9, 1e-300]])
     cosine, sine = rounded.cosine_and_sine(angles)
     with mpmath.workprec(200):
-        check(cosine, [as_fraction(mpmath.cos(mpmath.mpf(angle))) for angle in angles])
-        check(sine, [as_fraction(mpmath.sin(mpmath.mpf(angle))) for angle in angles])
+        check(cosine, NOWHERE, [as_fraction(mpmath.cos(mpmath.mpf(angle))) for angle in angles])
+        check(sine, NOWHERE, [as_fraction(mpmath.sin(mpmath.mpf(angle))) for angle in angles])
     assert cosine.error.max() < 4e-15
     assert sine.sign()[-1] == 1
     assert rounded.cosine_and_sine(np.array([5e-324]))[1].error[0] >= 8 * 5e-324  # whose unit is no smaller
 
 
 # ----------------------------------------------------------------------------------------------------------- affine
-
-
-def affine_ones(seed: int, count: int = 90, size: float = 1.0) -> Affine:
-    """Values, terms and errors, each of them 0 in some places."""
-    rng = np.random.default_rng(seed)
-    x = rounded_ones(seed, count, size)
-    terms = x.value * rng.uniform(-1, 1, (3, count)) * rng.choice([0.0, 1e-16, 1e-3, 0.2, 0.6], (3, count))
-    return Affine(x.value, terms, np.where(rng.integers(0, 2, count), x.error, 0.0))
-
-
-def linear(x: Affine, at: np.ndarray) -> list[Fraction]:
-    """value + Σ terms ε, exactly."""
-    return [
-        Fraction(float(value)) + sum(Fraction(float(term)) * int(sign) for term, sign in zip(terms, signs, strict=True))
-        for value, terms, signs in zip(x.value, x.terms.T, at.T, strict=True)
-    ]
-
-
-def affine_members(x: Affine, at: np.ndarray, side: int) -> list[Fraction]:
-    return [one + side * error for one, error in zip(linear(x, at), fractions(x.error), strict=True)]
-
-
-def check_affine(found: Affine, at: np.ndarray, exact: list[Fraction | None]) -> None:
-    """At the same ε all that it stands for is within the error of its linear part."""
-    for here, error, number in zip(linear(found, at), found.error, exact, strict=True):
-        assert number is None or not np.isfinite(error) or abs(here - number) <= Fraction(float(error))
-
-
-@pytest.mark.parametrize("operation", OPERATIONS)
-@pytest.mark.parametrize("size", [1.0, 2.0**-537])
-def test_every_number_of_a_box_is_within_the_error_of_the_linear_part(operation: Any, size: float) -> None:
-    rng = np.random.default_rng(5)
-    x, y = affine_ones(6, size=size), affine_ones(7, size=1.0 if operation is operator.truediv else size)
-    divides = operation is operator.truediv
-    found = operation(x, y)
-    for _ in range(3):
-        at = rng.choice([-1, 1, 0], (3, 90))
-        one, other = rng.choice([-1, 0, 1], 2)
-        pairs = zip(affine_members(x, at, one), affine_members(y, at, other), strict=True)
-        check_affine(found, at, [operation(a, b) if b or not divides else None for a, b in pairs])
-        for number in NUMBERS:
-            check_affine(operation(x, number), at, [operation(a, Fraction(number)) for a in affine_members(x, at, one)])
-            if not divides or size == 1:
-                check_affine(
-                    operation(number, x),
-                    at,
-                    [operation(Fraction(number), a) if a or not divides else None for a in affine_members(x, at, one)],
-                )
 
 
 @pytest.mark.parametrize("size", [1.0, 2.0**-1060, 2.0**1015])
@@ -197,15 +155,12 @@ def test_numbers_without_width_are_rounded_too(size: float) -> None:
     exact, wide, other = Affine(x.value, none), Affine(x.value, terms, np.zeros(90)), Affine(y.value, none, np.zeros(90))
     at = rng.choice([-1, 1], (3, 90))
     for one in (exact, wide) if size <= 1 else ():
-        for number in NUMBERS:
-            check_affine(one * number, at, [a * Fraction(number) for a in linear(one, at)])
-            check_affine(one / number, at, [a / Fraction(number) for a in linear(one, at)])
-            check_affine(one + number, at, [a + Fraction(number) for a in linear(one, at)])
-        check_affine(one * other, at, [a * b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
-        check_affine(other * one, at, [a * b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
-        check_affine(one + other, at, [a + b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
+        for number, operation in itertools.product(NUMBERS, (operator.mul, operator.truediv, operator.add)):
+            check(operation(one, number), at, [operation(a, Fraction(number)) for a in linear(one, at)])
+        for operation, a, b in ((operator.mul, one, other), (operator.mul, other, one), (operator.add, one, other)):
+            check(operation(a, b), at, list(map(operation, linear(a, at), linear(b, at))))
     if size >= 1:
-        check_affine(exact.reciprocal(), at, [1 / a for a in linear(exact, at)])
+        check(exact.reciprocal(), at, [1 / a for a in linear(exact, at)])
 
 
 @pytest.mark.parametrize("scale", [1.0, 2.0**700, 2.0**-300])
@@ -216,8 +171,8 @@ def test_the_error_of_a_reciprocal_is_met(scale: float) -> None:
     for error in (np.zeros(90), np.abs(value) * rng.uniform(0.01, 0.3, 90)):
         x = Affine(value, np.stack([value * share]), error)
         at = -np.ones((1, 90), dtype=int)
-        members = [a - Fraction(float(np.sign(v))) * e for a, v, e in zip(linear(x, at), value, fractions(error), strict=True)]
-        check_affine(x.reciprocal(), at, [1 / a for a in members])
+        nearest = [a - Fraction(float(np.sign(v))) * e for a, v, e in zip(linear(x, at), value, fractions(error), strict=True)]
+        check(x.reciprocal(), at, [1 / a for a in nearest])
 
 
 def test_what_is_linear_loses_nothing_and_what_is_not_a_second_order() -> None:
@@ -249,9 +204,8 @@ def test_what_is_linear_loses_nothing_and_what_is_not_a_second_order() -> None:
 
 
 def test_signs_and_rows_of_affine_numbers() -> None:
-    x = Affine(
-        np.array([1.0, -1.0, 1.0, -1.0, 1.0]), np.array([[0.25, -0.25, -0.5, 0.5, np.nan], [0.25, 0.25, 0.25, -0.25, 0.0]]), 0.25
-    )
+    terms = np.array([[0.25, -0.25, -0.5, 0.5, np.nan], [0.25, 0.25, 0.25, -0.25, 0.0]])
+    x = Affine(np.array([1.0, -1.0, 1.0, -1.0, 1.0]), terms, 0.25)
     assert x.sign().tolist() == [1, -1, 0, 0, 0]
     assert (np.abs(x.radius()[:4] - [0.75, 0.75, 1.0, 1.0]) < 1e-12).all()
     assert (x.radius()[:4] > [0.75, 0.75, 1.0, 1.0]).all()
@@ -293,9 +247,9 @@ def test_cosines_over_boxes() -> None:
     with mpmath.workprec(200):
         for _ in range(5):
             at = rng.choice([-1, 1, 0], (3, 200))
-            turns = [mpmath.mpf(a.numerator) / a.denominator for a in affine_members(angles, at, int(rng.choice([-1, 0, 1])))]
-            check_affine(cosine, at, [as_fraction(mpmath.cos(turn)) for turn in turns])
-            check_affine(sine, at, [as_fraction(mpmath.sin(turn)) for turn in turns])
+            turns = list(map(as_mpf, members(angles, at, int(rng.choice([-1, 0, 1])))))
+            check(cosine, at, [as_fraction(mpmath.cos(turn)) for turn in turns])
+            check(sine, at, [as_fraction(mpmath.sin(turn)) for turn in turns])
     reach = angles.radius()
     assert (np.maximum(cosine.error, sine.error) <= 0.5 * reach**2 * (1 + 1e-9) + angles.error * (1 + 1e-9) + 1e-14).all()
 
@@ -307,14 +261,10 @@ def test_functions_of_affine_numbers(name: str) -> None:
     x, function = affine_ones(9), getattr(mpmath, name)
     found = getattr(AFFINE, name)(x)
     for _ in range(3):
-        at, side = rng.choice([-1, 1, 0], (3, 90)), rng.choice([-1, 0, 1])
-        members = affine_members(x, at, side)
+        at, ends = rng.choice([-1, 1, 0], (3, 90)), name in ("sqrt", "log")
         with mpmath.workprec(200):
-            values = [
-                function(mpmath.mpf(a.numerator) / a.denominator) if a > 0 or name not in ("sqrt", "log") else None
-                for a in members
-            ]
-            check_affine(found, at, [None if value is None else as_fraction(value) for value in values])
+            some = members(x, at, rng.choice([-1, 0, 1]))
+            check(found, at, [as_fraction(function(as_mpf(a))) if a > 0 or not ends else None for a in some])
     small = Affine(np.array([0.7]), np.array([[1e-4]]), np.zeros(1))
     assert getattr(AFFINE, name)(small).error[0] < 1e-7
     if name in ("sqrt", "log"):
@@ -328,8 +278,8 @@ def test_intervals_of_affine_numbers() -> None:
     again = Affine.between(interval)
     rng = np.random.default_rng(11)
     for _ in range(3):
-        members = affine_members(x, rng.choice([-1, 1], (3, 90)), rng.choice([-1, 1]))
-        for a, low, high, value, error in zip(members, interval.low, interval.high, again.value, again.error, strict=True):
+        some = members(x, rng.choice([-1, 1], (3, 90)), rng.choice([-1, 1]))
+        for a, low, high, value, error in zip(some, interval.low, interval.high, again.value, again.error, strict=True):
             assert low <= a <= high
             assert abs(a - Fraction(float(value))) <= Fraction(float(error))
     assert Affine.between(Intervals(np.full((2, 1), np.inf))).error[0] == np.inf

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 from fractions import Fraction
 from typing import Any
 
@@ -13,21 +12,10 @@ import pytest
 from spragsym.exact import bernstein
 from spragsym.exact.bernstein import Parts
 from spragsym.exact.rounded import UNIT, Rounded
+from tests.support import fractions, with_roots
 
 
-def fractions(values: Any) -> list[Fraction]:
-    return [Fraction(float(value)) for value in values]
-
-
-def from_roots(roots: list[Fraction], lead: Fraction = Fraction(1)) -> list[Fraction]:
-    """Coefficients, lowest first."""
-    result = [lead]
-    for root in roots:
-        result = [a - root * b for a, b in zip([Fraction(0), *result], [*result, Fraction(0)], strict=True)]
-    return result
-
-
-def rows(polynomials: list[list[Fraction]]) -> list[Rounded]:
+def rows(polynomials: list[tuple[Fraction, ...]]) -> list[Rounded]:
     """The same polynomials as floats, with what each coefficient is off by."""
     table = []
     for column in zip(*polynomials, strict=True):
@@ -47,10 +35,11 @@ def test_roots_are_all_there_and_within_their_radius(degree: int) -> None:
         roots = [Fraction(int(value), 997) * size for value in rng.choice(np.arange(-4000, 9000), degree, replace=False)]
         if k % 10 == 0:
             roots[0] = Fraction(bernstein.SCALE)
-        polynomial = from_roots(roots, Fraction((-1) ** k))
-        if k % 5 == 1 and degree > 1:  # two of them are complex
+        polynomial = with_roots(*roots, lead=(-1) ** k)
+        if k % 5 == 1 and degree > 1:  # two of them are complex: times 5 − 2 t + t²
             roots = roots[2:]
-            polynomial = _product([Fraction(5), Fraction(-2), Fraction(1)], from_roots(roots))
+            padded = (0, 0, *with_roots(*roots), 0, 0)
+            polynomial = tuple(5 * a - 2 * b + c for c, b, a in zip(padded, padded[1:], padded[2:], strict=False))
         truth.append(sorted(root for root in roots if root > 0))
         polynomials.append(polynomial)
     found = bernstein.positive_roots(rows(polynomials), len(polynomials))
@@ -67,19 +56,10 @@ def test_roots_are_all_there_and_within_their_radius(degree: int) -> None:
     assert not set(found.row) & set(np.flatnonzero(found.undecided))
 
 
-def _product(one: list[Fraction], other: list[Fraction]) -> list[Fraction]:
-    result = [Fraction(0)] * (len(one) + len(other) - 1)
-    for i, a in enumerate(one):
-        for j, b in enumerate(other):
-            result[i + j] += a * b
-    return result
-
-
 def test_radii_are_as_small_as_rounding_allows() -> None:
     """Roots that are far from each other, exact coefficients: a few units of the root."""
-    polynomials = [from_roots([Fraction(1, 2), Fraction(3), Fraction(10), Fraction(-1)]) for _ in range(3)]
-    found = bernstein.positive_roots(rows(polynomials), 3)
-    assert found.row.size == 9
+    found = bernstein.positive_roots(rows([with_roots(Fraction(1, 2), 3, 10, -1)]), 1)
+    assert found.row.size == 3
     assert found.t.error.max() < 1e-12
     assert (found.t.error / found.t.value).max() < 2e-13
 
@@ -117,7 +97,10 @@ def test_what_is_not_finite_is_undecided() -> None:
 
 def test_rows_are_scaled_each_for_itself() -> None:
     scales = 2.0 ** np.array([-900, -300, 0, 300, 900])
-    found = bernstein.positive_roots([Rounded(value * scales, 0.0) for value in (6.0, -5.0, 1.0)], 5)
+    given = [Rounded(value * scales, 0.0) for value in (6.0, -5.0, 1.0)]
+    largest = np.abs(bernstein._beginning(given, 5).value).max(axis=0)
+    assert ((largest >= 0.5) & (largest < 1)).all()
+    found = bernstein.positive_roots(given, 5)
     assert not found.undecided.any()
     order = np.lexsort((found.t.value, found.row))
     assert found.row[order].tolist() == [0, 0, 1, 1, 2, 2, 3, 3, 4, 4]
@@ -174,51 +157,12 @@ def test_halves_hold_the_halves_of_every_polynomial() -> None:
     assert (halves.error.max(axis=0) <= np.tile(error.max(axis=1), 2) * (1 + 1e-9) + 7 * UNIT).all()
 
 
-def test_values_and_slopes_by_de_casteljau() -> None:
-    """Against the polynomial in Bernstein's basis: the value within four units times the degree of the largest coefficient."""
-    rng = np.random.default_rng(13)
-    for degree in (1, 2, 5):
-        value, place = rng.uniform(-1, 1, (degree + 1, 50)), rng.uniform(0, 1, 50)
-        place[:2] = 0.0, 1.0
-        found, slope = bernstein._at(value, place)
-        for i in range(50):
-            w, b = Fraction(float(place[i])), fractions(value[:, i])
-            exact = sum(math.comb(degree, k) * w**k * (1 - w) ** (degree - k) * b[k] for k in range(degree + 1))
-            rise = sum(
-                math.comb(degree - 1, k) * w**k * (1 - w) ** (degree - 1 - k) * (b[k + 1] - b[k]) * degree for k in range(degree)
-            )
-            size = max(map(abs, b))
-            assert abs(Fraction(float(found[i])) - exact) <= 4 * degree * Fraction(UNIT) * size
-            assert abs(Fraction(float(slope[i])) - rise) <= 1e-13
-
-
-def test_coefficients_in_bernsteins_basis() -> None:
-    """p(t) (1 − w)ⁿ with t = τ w/(1 − w), of every polynomial within the errors, times a power of two of its own."""
-    rng = np.random.default_rng(14)
-    degree, size = 5, 40
-    value = rng.uniform(-1, 1, (degree + 1, size)) * 10.0 ** rng.integers(-3, 4, size)
-    error = np.abs(value) * rng.choice([0.0, 1e-17, 1e-6], (degree + 1, size))
-    made = bernstein._beginning([Rounded(value[k], error[k]) for k in range(degree + 1)], size)
-    for i in range(size):
-        scale = Fraction(float(np.abs(made.value[:, i]).max()))
-        assert Fraction(1, 2) <= scale < 1
-        top = int(np.abs(made.value[:, i]).argmax())
-        tau = Fraction(bernstein.SCALE)
-        power = round(math.log2(made.value[top, i] / float(Fraction(value[top, i]) * tau**top / math.comb(degree, top))))
-        for k in range(degree + 1):
-            for side in (-1, 1):
-                exact = (Fraction(float(value[k, i])) + side * Fraction(float(error[k, i]))) * tau**k / math.comb(degree, k)
-                off = abs(Fraction(float(made.value[k, i])) - exact * Fraction(2) ** power)
-                assert off <= Fraction(float(made.error[k, i]))
-
-
 def test_roots_at_places_where_parts_are_cut() -> None:
     """t = τ is w = 1/2, t = τ/3 is w = 1/4: the sign at the cut is 0, and no halving would give it one."""
     tau = Fraction(bernstein.SCALE)
-    polynomials = [from_roots([root, Fraction(2), Fraction(5)]) for root in (tau, tau / 3, tau * 3)]
-    found = bernstein.positive_roots(rows(polynomials), 3)
+    found = bernstein.positive_roots(rows([with_roots(root, 2, 5) for root in (tau, tau / 3, tau * 3)]), 3)
     for i in range(3):
         assert found.undecided[i] or (found.row == i).sum() == 3
-    alone = bernstein.positive_roots(rows([from_roots([tau])]), 1)
+    alone = bernstein.positive_roots(rows([with_roots(tau)]), 1)
     assert not alone.undecided.any()
     assert abs(alone.t.value[0] - float(tau)) <= alone.t.error[0]

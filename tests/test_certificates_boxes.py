@@ -12,11 +12,7 @@ from spragsym.exact import boxes, certified_roots, contractors
 from spragsym.exact.interval_arrays import Intervals, stacked
 from spragsym.exact.parameter_tree import tree
 
-
-@pytest.fixture(autouse=True)
-def _silent():
-    with np.errstate(all="ignore"):
-        yield
+pytestmark = pytest.mark.usefixtures("silent")
 
 
 def fractions(values):
@@ -81,11 +77,8 @@ def test_the_result_is_as_narrow_as_its_inputs(n):
     """Without spread it is the solution to rounding; with one, of the values only, as wide as the exact solutions are."""
     rng = np.random.default_rng(n)
     N = 50
-    matrices, middle, right = (
-        rng.normal(size=(n, n, N)) + 3 * np.eye(n)[:, :, None],
-        rng.normal(size=(n, N)),
-        rng.normal(size=(n, N)),
-    )
+    matrices = rng.normal(size=(n, n, N)) + 3 * np.eye(n)[:, :, None]
+    middle, right = rng.normal(size=(2, n, N))
     slopes, reach = Intervals.point(matrices), np.full((n, N), 1.0)
     exact = middle - np.linalg.solve(np.moveaxis(matrices, -1, 0), right.T[:, :, None])[:, :, 0].T
     step = contractors.newton(Intervals.point(right), slopes, middle, reach)
@@ -216,23 +209,22 @@ def test_a_wide_matrix_denies_nothing():
         assert not contractors.no_unit_vector(Intervals.point([[-element], [-1.0]]), factors)[0]
 
 
-def test_boxes_inside_of_boxes():
-    outer = np.stack([np.zeros((2, 6)), np.ones((2, 6))])  # [0, 1] × [0, 1]
-    low = np.array([[0.1, 0.0, 0.1, 0.1, -0.1, 0.2], [0.1, 0.1, 0.1, 0.1, 0.1, 0.2]])
-    high = np.array([[0.9, 0.9, 0.9, 0.9, 0.9, 0.8], [0.9, 0.9, 1.0, 1.1, 0.9, np.nan]])
-    inner = np.stack([-low, high])
-    assert contractors.inside(inner, outer).tolist() == [True, False, False, False, False, False]
-    assert contractors.within(inner, outer).tolist() == [True, True, True, False, False, False]
-
-
-def test_boxes_apart():
-    one = np.stack([np.zeros((2, 5)), np.ones((2, 5))])
-    low = np.array([[1.1, 1.0, 0.5, -3.0, np.nan], [0.0, 0.0, 0.5, 0.0, 0.0]])
-    high = np.array([[2.0, 2.0, 0.7, -1e-9, 3.0], [1.0, 1.0, 0.7, 1.0, 1.0]])
-    other = np.stack([-low, high])
-    assert contractors.apart(one, other).tolist() == [True, False, False, True, False]
-    assert contractors.apart(other, one).tolist() == [True, False, False, True, False]
-    assert contractors.apart(one[:, ::-1], other[:, ::-1]).tolist() == [True, False, False, True, False]
+def test_boxes_inside_of_boxes_and_apart():
+    unit = ends_of(np.zeros((2, 6)), np.ones((2, 6)))
+    inner = ends_of(
+        [[0.1, 0.0, 0.1, 0.1, -0.1, 0.2], [0.1, 0.1, 0.1, 0.1, 0.1, 0.2]],
+        [[0.9, 0.9, 0.9, 0.9, 0.9, 0.8], [0.9, 0.9, 1.0, 1.1, 0.9, np.nan]],
+    )
+    assert contractors.inside(inner, unit).tolist() == [True, False, False, False, False, False]
+    assert contractors.within(inner, unit).tolist() == [True, True, True, False, False, False]
+    unit, other = (
+        unit[:, :, :5],
+        ends_of(
+            [[1.1, 1.0, 0.5, -3.0, np.nan], [0.0, 0.0, 0.5, 0.0, 0.0]], [[2.0, 2.0, 0.7, -1e-9, 3.0], [1.0, 1.0, 0.7, 1.0, 1.0]]
+        ),
+    )
+    for pair in ((unit, other), (other, unit), (unit[:, ::-1], other[:, ::-1])):
+        assert contractors.apart(*pair).tolist() == [True, False, False, True, False]
 
 
 # -------------------------------------------------------------------------------------------------------- matrices
@@ -299,6 +291,11 @@ def ends_of(low, high):
     return np.stack([-np.asarray(low, dtype=float), np.asarray(high, dtype=float)])
 
 
+def roots_of(system, region, values):
+    """Of points that are no boxes."""
+    return certified_roots.roots(system, boxes.search(system, region, values, values), region, values, values)
+
+
 def holds(ends, root):
     """Which boxes hold a point."""
     return ((-ends[0] <= root[:, None]) & (root[:, None] <= ends[1])).all(axis=0)
@@ -326,10 +323,9 @@ def test_no_look_loses_a_root(steps):
     points = tree(values, values)
     search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 5, boxes.NARROW)
     pairs, roots = random_pairs(rng, 600, points)
-    with np.errstate(all="ignore"):
-        left = pairs
-        for _ in range(steps):
-            left = search.look(left)
+    left = pairs
+    for _ in range(steps):
+        left = search.look(left)
     unique, where, undecided = (boxes.joined(part, 2) for part in (search.unique, search.where, search.undecided))
     for k in range(len(pairs)):
         node, (x, y) = pairs.nodes[k], roots[:, k]
@@ -343,9 +339,8 @@ def test_no_look_loses_a_root(steps):
         there = [holds(unique.ends[:, :, k : k + 1], np.array([x, c * x]))[0] for x in (a, b)]
         assert sum(there) == 1
         x = (a, b)[int(there[1])]
-        assert (
-            np.abs(np.array([x, c * x]) - Intervals(where.ends).middle[:, k]) <= where.ends[:, :, k].sum(axis=0) + 1e-15
-        ).all()
+        off = np.abs(np.array([x, c * x]) - Intervals(where.ends).middle[:, k])
+        assert (off <= where.ends[:, :, k].sum(axis=0) + 1e-15).all()
 
 
 def test_halves_make_up_the_box():
@@ -383,11 +378,8 @@ def test_a_box_is_cut_where_the_residuals_change_most():
 
 def test_what_is_narrow_is_not_cut():
     ends = ends_of([[1.0], [5.0]], [[2.0], [5.0 + 2.0**-46]])
-    halves = boxes._halves(
-        boxes.Pairs(ends, np.zeros(1, dtype=int)),
-        Intervals.point([[[1.0], [2.0**60]], [[0.0], [1.0]]]),
-        np.zeros((2, 1), dtype=bool),
-    )
+    slopes = Intervals.point([[[1.0], [2.0**60]], [[0.0], [1.0]]])
+    halves = boxes._halves(boxes.Pairs(ends, np.zeros(1, dtype=int)), slopes, np.zeros((2, 1), dtype=bool))
     assert (halves.ends[:, 1] == ends[:, 1]).all()
 
 
@@ -409,10 +401,8 @@ def test_reach_is_no_less_than_the_distance():
     middle = Intervals.between(low, high).middle
     reach = contractors.distance(ends_of(low, high), middle)
     for k in range(500):
-        exact = max(
-            Fraction(float(high[0, k])) - Fraction(float(middle[0, k])),
-            Fraction(float(middle[0, k])) - Fraction(float(low[0, k])),
-        )
+        least, at, most = fractions([low[0, k], middle[0, k], high[0, k]])
+        exact = max(most - at, at - least)
         assert exact <= Fraction(float(reach[0, k])) <= exact * (1 + Fraction(1, 2**50)) + Fraction(1, 2**990)
 
 
@@ -424,16 +414,12 @@ def divided(points, before, now, noise, closed, work=(), budget=100, nodes=None)
     count = now.shape[2]
     nodes = np.zeros(count, dtype=np.int64) if nodes is None else np.array(nodes)
     slopes = Intervals.point(np.tile(np.eye(2)[:, :, None], (1, 1, count)))
-    with np.errstate(all="ignore"):
-        left = search._divided(boxes.Pairs(before, nodes), boxes.Pairs(now, nodes), noise, slopes, closed)
-    lists = []
-    for part in (left, boxes.joined(search.undecided, 2)):
-        lists.append([(part.ends[:, :, k].tolist(), int(part.nodes[k])) for k in range(len(part))])
-    return lists
+    left = search._divided(boxes.Pairs(before, nodes), boxes.Pairs(now, nodes), noise, slopes, closed)
+    parts = left, boxes.joined(search.undecided, 2)
+    return [[(part.ends[:, :, k].tolist(), int(part.nodes[k])) for k in range(len(part))] for part in parts]
 
 
-ONE = tree(np.zeros((3, 1)), np.zeros((3, 1)))
-TWO = tree(np.array([[0.0, 1.0], [5.0, 5.0], [0.0, 0.0]]), np.array([[0.0, 1.0], [5.0, 5.0], [0.0, 0.0]]))
+ONE, TWO = (tree(np.array(values), np.array(values)) for values in ([[0.0]] * 3, [[0.0, 1.0], [5.0, 5.0], [0.0, 0.0]]))
 UNIT = ends_of([[-0.5], [-0.5]], [[0.5], [0.5]])
 OPEN = np.zeros((2, 1), dtype=bool)
 
@@ -505,9 +491,8 @@ def test_points_are_parted_where_they_move_the_root_or_cost_much():
     assert ([node for _, node in left], undecided) == ([1, 2], [])
     # Boxes of both kinds in one go.
     both = np.concatenate([UNIT, UNIT, UNIT], axis=2)
-    left, undecided = divided(
-        TWO, both, both, np.array([[1.0, 0.0, 0.0], [0.0] * 3]), np.zeros((2, 3), dtype=bool), [(2, 5)], 4, [0, 1, 2]
-    )
+    noise = np.array([[1.0, 0.0, 0.0], [0.0] * 3])
+    left, undecided = divided(TWO, both, both, noise, np.zeros((2, 3), dtype=bool), [(2, 5)], 4, [0, 1, 2])
     assert [node for _, node in left] == [1, 2, 1, 1]
     assert undecided == [(UNIT[:, :, 0].tolist(), 2)]
 
@@ -519,8 +504,7 @@ def test_a_look_keeps_what_it_can_neither_prove_nor_rule_out():
     search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 100, boxes.NARROW)
     low = np.array([[0.0, 1.0, -5.0, 0.1], [0.0, 0.0, -5.0, 0.0]])
     high = np.array([[0.2, 1.2, 5.0, 0.14], [0.2, 5.0, 5.0, 0.2]])
-    with np.errstate(all="ignore"):
-        left = search.look(boxes.Pairs(ends_of(low, high), np.zeros(4, dtype=np.int64)))
+    left = search.look(boxes.Pairs(ends_of(low, high), np.zeros(4, dtype=np.int64)))
     unique = boxes.joined(search.unique, 2)
     assert (search.looks, search.work.tolist()) == (4, [4])
     assert len(unique) == 2
@@ -562,12 +546,10 @@ def test_batches_do_not_show(monkeypatch):
     for chunk in (1, 3, 50, 2048):
         monkeypatch.setattr(boxes, "CHUNK", chunk)
         sizes.clear()
-        found = boxes.search(Lines(), ends_of([[-4.0], [-4.0]], [[4.0], [4.0]]), values, values)
-        roots = certified_roots.roots(Lines(), found, np.full((2, 2, 1), 4.0), values, values)
-        seen.append((found.looks, roots.middle.round(9).tolist(), roots.point.tolist()))
-        assert max(sizes) <= 2 * chunk
-        assert sum(sizes) == found.looks
-        assert min(sizes) > 0
+        roots = roots_of(Lines(), np.full((2, 2, 1), 4.0), values)
+        seen.append((sum(sizes), roots.middle.round(9).tolist(), roots.point.tolist()))
+        assert 0 < min(sizes) <= max(sizes) <= 2 * chunk
+        assert sum(sizes) == boxes.search(Lines(), np.full((2, 2, 1), 4.0), values, values).looks
     assert seen[0] == seen[1] == seen[2] == seen[3]
     assert seen[0][2] == sorted([*range(40), *range(40)])
 
@@ -576,7 +558,7 @@ def test_regions_of_points_are_searched_together():
     """The box around all of them is, once; and without any parameter."""
     values = np.array([[0.1, 0.2], [3.0, 4.0], [0.5, 0.5]])
     region = ends_of([[0.0, -1.0], [-3.0, -3.0]], [[1.0, 5.0], [3.0, 3.0]])
-    roots = certified_roots.roots(Lines(), boxes.search(Lines(), region, values, values), region, values, values)
+    roots = roots_of(Lines(), region, values)
     assert roots.point.tolist() == [0, 1, 1]
     assert np.abs(roots.middle[0] - [0.1, 0.2, 4.0]).max() < 1e-12
     assert not roots.left_point.size
@@ -593,12 +575,9 @@ def test_what_is_hopeless_or_contracted_away_is_dropped():
             return ends
 
     values = np.array([[0.1], [3.0], [0.5]])
-    region = ends_of([[-4.0], [-4.0]], [[4.0], [4.0]])
-    roots = certified_roots.roots(Half(), boxes.search(Half(), region, values, values), region, values, values)
-    assert np.abs(roots.middle[0] - [3.0]).max() < 1e-12
-    plain = boxes.Plain()
+    assert np.abs(roots_of(Half(), np.full((2, 2, 1), 4.0), values).middle[0] - [3.0]).max() < 1e-12
     with pytest.raises(NotImplementedError):
-        plain.residuals(Intervals.point(np.zeros((2, 1))), Intervals.point(np.zeros((2, 1))))
+        boxes.Plain().residuals(*[Intervals.point(np.zeros((2, 1)))] * 2)
 
 
 # ------------------------------------------------------------------------------------------------- from boxes to roots
@@ -657,30 +636,22 @@ def test_what_was_undecided_is_left_with_its_point():
     values = np.array([[-0.25, 0.25, 0.3], [5.0, 6.0, 7.0], [0.5, 0.5, 0.5]])
     points = tree(values, values)
     middle = np.array([[0.3], [0.15]])
-    leaves = [node for node in range(points.size.size) if points.size[node] == 1]
-    node = next(node for node in leaves if points.points(node).tolist() == [2])
-    given = outcome(
-        ends_of(middle - 0.05, middle + 0.05),
-        ends_of(middle - 0.05, middle + 0.05),
-        ends_of([[1.0], [2.0]], [[3.0], [4.0]]),
-        values,
-        [node],
-        [0],
-    )
+    node = next(node for node in range(points.size.size) if points.points(node).tolist() == [2])
+    alone, open_one = ends_of(middle - 0.05, middle + 0.05), ends_of([[1.0], [2.0]], [[3.0], [4.0]])
+    given = outcome(alone, alone, open_one, values, [node], [0])
     found = certified_roots.roots(Lines(), given, np.full((2, 2, 1), 4.0), values, values)
     assert found.point.tolist() == [2]
     assert holds(found.ends, np.array([0.3, 0.15])).all()
     assert sorted(found.left_point.tolist()) == [0, 1, 2]
-    assert (found.left == ends_of([[1.0], [2.0]], [[3.0], [4.0]])).all()
+    assert (found.left == open_one).all()
 
 
 def test_a_box_without_its_root_is_told():
     """It is undecided: a law may end at the root itself, where refinement loses it."""
     values = np.array([[-0.25], [5.0], [0.5]])
     wrong = ends_of([[1.0], [0.5]], [[1.1], [0.6]])
-    found = certified_roots.roots(
-        Lines(), outcome(wrong, wrong, np.empty((2, 2, 0)), values, [0], []), np.full((2, 2, 1), 4.0), values, values
-    )
+    given = outcome(wrong, wrong, np.empty((2, 2, 0)), values, [0], [])
+    found = certified_roots.roots(Lines(), given, np.full((2, 2, 1), 4.0), values, values)
     assert (found.point.size, found.left_point.tolist()) == (0, [0])
     assert (found.left[:, :, 0] == wrong[:, :, 0]).all()
 

@@ -20,8 +20,8 @@ from tests.support import as_fraction
 BASE = ss.Parameters.article(theta0=0.5, mu0=0.6)
 
 
-#: κ = P u₁⁻¹ u₂⁻² and α = P u₁⁻¹ with units 6 and 7.
-POWERS = {"kappa": ((6, -1), (7, -2)), "alpha": ((6, -1),)}
+#: κ = P u₁⁻¹ u₂⁻², α = P u₁⁻¹ and σ = P u₂² with units 6 and 7.
+POWERS = {"kappa": ((6, -1), (7, -2)), "alpha": ((6, -1),), "sigma": ((7, 2),)}
 
 
 def random_boxes(seed: int, count: int, powers: dict[str, tuple[tuple[int, int], ...]] | None = None) -> Boxes:
@@ -33,27 +33,6 @@ def random_boxes(seed: int, count: int, powers: dict[str, tuple[tuple[int, int],
 
 
 # ------------------------------------------------------------------------------------------------------------- cells
-
-
-def test_rows_middles_and_lines() -> None:
-    boxes = random_boxes(1, 5)
-    some = boxes.rows(np.array([4, 0]))
-    assert some.low.tolist() == boxes.low[:, [4, 0]].tolist()
-    assert some.high.tolist() == boxes.high[:, [4, 0]].tolist()
-    assert some.share.tolist() == boxes.share[[4, 0]].tolist()
-    middle = boxes.middle()
-    assert list(middle) == list(NAMES)
-    assert np.abs(middle["kappa"] - (boxes.low[2] + boxes.high[2]) / 2).max() < 1e-15
-    one, two = Line(np.array([1.0, 2.0]), np.array([[0.5, -3.0], [-1.0, 0.25]])), cells.constant(7.0, some)
-    assert one.reach().tolist() == [1.5, 3.25]
-    assert two.value.tolist() == [7.0, 7.0]
-    assert two.slopes.shape == (6, 2)
-    assert not two.slopes.any()
-    other = Line(two.value, np.zeros((2, 2)))
-    mixed = one.where(np.array([True, False]), other)
-    assert mixed.value.tolist() == [1.0, 7.0]
-    assert mixed.slopes.tolist() == [[0.5, 0.0], [-1.0, 0.0]]
-    assert one.rows(np.array([1])).slopes.tolist() == [[-3.0], [0.25]]
 
 
 def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
@@ -81,16 +60,14 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> Non
                 theta = ends[0] if fixed else ends[0] + share * (ends[1] - ends[0])
                 middle, half = (boxes.low[:, k] + boxes.high[:, k]) / 2, (boxes.high[:, k] - boxes.low[:, k]) / 2
                 point = [mpmath.mpf(one) for one in middle + half * at[:n]]
-                given = {"c": mpmath.cos(theta), "s": mpmath.sin(theta), "c0": mpmath.cos(point[0]), "s0": mpmath.sin(point[0])}
-                for name, true in given.items():
-                    number = getattr(ground, name)
-                    assert abs(as_fraction(true) - value_at(number, at, k)) <= Fraction(float(number.error[k])) + Fraction(
-                        1, 10**15
-                    )
+                known = [
+                    (ground.c, mpmath.cos(theta)), (ground.s, mpmath.sin(theta)),
+                    (ground.c0, mpmath.cos(point[0])), (ground.s0, mpmath.sin(point[0])),
+                ]  # fmt: skip
                 for name, true in zip(NAMES, point, strict=False):
-                    number = ground.parameters[name]
-                    for side, power in powers.get(name, ()):
-                        true *= point[side] ** power
+                    factors = [point[side] ** power for side, power in powers.get(name, ())]
+                    known.append((ground.parameters[name], true * mpmath.fprod(factors)))
+                for number, true in known:
                     allowed = Fraction(float(number.error[k])) + Fraction(1, 10**15)
                     assert abs(as_fraction(true) - value_at(number, at, k)) <= allowed
     assert [one is ground.parameters[name] for one, name in zip(ground.others(), NAMES[1:], strict=True)] == [True] * 5
@@ -110,22 +87,20 @@ def test_a_unit_changes_all_that_depend_on_it() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(
-    ("k_c", "outcome"), [((0.85, 1.15), "proved"), pytest.param((0.02, 1.15), "refuted", marks=pytest.mark.thorough)]
-)
+@pytest.mark.parametrize(("k_c", "outcome"), [((0.85, 1.15), "proved"), ((0.02, 1.15), "refuted")])
 def test_units_of_measure_with_ranges(k_c: tuple[float, float], outcome: str) -> None:
     """What is proved holds for every stiffness of the contact, κ, α, σ and β all over it; a softer one jumps."""
     powers = dict.fromkeys(("kappa", "alpha", "sigma", "beta"), -1.0)
     units = {"k_c": Unit(*k_c, powers), "m": Unit(0.5, 2.0, {"V": 0.5}), "L_0": Unit(0.9, 1.1, {"kappa": -1.0})}
     low = ss.Parameters.article(theta0=np.radians(40.0), mu0=0.3)
     high = low.replace(mu0=0.4, sigma=0.11)
-    assert ss.certify(low, high, "no jump", units=units, max_boxes=4000).outcome == outcome
+    found = ss.certify(low, high, "no jump", units=units, max_boxes=4000)
+    assert found.outcome == outcome
     rng = np.random.default_rng(6)
     soft, length = rng.uniform(*k_c, 400), rng.uniform(0.9, 1.1, 400)
     sigma = rng.uniform(0.1, 0.11, 400)
     p = ss.Parameters(low.theta0, 0.4, low.kappa / soft / length, low.alpha / soft, sigma / soft, 0.0)
     assert (ss.jump_value(p, "mu0") < 0.4).any() == (outcome == "refuted")
-    found = ss.certify(low, high, "no jump", units=units, max_boxes=4000)
     if found.counterexample is not None:
         point = found.counterexample
         assert ss.jump_value(point, "mu0") < 0.4
@@ -190,22 +165,6 @@ def test_every_direction_is_looked_at() -> None:
         return Verdict(np.abs(angle - 0.3) > reach + 1e-4, (ground.c,))
 
     assert cells.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
-
-
-def test_cells_cover_the_way_between_two_directions() -> None:
-    """What the test is asked of first are four cells of each box from end to end; of an open one both halves."""
-    asked: list[list[tuple[float, float]]] = []
-
-    def test(ground: Ground) -> Verdict:
-        angle, reach = np.arctan2(ground.s.value, ground.c.value), np.abs(ground.s.terms).sum(axis=0) / np.abs(ground.c.value)
-        asked.append(sorted(zip(np.round(angle - reach, 6).tolist(), np.round(angle + reach, 6).tolist(), strict=True)))
-        return Verdict(reach < 0.11, (ground.c,))
-
-    proved, _ = cells.covered(whole(1), flat([0.0]), flat([1.0]), test)
-    assert proved.tolist() == [True]
-    assert asked[0] == [(0.0, 0.25), (0.25, 0.5), (0.5, 0.75), (0.75, 1.0)]
-    assert asked[1] == [(k / 8, (k + 1) / 8) for k in range(8)]
-    assert len(asked) == 2
 
 
 def test_hopeless_boxes_are_given_up_and_others_are_not() -> None:

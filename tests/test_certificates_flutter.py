@@ -10,27 +10,19 @@ import pytest
 
 from spragsym.exact import intervals
 from spragsym.exact.descartes import Root
-from spragsym.exact.polynomials import Undecided
+from spragsym.exact.polynomials import Undecided, primitive
 from spragsym.generated import stability
 from spragsym.kang_nam.catastrophe import flutter_proofs
 from spragsym.kang_nam.statics import adaptive_precision
-from tests.support import exact_onsets, middle_of
+from tests.support import exact_onsets, middle_of, with_roots
 from validation.flutter import random_set
-
-
-def _with_roots(*roots: Fraction) -> tuple[int, ...]:
-    product = [1]
-    for root in roots:
-        pairs = zip([0, *product], [*product, 0], strict=True)
-        product = [root.denominator * one - root.numerator * other for one, other in pairs]
-    return tuple(product)
 
 
 def test_multiple_roots_are_counted() -> None:
     """(v − 1/3)³ (v − 1/2)² (v − 3/4), in place of the polynomial of an elimination."""
     elimination = flutter_proofs.Elimination(*map(Fraction, (1, 1, 1, 1, 0)))
     third, half, other = Fraction(1, 3), Fraction(1, 2), Fraction(3, 4)
-    elimination.__dict__["full"] = _with_roots(third, third, third, half, half, other)
+    elimination.__dict__["full"] = primitive(with_roots(third, third, third, half, half, other))
     for bits in (1, 90):
         roots = elimination.roots(bits)
         assert all(root.low <= true <= root.high for root, true in zip(roots, (third, half, other), strict=True))
@@ -106,16 +98,13 @@ def _held(arith: intervals.Arithmetic, *values: Fraction | int) -> list[interval
 def test_a_rank_counts_what_is_in_contact(place: int, edge: Fraction) -> None:
     """Of roots t = 1/4, 2/3, 5/2 and one below 0, of which those with sin θ above the edge count: 8/17, 12/13, 20/29."""
     arith, roots = intervals.arithmetic(), [Fraction(1, 4), Fraction(2, 3), Fraction(5, 2), Fraction(-12, 5)]
-    quartic = [Fraction(-3)]
-    for root in roots:
-        quartic = [a - root * b for a, b in zip([Fraction(0), *quartic], [*quartic, Fraction(0)], strict=True)]
     sines = [2 * t / (1 + t * t) for t in roots[:3]]
     inside = [sine > edge for sine in sines]
     if not inside[place]:
         return
     with arith.precision(120):
         (t,), (border,) = _held(arith, roots[place]), (arith.exact(edge),)
-        arguments = arith, tuple(_held(arith, *quartic)), t, border
+        arguments = arith, tuple(_held(arith, *with_roots(*roots, lead=-3))), t, border
         below, above = sum(inside[:place]), sum(inside[place + 1 :])
         if (below, above) in ((0, 0), (2, 0), (0, 2)):
             assert flutter_proofs.rank(*arguments) == (below, 1 + below + above)
@@ -152,7 +141,7 @@ def test_a_root_that_may_be_at_the_edge_of_contact_is_undecided() -> None:
     """At sin θ = 0 to 2⁻⁹⁰, with a root at t = 2⁻⁹⁵."""
     arith, roots = intervals.arithmetic(), [Fraction(1, 2**95), Fraction(1, 4), Fraction(2, 3), Fraction(-12, 5)]
     with arith.precision(300):
-        quartic = tuple(map(arith.exact, map(Fraction, _with_roots(*roots))))
+        quartic = tuple(map(arith.exact, with_roots(*roots)))
         edge = arith.between(-Fraction(1, 2**90), Fraction(1, 2**90))
         with pytest.raises(Undecided, match="holds 0"):
             flutter_proofs.rank(arith, quartic, arith.exact(roots[2]), edge)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import math
-import random
+import operator
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
@@ -33,9 +33,7 @@ def _holds(ball: Ball, value: Fraction) -> bool:
     return low <= value <= high
 
 
-OPERATIONS: list[Callable[[Any, Any], Any]] = [
-    lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b, lambda a, b: a / b,
-]  # fmt: skip
+OPERATIONS = [operator.add, operator.sub, operator.mul, operator.truediv]
 
 
 @pytest.mark.parametrize("operation", OPERATIONS, ids="+-*/")
@@ -53,21 +51,6 @@ def test_operations_enclose_every_corner(operation: Callable[[Any, Any], Any], b
             assert _holds(result, operation(a, b)), (one, other, result)
         assert abs(result.mid) <= 1 << bits
         assert result.rad.bit_length() <= intervals.RADIUS_BITS + 1
-
-
-@pytest.mark.parametrize("bits", [4, 20, 53])
-def test_rounding_takes_the_worst_middle_and_radius(bits: int) -> None:
-    """All ones beyond the last bit: the middle loses nearly a unit and the radius, which has its own, nearly another."""
-    full = Ball((1 << bits) - 1, 0, 0, bits)
-    assert (full.mid, full.rad) == ((1 << bits) - 1, 0)  # nothing to round
-    for lost in (1, 5, 40):
-        mid, rad = (1 << bits + lost) - 1, (1 << lost) - 1
-        for sign in (1, -1):
-            for value in (mid - rad, mid + rad):
-                assert _holds(Ball(sign * mid, rad, 0, bits), Fraction(sign * value))
-    wide = (1 << intervals.RADIUS_BITS + 7) - 1
-    for end in (5 - wide, 5 + wide):
-        assert _holds(Ball(5, wide, 0, bits), Fraction(end))
 
 
 def test_far_apart_terms_go_into_the_radius() -> None:
@@ -163,24 +146,14 @@ def test_functions_at_zero_and_pi() -> None:
     assert ARITH.ends(ARITH.atan(Ball(0, 1, 0, 53))) == (-1, 1)
     assert ARITH.ends(ARITH.sqrt(Ball(0, 0, 0, 53))) == (0, 0)
     for bits in (4, 53, 5000):
-        with ARITH.precision(bits):
-            low, high = (_exact_mpf(end, 6000) for end in ARITH.ends(ARITH.pi()))
-        assert low < _pi(6000) < high
-        assert high - low < mpmath.ldexp(1, 5 - bits)
+        with ARITH.precision(bits), mpmath.workprec(6000):
+            low, high = map(as_mpf, ARITH.ends(ARITH.pi()))
+            assert low < mpmath.pi < high
+            assert high - low < mpmath.ldexp(1, 5 - bits)
     for bad in (Ball(3, 4, 0, 53), Ball(-4, 0, 0, 53)):
         with pytest.raises(Undecided, match="negative"):
             ARITH.sqrt(bad)
     assert _holds(ARITH.sqrt(Ball(4, 4, 0, 53)), Fraction(0))
-
-
-def _pi(bits: int) -> mpmath.mpf:
-    with mpmath.workprec(bits):
-        return +mpmath.pi
-
-
-def _exact_mpf(value: Fraction, bits: int) -> mpmath.mpf:
-    with mpmath.workprec(bits):
-        return mpmath.mpf(value.numerator) / value.denominator
 
 
 @pytest.mark.parametrize("divisor", [Ball(0, 0, 0, 53), Ball(3, 3, 0, 53), Ball(-3, 3, 0, 53), Ball(-1, 7, 5, 53)])
@@ -212,10 +185,6 @@ def test_numbers_for_mpmath_and_their_bounds() -> None:
 # ------------------------------------------------------------------------------------ bounds, in units of the last place
 
 
-def _units_off(value: int, true: Any, places: int) -> Any:
-    return abs(value - true * mpmath.mpf(2) ** places)
-
-
 #: Angles whose bits run out at once, all ones, next to multiples of π/2, tiny, large: (mid, exp).
 ANGLES = [
     (1, 0), (-1, 0), (3, -1), ((1 << 60) - 1, -60), ((1 << 200) - 1, -200), (int(math.ldexp(math.pi, 50)), -51), (1, -9),
@@ -236,26 +205,6 @@ def test_cosine_and_sine_are_as_close_as_they_say(places: int) -> None:
                 assert abs(off) <= error <= 2
 
 
-@pytest.mark.parametrize("places", [0, 1, 2, 5, 30, 53, 64, 150, 1000])
-def test_arc_tangents_are_as_close_as_they_say(places: int) -> None:
-    """Of an x that may be a unit larger, too."""
-    one = 1 << places
-    with mpmath.workprec(2 * places + 200):
-        for x in {0, 1, 2, -1, -2, one, one - 1, -one, one // 3, -(one // 3), one // 7 + 1, 2 * one - 1, math.isqrt(one)}:
-            value, error = intervals._atan(x, places)
-            for true in (mpmath.atan(mpmath.ldexp(x, -places)), mpmath.atan(mpmath.ldexp(x + 1, -places))):
-                assert _units_off(value, true, places) <= error <= 3, x
-
-
-def test_pi_and_its_parts_are_as_close_as_they_say() -> None:
-    with mpmath.workprec(3000):
-        for places in (*range(0, 64, 3), 500, 2500):
-            assert _units_off(intervals._pi_fixed(places), mpmath.pi, places) < 1.01
-            for n in (5, 239):
-                value = intervals._atan_of_reciprocal(n, places)
-                assert _units_off(value, mpmath.atan(mpmath.mpf(1) / n), places) <= 2 + places / 2
-
-
 def test_radii_are_no_unit_smaller_or_larger_than_they_must_be() -> None:
     """A middle that loses nearly a unit, and a radius that is rounded up by nearly another."""
     for shift, radius in itertools.product((1, 2, 9), (0, 1, 2, 3, 511, 512, 513)):
@@ -264,26 +213,6 @@ def test_radii_are_no_unit_smaller_or_larger_than_they_must_be() -> None:
         assert intervals._shifted(radius, -shift) == needed - 1
         assert intervals._shifted(radius, shift) == radius << shift
         assert intervals._shifted_down(-radius, -shift) == -math.ceil(Fraction(radius, 1 << shift))
-
-
-@pytest.mark.parametrize("bits", [2, 3, 8, 24])
-def test_roots_and_quotients_hold_what_rounds_worst(bits: int) -> None:
-    """Numbers just below a square or a multiple: their roots and quotients have all ones in the bits that are cut off."""
-    middles = [n * n + d for n in (2, 3, 5, 8, 13, 100, 2**20, 2**40 + 1) for d in (-1, 0, 1)]
-    for mid, rad in itertools.product(middles, (0, 1, 2)):
-        root = ARITH.sqrt(Ball(mid, rad, 0, 200)), ARITH.sqrt(Ball(mid, rad, 0, bits))
-        for found in root:
-            low, high = ARITH.ends(found)
-            ends = ARITH.ends(Ball(mid, rad, 0, found.bits))
-            assert max(low, Fraction(0)) ** 2 <= ends[0] <= ends[1] <= high**2
-        for n, s in ((3, 0), (7, 1), (-11, 1), (2**30 + 1, 0), (4, 0)):
-            one, other = Ball(mid, rad, 0, bits), Ball(n, s, 0, bits)
-            found = one / other
-            low, high = ARITH.ends(found)
-            exact = [a / b for a, b in itertools.product(ARITH.ends(one), ARITH.ends(other))]
-            assert low <= min(exact) <= max(exact) <= high
-            spare = Fraction(4, 2**bits) * max(map(abs, exact))
-            assert high - low <= (max(exact) - min(exact)) * (1 + Fraction(s, abs(n) - s)) * Fraction(17, 16) + 2 * spare
 
 
 @pytest.mark.parametrize("name", ["cos", "sin", "atan"])
@@ -297,13 +226,6 @@ def test_bounds_hold_without_guard_bits(name: str, monkeypatch: pytest.MonkeyPat
                 low, high = map(as_mpf, ARITH.ends(FUNCTIONS[name](ball)))
                 for end in map(as_mpf, ARITH.ends(ball)):
                     assert low <= getattr(mpmath, name)(end) <= high
-
-
-def test_what_is_exact_or_small_stays_so() -> None:
-    """A quotient without a rest, and a cosine of 2^−26, which has as many digits as any other."""
-    assert ARITH.ends(Ball(9, 0, 0, 53) / Ball(12, 0, 0, 53)) == (Fraction(3, 4), Fraction(3, 4))
-    low, high = ARITH.ends(ARITH.cos_sin(Ball(int(math.ldexp(math.pi, 24)), 0, -25, 53))[0])
-    assert 0 < high - low < low / 2**48
 
 
 def test_arc_tangents_of_large_numbers() -> None:
@@ -332,59 +254,6 @@ def test_a_union_is_no_wider_than_what_it_holds() -> None:
 
 
 # -------------------------------------------------------------------------- both arithmetics
-
-
-def test_a_sign_needs_room_beside_zero(arith: Arithmetic) -> None:
-    with arith.precision(53):
-        for low, high, sign in ((0, 1, 0), (-1, 0, 0), (0, 0, 0), (-1, 1, 0), (1, 2, 1), (-2, -1, -1), (1, 1, 1), (-1, -1, -1)):
-            assert intervals.sign(arith, arith.between(Fraction(low), Fraction(high))) == sign
-        assert intervals.sign(arith, arith.exact(Fraction(1, 10**60))) == 1
-        assert intervals.sign(arith, -arith.exact(Fraction(1, 10**60))) == -1
-
-
-def test_rationals_are_enclosed_as_closely_as_the_bits_allow(arith: Arithmetic) -> None:
-    rng = random.Random(6)
-    for bits in (24, 53, 300):
-        with arith.precision(bits):
-            for _ in range(50):
-                value = Fraction(rng.randint(-(10**9), 10**9), rng.randint(1, 10**9)) * Fraction(2) ** rng.randint(-90, 90)
-                low, high = arith.ends(arith.exact(value))
-                assert low <= value <= high
-                assert high - low <= abs(value) * Fraction(8, 2**bits)
-            low, high = arith.ends(arith.exact(Fraction(1, 3)))
-            assert high - low > Fraction(1, 2 ** (bits + 8))
-
-
-_REFERENCES = {"cos": mpmath.cos, "sin": mpmath.sin, "sqrt": mpmath.sqrt, "atan": mpmath.atan}
-
-
-@pytest.mark.parametrize("name", _REFERENCES)
-def test_functions_enclose_the_truth_and_little_else(name: str, arith: Arithmetic) -> None:
-    """At points, and over intervals a little wider, against 60 digits more."""
-    rng = random.Random(8)
-    for bits in (20, 53, 200):
-        for _ in range(20):
-            value = rng.randint(1, 2**18) * Fraction(2) ** rng.randint(-50, -16) * (1 if name == "sqrt" else rng.choice([-1, 1]))
-            for width in (Fraction(0), abs(value) / 128):
-                with arith.precision(bits):
-                    given = arith.between(value, value + width)
-                    ends = arith.ends(_function(arith, name, given))
-                with mpmath.workprec(bits + 200):
-                    low, high = map(as_mpf, ends)
-                    truths = [_REFERENCES[name](as_mpf(value + width * k / 4)) for k in range(5)]
-                    assert low <= min(truths)
-                    assert max(truths) <= high
-                    slope = 1 / mpmath.sqrt(as_mpf(abs(value))) if name == "sqrt" else 1
-                    slope = 1 / as_mpf(value) ** 2 if name == "atan" and abs(value) >= 2 else slope
-                    span = 2.04 * as_mpf(width) * slope  # twice what the function may change by
-                    size = max(map(abs, truths)) + (1 if name in ("cos", "sin") else 0)
-                    assert high - low <= span + size * mpmath.ldexp(1, 3 - bits)
-
-
-def _function(arith: Arithmetic, name: str, value: Any) -> Any:
-    if name in ("cos", "sin"):
-        return arith.cos_sin(value)[name == "sin"]
-    return arith.sqrt(value) if name == "sqrt" else arith.atan(value)
 
 
 def test_precision_is_that_asked_for_and_then_as_before(arith: Arithmetic) -> None:

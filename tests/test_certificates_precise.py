@@ -108,17 +108,13 @@ def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int
     with mpmath.workdps(digits + 20):
         kappa, alpha, sigma, beta = (mpmath.mpf(str(value)) for value in values)
         for cusp in found:
-            s0, c0 = mpmath.sin(cusp.theta0), mpmath.cos(cusp.theta0)
-
-            def f(theta: Any, cusp: Any = cusp, s0: Any = s0, c0: Any = c0) -> Any:
-                s, c = mpmath.sin(theta), mpmath.cos(theta)
-                L = (sigma * s + (beta + 1) * s0 + kappa) / ((beta + 1 + sigma) * s)
-                return s * (sigma * (1 - L) * c + alpha * (c0 - L * c) + cusp.mu0 * (s0 - L * s))
-
+            given = cusp.theta0, cusp.mu0, kappa, alpha, sigma, beta
             small = mpmath.mpf(10) ** -digits * (1 + abs(cusp.mu0) + cusp.L)
-            assert all(abs(mpmath.diff(f, cusp.theta, order)) < mpmath.mpf(10) ** (8 * order) * small for order in range(3))
-            assert abs(c0 - cusp.L * mpmath.cos(cusp.theta) - cusp.x) < small
-            assert abs(s0 - cusp.L * mpmath.sin(cusp.theta) - cusp.y) < small
+            for order in range(3):
+                slope = mpmath.diff(lambda theta, given=given: reference.along(theta, *given), cusp.theta, order)
+                assert abs(slope) < mpmath.mpf(10) ** (8 * order) * small
+            state = cusp.theta, cusp.L, cusp.x, cusp.y
+            assert reference.lack_of_a_state(state, cusp.theta0, kappa, sigma, beta) < small
 
 
 class _Spy(intervals.Balls):
@@ -135,6 +131,7 @@ def test_the_arithmetic_asked_for_is_the_one_used() -> None:
     calls = (
         lambda arith: ss.precise.cusps(arith=arith), lambda arith: ss.precise.equilibria(theta0=1, arith=arith),
         lambda arith: adaptive_precision.equilibria(*[1] * 6, arith=arith),
+        lambda arith: ss.folds(ss.Parameters.article(), arith=arith),
     )  # fmt: skip
     for call in calls:
         spy = _Spy()
@@ -164,6 +161,7 @@ def test_the_radius_of_a_cusp_holds_every_number(dps: int, arith: Arithmetic) ->
         exact, rough = ss.precise.cusps(**given, dps=dps + 40), ss.precise.cusps(**given, dps=dps, arith=arith)
         assert len(exact) == len(rough)
         _are_cusps(exact, values, dps + 20)
+        assert values[1] == 0 or all(cusp.versal for cusp in exact)
         assert [cusp.mu0 for cusp in rough] == sorted(cusp.mu0 for cusp in rough)
         with mpmath.workdps(dps + 40):
             for one in rough:
@@ -203,18 +201,3 @@ def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith
                     assert share * allowed <= radius <= share * allowed * (1 + Fraction(1, 10**6))
                     found = (cusp.theta0, cusp.mu0, cusp.theta, cusp.L, cusp.x, cusp.y)
                     assert abs(found[place] - middle) < 1e-11  # a radius has 30 bits, and its middle no finer ones
-
-
-def test_a_radius_is_allowed_by_the_size_of_its_number_whatever_its_sign(arith: Arithmetic) -> None:
-    exact = (Fraction(1, 5), Fraction(3, 2), Fraction(9, 10), Fraction(1, 2))
-    with arith.precision(200):
-        point = next(cusp_proofs.cusps(arith, exact, 200))
-        for middle in (-5, 5):
-            for off, fits in ((Fraction(49, 10**4), True), (Fraction(51, 10**4), False)):
-                x = arith.between(middle - off, middle + off)
-                wide = Point(point.parameters, point.theta, point.L, x, point.y)
-                if fits:
-                    assert 0.0049 <= digits._cusp(arith, wide, 3).radius <= 0.0049001
-                    continue
-                with pytest.raises(Undecided):
-                    digits._cusp(arith, wide, 3)

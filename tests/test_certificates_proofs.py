@@ -19,7 +19,8 @@ from spragsym.exact.polynomials import Undecided
 from spragsym.kang_nam.catastrophe import cusp_proofs, fold_proofs
 from spragsym.kang_nam.catastrophe.fold_enclosures import Angles, Point, SineRoot, in_contact
 from spragsym.parameters import NAMES
-from tests.support import as_fraction, as_mpf
+from tests.oracles import reference
+from tests.support import as_fraction, as_mpf, with_roots
 
 # ------------------------------------------------------------------------------------------- proofs: the means
 
@@ -142,14 +143,6 @@ def test_floats_may_be_off_by_fifteen_digits_and_end_somewhere() -> None:
 # ---------------------------------------------------------------------------------------------- folds and cusps
 
 
-def _f(theta: mpmath.mpf, values: list[mpmath.mpf]) -> mpmath.mpf:
-    """q sin θ F_x along F_y = 0, from the balance of forces."""
-    theta0, mu0, kappa, alpha, sigma, beta = values
-    s, c, s0, c0 = mpmath.sin(theta), mpmath.cos(theta), mpmath.sin(theta0), mpmath.cos(theta0)
-    L = (sigma * s + (beta + 1) * s0 + kappa) / ((beta + 1 + sigma) * s)
-    return s * (sigma * (1 - L) * c + alpha * (c0 - L * c) + mu0 * (s0 - L * s))
-
-
 def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
     return as_mpf(sum(arith.ends(value)) / 2)
 
@@ -158,22 +151,21 @@ def _check(arith: Arithmetic, point: Point, orders: int, digits: int) -> None:
     """f and its derivatives vanish there to this many digits, the state is that of the geometry, and it is in contact."""
     with mpmath.workprec(1000):
         values = [_middle(arith, value) for value in point.parameters]
-        theta, L, x, y = (_middle(arith, value) for value in (point.theta, point.L, point.x, point.y))
+        state = theta, L, _, y = [_middle(arith, value) for value in (point.theta, point.L, point.x, point.y)]
     for value in (*point.parameters, point.theta, point.L, point.x, point.y):
         low, high = arith.ends(value)
         assert high - low <= max(1, abs(low)) / Fraction(10) ** digits
     with mpmath.workdps(digits + 20):
-        for order in range(orders):
-            size = 1 + sum(map(abs, values[1:]))
-            assert abs(mpmath.diff(lambda t: _f(t, values), theta, order)) < mpmath.mpf(10) ** -(digits - 8) * size
-        _, _, kappa, _, sigma, beta = values
-        moment = sigma * mpmath.sin(theta) + (beta + 1) * mpmath.sin(values[0]) + kappa  # F_y = 0
-        tolerance = mpmath.mpf(10) ** -(digits - 4) * (1 + L) * (1 + abs(beta) + abs(sigma))
-        assert abs((beta + 1 + sigma) * L * mpmath.sin(theta) - moment) < tolerance
-        assert abs(mpmath.cos(values[0]) - L * mpmath.cos(theta) - x) < mpmath.mpf(10) ** -(digits - 4) * (1 + L)
-        assert abs(mpmath.sin(values[0]) - L * mpmath.sin(theta) - y) < mpmath.mpf(10) ** -(digits - 4) * (1 + L)
+        small = mpmath.mpf(10) ** -(digits - 8) * (1 + sum(map(abs, values[1:])))
+        assert all(abs(mpmath.diff(lambda t: reference.along(t, *values), theta, order)) < small for order in range(orders))
+        assert reference.lack_of_a_state(state, *_of_states(values)) < mpmath.mpf(10) ** -(digits - 4) * (1 + L)
     assert L > 0
     assert y < 0
+
+
+def _of_states(values: list[mpmath.mpf]) -> list[mpmath.mpf]:
+    """θ₀, κ, σ, β."""
+    return [values[NAMES.index(name)] for name in ("theta0", "kappa", "sigma", "beta")]
 
 
 def _rationals(seed: int, number: int) -> Iterator[list[Fraction]]:
@@ -250,14 +242,10 @@ def test_the_state_after_a_fold_is_an_equilibrium(vary: str, arith: Arithmetic) 
         with mpmath.workdps(60):
             for fold in folds:
                 values = [_middle(arith, value) for value in fold.point.parameters]
-                theta, L, x, y = (_middle(arith, value) for value in fold.after)
-                theta0, _, kappa, _, sigma, beta = values
-                assert abs(_f(theta, values)) < mpmath.mpf(10) ** -30
-                assert abs(theta - _middle(arith, fold.point.theta)) > 1e-6
-                moment = sigma * mpmath.sin(theta) + (beta + 1) * mpmath.sin(theta0) + kappa
-                assert abs((beta + 1 + sigma) * L * mpmath.sin(theta) - moment) < mpmath.mpf(10) ** -30
-                assert abs(mpmath.cos(theta0) - L * mpmath.cos(theta) - x) < mpmath.mpf(10) ** -30
-                assert abs(mpmath.sin(theta0) - L * mpmath.sin(theta) - y) < mpmath.mpf(10) ** -30
+                state = [_middle(arith, value) for value in fold.after]
+                assert abs(reference.along(state[0], *values)) < mpmath.mpf(10) ** -30
+                assert abs(state[0] - _middle(arith, fold.point.theta)) > 1e-6
+                assert reference.lack_of_a_state(state, *_of_states(values)) < mpmath.mpf(10) ** -30
     assert folds
 
 
@@ -281,27 +269,14 @@ def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
             assert all(cusp_proofs.is_versal(arith, point) for point in points)
 
 
-def test_sines_of_cusps_are_all_real_roots_inside() -> None:
-    """One at sin θ = 1, where κ (α + σ) = (1 + β)(α + 2 σ) − α σ, counts."""
-    at_one = [Fraction(4, 3), Fraction(1, 2), Fraction(1), Fraction(0)]
-    assert sum(cusp_proofs.cusp_sines(*at_one, bits=50)[0]) == 0
-    for kappa, alpha, sigma, beta in [*_rationals(7, 8), at_one]:
-        polynomial, roots, count = cusp_proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
-        assert len(roots) == count
-        found = np.roots([float(value) for value in polynomial[::-1]])
-        real = np.sort(found[(abs(found.imag) < 1e-9) & (abs(found.real) < 1 + 1e-9)].real)
-        assert count == real.size
-        for (low, high), value in zip(roots, real, strict=True):
-            assert high - low <= Fraction(1, 2**50)
-            assert abs(float(low) - value) < 1e-5
-
-
-@pytest.mark.parametrize(
-    "values", ["4/3 1/2 1 0", "1/2 4 4 0", "7/1000 7/1000 1/10 0", "1 1 1/2 1", "2 3 5 1/3", "1/2 0 1/4 0", "2 0 4 1"]
-)
-def test_sines_of_cusps_at_both_ends(values: str) -> None:
+@pytest.mark.parametrize("values", [
+    *(list(map(Fraction, values.split())) for values in (
+        "4/3 1/2 1 0", "1/2 4 4 0", "7/1000 7/1000 1/10 0", "1 1 1/2 1", "2 3 5 1/3", "1/2 0 1/4 0", "2 0 4 1")),
+    *_rationals(7, 8),
+], ids=str)  # fmt: skip
+def test_sines_of_cusps_are_all_real_roots_inside(values: list[Fraction]) -> None:
     """At sin θ = 1 and −1 as well, where α > 0 (the first two: there the polynomial is 0); against SymPy's count."""
-    kappa, alpha, sigma, beta = map(Fraction, values.split())
+    kappa, alpha, sigma, beta = values
     polynomial, roots, count = cusp_proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
     coefficients = [sp.Rational(value.numerator, value.denominator) for value in reversed(polynomial)]
     exact = sp.Poly(coefficients, sp.Symbol("s")).sqf_part()
@@ -311,6 +286,9 @@ def test_sines_of_cusps_at_both_ends(values: str) -> None:
     ends = [end for end, there in zip((-1, 1), at_ends, strict=True) if there and alpha]
     assert [low for low, high in roots if low == high and abs(low) == 1] == ends
     assert roots == sorted(roots)
+    for low, high in roots:
+        assert high - low <= Fraction(1, 2**50)
+        assert low == high or exact.count_roots(*(sp.Rational(end.numerator, end.denominator) for end in (low, high))) == 1
 
 
 def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
@@ -406,14 +384,10 @@ def test_the_unfolding_is_full_where_the_derivatives_are_independent(arith: Arit
 def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -> None:
     """Inside of (−1, 1) and beyond, each once."""
     roots = [Fraction(-40), Fraction(-3, 2), Fraction(-1, 2), Fraction(1, 3), Fraction(7, 2)]
-    polynomial = [Fraction(2)]
-    for root in roots:
-        polynomial = [a - root * b for a, b in zip([Fraction(0), *polynomial], [*polynomial, Fraction(0)], strict=True)]
     with arith.precision(300):
-        found = sorted(
-            arith.ends(root.interval(arith))
-            for root in line_roots.roots_on_the_line(tuple(map(arith.exact, polynomial)), arith.sign, arith.exact, 150)
-        )
+        polynomial = tuple(map(arith.exact, with_roots(*roots, lead=2)))
+        found = line_roots.roots_on_the_line(polynomial, arith.sign, arith.exact, 150)
+        found = sorted(arith.ends(root.interval(arith)) for root in found)
         assert len(found) == len(roots)
         for (low, high), root in zip(found, roots, strict=True):
             assert low <= root <= high
@@ -468,17 +442,8 @@ def test_contact_needs_a_length_and_a_depth(arith: Arithmetic) -> None:
 
 def test_multiplicities_of_exact_roots() -> None:
     """Of t (t − 1/2)(t − 2)² (t − 3)³ (t − 4)⁴, where the curvature vanishes at 2 and 4; 0 is not positive."""
-    arith, one = Balls(), (Fraction(1),)
-
-    def product(*roots: Fraction) -> tuple[Fraction, ...]:
-        result = one
-        for root in roots:
-            result = tuple(a - root * b for a, b in zip((Fraction(0), *result), (*result, Fraction(0)), strict=True))
-        return result
-
-    half, two, three, four = Fraction(1, 2), Fraction(2), Fraction(3), Fraction(4)
-    polynomial = product(Fraction(0), half, *[two] * 2, *[three] * 3, *[four] * 4)
-    for curvature in ([product(two, four, Fraction(7))], [product(two, three, four), product(Fraction(5), four, two)]):
+    arith, polynomial = Balls(), with_roots(0, Fraction(1, 2), *[2] * 2, *[3] * 3, *[4] * 4)
+    for curvature in ([with_roots(2, 4, 7)], [with_roots(2, 3, 4), with_roots(5, 4, 2)]):
         with arith.precision(200):
             found = fold_proofs._with_multiplicity(arith, polynomial, curvature, 192)
             rows = sorted((float(arith.ends(one.t)[0]), one.multiplicity, one.flat) for one in found)

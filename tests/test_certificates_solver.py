@@ -90,11 +90,14 @@ def test_the_certificates_settle_most_points() -> None:
 
 
 def test_every_rung_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    p = FAMILIES["near folds"](np.random.default_rng(54), 30)
+    """Double-double arithmetic, which is asked first, and intervals."""
+    p, plain, calls = FAMILIES["near folds"](np.random.default_rng(54), 60), adaptive_precision.equilibria, list[int]()
+    monkeypatch.setattr(adaptive_precision, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
     found = [ss.equilibria(p)]
+    assert not calls
     monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
     found.append(ss.equilibria(p))
-    assert found[0].escalated.any()
+    assert found[0].escalated.sum() == len(calls) > 0
     assert (found[0].escalated == found[1].escalated).all()
     assert (found[0].count == found[1].count).all()
     assert (found[0].stability == found[1].stability).all()
@@ -265,25 +268,17 @@ def test_no_point_sees_another() -> None:
         np.testing.assert_array_equal(getattr(grid, name).reshape(getattr(flat, name).shape), getattr(flat, name))
 
 
-def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    p = _points(8)
-    whole = ss.equilibria(p)
+@pytest.mark.parametrize("contact", [True, False])
+def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch, contact: bool) -> None:
+    p = _points(8 if contact else 4)
+    whole = ss.equilibria(p, contact=contact)
     monkeypatch.setattr(solver, "BLOCK", 7)
     monkeypatch.setattr(solver, "A_THREAD", dict.fromkeys(solver.A_THREAD, 7))
     for threads in (1, 3):
         ss.set_backend("numpy", threads=threads)
-        pieces = ss.equilibria(p)
+        pieces = ss.equilibria(p, contact=contact)
         for name in ("theta", "L", "count", "stability", "error", "escalated"):
             np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
-
-
-def test_blocks_of_lift_off_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    p = _points(4)
-    whole = ss.equilibria(p, contact=False)
-    monkeypatch.setattr(solver, "BLOCK", 7)
-    pieces = ss.equilibria(p, contact=False)
-    for name in ("theta", "L", "count", "stability", "error", "escalated"):
-        np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
 
 
 @pytest.mark.parametrize("threads", [1, 2, 3])
@@ -324,10 +319,7 @@ def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyP
 
 #: A point with one equilibrium, one with three, and one with one, both in double-double as elsewhere.
 WIDE_POINTS = [
-    np.array(column)
-    for column in zip(
-        (1.2, 0.3, 0.1, 0.1, 0.1, 0.1), (0.7, 0.7, 0.007, 0.007, 0.1, 0.0), (0.6, 1.0, 0.1, 0.1, 0.1, 0.1), strict=True
-    )
+    *np.array([(1.2, 0.3, 0.1, 0.1, 0.1, 0.1), (0.7, 0.7, 0.007, 0.007, 0.1, 0.0), (0.6, 1.0, 0.1, 0.1, 0.1, 0.1)]).T.copy()
 ]
 
 
@@ -426,14 +418,9 @@ def test_what_is_not_normal_goes_to_more_digits() -> None:
     assert ss.equilibria(p).escalated.tolist() == [False, True]
 
 
-def test_a_length_beyond_float64_is_said() -> None:
-    with pytest.raises(ss.ConvergenceError, match=r"log10 L = .* of theta0=1\.0, mu0=.* is beyond float64"):
-        ss.equilibria(ss.Parameters(theta0=1.0, mu0=1e200, kappa=1e200, alpha=1.0, sigma=1.0, beta=1.0))
-
-
-def test_the_logarithm_of_such_a_length_is_right() -> None:
+def test_the_logarithm_of_a_length_beyond_float64_is_said() -> None:
     given = dict(theta0=1.0, mu0=1e200, kappa=1e200, alpha=1.0, sigma=1.0, beta=1.0)
-    with pytest.raises(ss.ConvergenceError) as failure:
+    with pytest.raises(ss.ConvergenceError, match=r"theta0=1\.0, mu0=.* is beyond float64") as failure:
         ss.equilibria(ss.Parameters(**given))
     (state,) = ss.precise.equilibria(**given, dps=20)
     said = float(str(failure.value).split("log10 L = ")[1].split(" ")[0])
@@ -492,39 +479,29 @@ def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatc
     assert ss.count(p).tolist() == [3, 3, 3, 3]
 
 
-def test_double_double_arithmetic_is_asked_before_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
-    p, plain = FAMILIES["near folds"](np.random.default_rng(54), 60), adaptive_precision.equilibria
-    calls: list[int] = []
-    monkeypatch.setattr(adaptive_precision, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
-    assert ss.equilibria(p).escalated.any()
-    assert not calls
-    monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
-    assert ss.equilibria(p).escalated.sum() == len(calls) > 0
-
-
 def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And of their states the two slots that hold one."""
     plain = adaptive_precision.equilibria
 
     def fold(*given: float, contact: bool) -> adaptive_precision.Settled:
-        return replace(plain(*given, contact=contact), fold=given[0] > 1)
+        found = plain(*given, contact=contact)
+        (one,) = found.states
+        return replace(found, states=(replace(one, theta=one.theta - 1), one, one), fold=True) if given[0] > 1 else found
 
     monkeypatch.setattr(adaptive_precision, "equilibria", fold)
     p = ss.Parameters([0.9, 1.1, 1.2], [0.5, 0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
     assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
     assert ss.equilibria(p).fold.tolist() == [False, False, True]
+    assert ss.equilibria(p).marginal.tolist() == [[False] * 3] * 2 + [[False, True, True]]
 
 
 #: Three points beside two whose numbers are so far apart that double-double arithmetic is not what its bounds say.
+IMMODERATE = [
+    (1.2327756113845494, 4.53e21, 7.32e-53, 6.145e51, 2.6e-32, 1.748e49),
+    (1.3664280351761058, 3.45e90, 1.433e12, 3.5579e34, 1.27e29, 9.49e41),
+]
 SOME_IMMODERATE = [
-    np.array(column)
-    for column in zip(
-        (1.2, 0.3, 0.1, 0.1, 0.1, 0.1),
-        (1.2327756113845494, 4.53e21, 7.32e-53, 6.145e51, 2.6e-32, 1.748e49),
-        (0.7, 0.7, 0.007, 0.007, 0.1, 0.0),
-        (1.3664280351761058, 3.45e90, 1.433e12, 3.5579e34, 1.27e29, 9.49e41),
-        (0.6, 1.0, 0.1, 0.1, 0.1, 0.1),
-        strict=True,
-    )
+    np.insert(column, [1, 2], others) for column, others in zip(WIDE_POINTS, np.transpose(IMMODERATE), strict=True)
 ]
 
 

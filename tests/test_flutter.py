@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact import intervals
+from spragsym.exact.intervals import Arithmetic
 from spragsym.generated import stability
 from spragsym.kang_nam.statics import kernel
 from tests.support import exact_onsets, middle_of
@@ -52,9 +52,7 @@ def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
     NEXT_TO_90, WITHOUT_ALPHA, ss.Parameters.article(alpha=0.7), ss.Parameters.article(sigma=1.0),
     ss.Parameters.article(mu0=6.0, alpha=1e-6), ss.Parameters.article(mu0=1.0, alpha=1.0),
 ])  # fmt: skip
-@pytest.mark.parametrize("arb", [False, True])
-def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arb: bool) -> None:
-    arith = pytest.importorskip("tests.oracles.arb").Arb() if arb else intervals.arithmetic()
+def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arith: Arithmetic) -> None:
     found = ss.flutter_onsets(p, arith=arith, damping=False)
     assert len(found) >= 1
     assert (found.mu0 == float(p.mu0)).all()

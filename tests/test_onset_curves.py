@@ -108,13 +108,7 @@ def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[An
 
 
 #: Two modes that a spring couples; friction feeds the first, a damper takes from the second.
-TWO_MODES = '''r"""Two modes on a belt: friction feeds one of them, a damper takes from the other.
-
-::
-
-    |--/\\/\\/--[m]--> x,  y across
-     ==================>  V
-"""
+TWO_MODES = '''"""Two modes on a belt: friction feeds one of them, a damper takes from the other."""
 
 from ..model import Page
 

@@ -48,10 +48,23 @@ def model(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
     return ss.load(once("soft_brake", derived))
 
 
-def turning(x: Any, y: Any, theta0: Any) -> Any:
+def turning(x: Any, y: Any, theta0: Any, xp: Any = mpmath) -> Any:
     """θ − θ₀, the least turning, from the drawing."""
-    off = mpmath.atan2(mpmath.sin(theta0) - y, mpmath.cos(theta0) - x) - theta0
-    return off + 2 * mpmath.pi if off <= -mpmath.pi else off - 2 * mpmath.pi if off > mpmath.pi else off
+    off = xp.atan2(xp.sin(theta0) - y, xp.cos(theta0) - x) - theta0
+    return off + 2 * xp.pi if off <= -xp.pi else off - 2 * xp.pi if off > xp.pi else off
+
+
+def forces(x: Any, y: Any, p: dict[str, Any], mu: Any, pushing: bool, xp: Any = mpmath) -> tuple[Any, Any]:
+    """Both components of the force on the mass, from the drawing."""
+    dx, dy = xp.cos(p["theta0"]) - x, xp.sin(p["theta0"]) - y
+    square = dx * dx + dy * dy
+    length = xp.sqrt(square)
+    pull, torque = p["sigma"] * (length - 1), p["tau"] * turning(x, y, p["theta0"], xp)
+    normal = pushing * (-y + p["gamma"] * y**2)
+    return (
+        pull * dx / length - torque * dy / square - p["alpha"] * x + mu * normal,
+        pull * dy / length + torque * dx / square - p["kappa"] + normal,
+    )
 
 
 def energy(x: Any, y: Any, theta0: Any) -> Any:
@@ -112,26 +125,6 @@ def test_turning_of_statics_and_of_motion_is_the_least(model: Any) -> None:
             assert abs(rows[1 if sine > 0 else 0][1] + turned[1]) < 1e-45
 
 
-def hand(model: Any, p: Any) -> Any:
-    """The right-hand side of the motion, written by hand from the drawing."""
-    names = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma", "V", "d")
-    theta0, mu0, kappa, alpha, sigma, tau, gamma, V, d = (float(value) for value in p.scalars(*names))
-
-    def rates(_: float, state: Any) -> Any:
-        x, y, vx, vy = state
-        dx, dy = np.cos(theta0) - x, np.sin(theta0) - y
-        length, depth, slip = np.hypot(dx, dy), max(-y, 0.0), V - vx
-        phi = np.remainder(np.arctan2(dy, dx) - theta0 + np.pi, 2 * np.pi) - np.pi
-        pull, torque = sigma * (length - 1), tau * phi
-        normal = depth + gamma * depth**2
-        mu = mu0 * (1 - np.exp(-d * abs(slip))) * np.sign(slip)
-        fx = pull * dx / length - torque * dy / length**2 - alpha * x + mu * normal
-        fy = pull * dy / length + torque * dx / length**2 - kappa + normal
-        return [vx, vy, fx, fy]
-
-    return rates
-
-
 def behind(p: Any, off: float, speed: float) -> list[float]:
     """A start near the ray φ = ±π, turned by ``off`` from it, and moving along the circle around the anchor."""
     theta0 = float(p.scalars("theta0")[0])
@@ -147,8 +140,14 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, b
     if backend == "heyoka":
         pytest.importorskip("heyoka")
     p = model.Parameters(tau=0.02, mu0=0.3)
-    start, rates = behind(p, -0.1, 0.5), hand(model, p)
+    start, given = behind(p, -0.1, 0.5), dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
     tr = model.simulate(p, start=start, t_end=3.0, backend=backend, rtol=1e-12)
+
+    def rates(_: float, state: Any) -> list[float]:
+        x, y, vx, vy = state
+        slip = given["V"] - vx
+        mu = given["mu0"] * (1 - math.exp(-given["d"] * abs(slip))) * np.sign(slip)
+        return [vx, vy, *forces(x, y, given, mu, y < 0, math)]
 
     def jump(_: float, state: Any) -> float:
         return float(np.sin(0.8) * (state[0] - np.cos(0.8)) - np.cos(0.8) * (state[1] - np.sin(0.8)))
@@ -188,22 +187,7 @@ def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
         assert abs(off[-1]) > 0.2
 
 
-def balance_by_hand(x: Any, y: Any, p: dict[str, Any], pushing: int, digits: Any = mpmath) -> tuple[Any, Any]:
-    """Both components of the force on the mass at steady sliding, from the drawing."""
-    dx, dy = digits.cos(p["theta0"]) - x, digits.sin(p["theta0"]) - y
-    square = dx * dx + dy * dy
-    length = digits.sqrt(square)
-    off = digits.atan2(dy, dx) - p["theta0"]
-    phi = off + 2 * digits.pi if off <= -digits.pi else off
-    pull, torque = p["sigma"] * (length - 1), p["tau"] * phi
-    normal = pushing * (-y + p["gamma"] * y**2)
-    return (
-        pull * dx / length - torque * dy / square - p["alpha"] * x + p["mu0"] * normal,
-        pull * dy / length + torque * dx / square - p["kappa"] + normal,
-    )
-
-
-def roots_by_hand(p: dict[str, float], pushing: int) -> list[tuple[Any, Any]]:
+def roots_by_hand(p: dict[str, float], pushing: bool) -> list[tuple[Any, Any]]:
     """MINPACK's hybrid method from many places, then Newton's with many digits; what is found, each once, sorted."""
     from scipy.optimize import root
 
@@ -211,26 +195,20 @@ def roots_by_hand(p: dict[str, float], pushing: int) -> list[tuple[Any, Any]]:
     exact = {name: mpmath.mpf(value) for name, value in p.items()}
     for x0 in np.linspace(-1.7, 2.5, 12):
         for y0 in np.linspace(-0.2, 0.0, 4) if pushing else np.linspace(0.02, 2.4, 10):
-            near = root(lambda q: balance_by_hand(*map(float, q), p, pushing, math), (x0, y0), tol=1e-13)
-            if not near.success or (near.x[1] < 0) != bool(pushing):
+            near = root(lambda q: forces(*map(float, q), p, p["mu0"], pushing, math), (x0, y0), tol=1e-13)
+            if not near.success or (near.x[1] < 0) != pushing:
                 continue
             if all(np.abs(near.x - np.array(other, dtype=float)).max() > 1e-7 for other in found):
-                found.append(tuple(mpmath.findroot(lambda x, y: balance_by_hand(x, y, exact, pushing), tuple(near.x.tolist()))))
+                balance = lambda x, y: forces(x, y, exact, exact["mu0"], pushing)  # noqa: E731
+                found.append(tuple(mpmath.findroot(balance, tuple(near.x.tolist()))))
     return sorted(found)
 
 
-SETS = [
-    ({}, True),
-    ({"theta0": 1.0472, "tau": 0.02}, True),
-    ({"theta0": 0.5, "tau": 0.0}, True),
-    ({"theta0": 2.5, "mu0": 0.9, "tau": 0.004}, True),
-    ({"theta0": 0.4, "tau": 1.0, "sigma": 2.0}, True),
-    ({"tau": 0.0005, "alpha": 0.0}, False),
-    ({"theta0": 2.5, "tau": 0.0002, "alpha": 0.001}, False),
-]
-
-
-@pytest.mark.parametrize(("changes", "contact"), SETS)
+@pytest.mark.parametrize(("changes", "contact"), [
+    ({}, True), ({"theta0": 1.0472, "tau": 0.02}, True), ({"theta0": 0.5, "tau": 0.0}, True),
+    ({"theta0": 2.5, "mu0": 0.9, "tau": 0.004}, True), ({"theta0": 0.4, "tau": 1.0, "sigma": 2.0}, True),
+    ({"tau": 0.0005, "alpha": 0.0}, False), ({"theta0": 2.5, "tau": 0.0002, "alpha": 0.001}, False),
+])  # fmt: skip
 def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str, float], contact: bool) -> None:
     """Every equilibrium that Newton's method finds from many places is among those proved, to 1e-12, and no other one is."""
     p = model.Parameters(**changes)
@@ -238,7 +216,7 @@ def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str
     assert eq.complete
     with mpmath.workdps(40):
         values = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
-        known = roots_by_hand(values, int(contact))
+        known = roots_by_hand(values, contact)
         proved = sorted((mpmath.mpf(float(x)), mpmath.mpf(float(y))) for x, y in zip(eq.x, eq.y, strict=True) if x == x)
         assert len(known) == len(proved) == int(eq.count)
         for one, other in zip(known, proved, strict=True):
@@ -256,11 +234,14 @@ def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tu
     values = {name: mpmath.mpf(float(value)) for name, value in zip(model.parameters, p.scalars(*model.parameters), strict=True)}
 
     def fold(x: Any, y: Any, value: Any) -> list[Any]:
-        def force(row: int) -> Any:
-            return lambda x, y: balance_by_hand(x, y, values | {vary: value}, 1)[row]
+        def force(x: Any, y: Any) -> tuple[Any, Any]:
+            given = values | {vary: value}
+            return forces(x, y, given, given["mu0"], True)
 
-        rows = [[mpmath.diff(force(row), (x, y), order) for order in ((1, 0), (0, 1))] for row in (0, 1)]
-        return [*balance_by_hand(x, y, values | {vary: value}, 1), rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]]
+        rows = [
+            [mpmath.diff(lambda x, y, row=row: force(x, y)[row], (x, y), order) for order in ((1, 0), (0, 1))] for row in (0, 1)
+        ]
+        return [*force(x, y), rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]]
 
     with mpmath.workdps(40):
         for x, y, value in zip(found.x, found.y, getattr(found, vary), strict=True):
@@ -366,26 +347,23 @@ def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model
 # ---------------------------------------------------------------------------------------------- other languages, older folders
 
 
-def test_a_folder_of_the_old_approximation_is_refused(model: Any, tmp_path: Path) -> None:
-    """One that was derived before torsion springs were exact has no list of them; its page still has."""
-    folder = tmp_path / "old"
-    shutil.copytree(model.where, folder)
-    about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+def without_torsions(folder: Path, about: dict[str, Any]) -> None:
     del about["torsions"]
-    (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
-    with pytest.raises(StoreError, match="up to 41 degrees only; derive the page again"):
-        ss.load(folder)
 
 
-def test_a_folder_of_another_version_is_refused(model: Any, tmp_path: Path) -> None:
-    """Its functions stood in three modules."""
-    folder = tmp_path / "old"
-    shutil.copytree(model.where, folder)
-    about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+def in_three_modules(folder: Path, about: dict[str, Any]) -> None:
     about["files"]["statics.py"] = about["files"].pop("algebra.py")
     (folder / "algebra.py").rename(folder / "statics.py")
+
+
+@pytest.mark.parametrize(("older", "named"), [(without_torsions, "41 degrees"), (in_three_modules, r"algebra\.py")])
+def test_a_folder_of_an_older_version_is_refused(model: Any, tmp_path: Path, older: Any, named: str) -> None:
+    folder = tmp_path / "old"
+    shutil.copytree(model.where, folder)
+    about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+    older(folder, about)
     (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
-    with pytest.raises(StoreError, match=r"without algebra.py\); derive the page again"):
+    with pytest.raises(StoreError, match=f"{named}.*derive the page again"):
         ss.load(folder)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 
@@ -143,3 +144,18 @@ def refine(
                 break
         L = mpmath.sqrt((c0 - x) ** 2 + (s0 - y) ** 2)
         return mpmath.atan2(s0 - y, c0 - x), L, x, y
+
+
+def along(theta: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any) -> Any:
+    """sin θ times the force along the belt in contact, with the L sin θ that balances across it: f over q, not eliminated."""
+    s, c, s0, c0 = mpmath.sin(theta), mpmath.cos(theta), mpmath.sin(theta0), mpmath.cos(theta0)
+    length = (sigma * s + (beta + 1) * s0 + kappa) / (beta + 1 + sigma)  # L sin θ
+    return sigma * (s - length) * c + alpha * (c0 * s - length * c) + mu0 * s * (s0 - length)
+
+
+def lack_of_a_state(state: tuple[Any, Any, Any, Any], theta0: Any, kappa: Any, sigma: Any, beta: Any) -> Any:
+    """By how much θ, L, x, y in contact miss the balance across the belt, over the stiffnesses, and the geometry."""
+    theta, L, x, y = state
+    s, s0 = mpmath.sin(theta), mpmath.sin(theta0)
+    across = ((beta + 1 + sigma) * L * s - sigma * s - (beta + 1) * s0 - kappa) / (1 + beta + sigma)
+    return max(abs(across), abs(mpmath.cos(theta0) - L * mpmath.cos(theta) - x), abs(s0 - L * s - y))

@@ -26,6 +26,13 @@ FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
 
+#: States move by no more than this in one step, nor by more than this share of the orbit's extent, however small that is in the
+#: model's units: an equilibrium is a closed orbit of every period, and Newton's method may not fall onto it.
+FAR, SHARE = 0.5, 0.3
+
+#: An orbit of a smaller extent, or of a smaller share of the first one's, has shrunk onto an equilibrium.
+LEAST = 1e-3
+
 #: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
 SHRUNK = 0.1
 
@@ -251,7 +258,7 @@ class _Trace:
         while count < self.points:
             try:
                 with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, self.value(point.loop)):
-                    ahead = self._last(point, length) or corrected(setting, point, length, reach=0.5)
+                    ahead = self._last(point, length) or corrected(setting, point, length, reach=_reach(point))
             except ConvergenceError as error:
                 length /= 3
                 if length < SHORTEST:
@@ -397,13 +404,13 @@ class _Trace:
     def _at(self, point: Point, step: FloatArray, value: float) -> Point:
         """The point at a value of the parameter, a step from another point."""
         found = placed(self.setting, point, step, value)
-        if np.abs(found.loop.guess.states - point.loop.guess.states).max() > 0.5:
+        if np.abs(found.loop.guess.states - point.loop.guess.states).max() > _reach(point):
             raise ConvergenceError("the end of the range is farther than a step")
         return found
 
     def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
         loop = ahead.loop
-        if extent(loop) < 1e-3:
+        if extent(loop) < LEAST * min(1.0, extent(start.loop)):
             return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
         error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
         if loop.guess.period > LONG * self.setting.period and slowest(loop) < STILL:
@@ -443,6 +450,11 @@ class _Trace:
         if slowest(loop) < STILL and loop.guess.period > 2 * self.setting.period:
             return End("homoclinic", loop, 1e-6, how=_rests(loop))
         return End("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
+
+
+def _reach(point: Point) -> float:
+    """How far the states of the next point may lie."""
+    return min(FAR, SHARE * extent(point.loop))
 
 
 def slowest(loop: Loop) -> float:

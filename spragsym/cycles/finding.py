@@ -14,7 +14,20 @@ from ..dynamics.field import Field
 from ..dynamics.flows import NEAR, carrier, follower, scout
 from ..dynamics.regimes import Regime
 from ..dynamics.segment import Fly, Turn
-from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
+from ..dynamics.shooting import (
+    CLOSED,
+    LARGEST_GROWTH,
+    Guess,
+    Loop,
+    across,
+    divided,
+    error_of,
+    extent,
+    growth,
+    looped,
+    rate,
+    solved,
+)
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..parameters import FINITE, FloatArray, ParameterSet, as_number
 from .orbit import Cycle, cycle_of
@@ -28,6 +41,9 @@ TRIES = 8
 #: A return that misses by more than this share of the motion's extent is not tried.
 FAR = 0.3
 
+
+#: A closed orbit of a smaller extent is rest, as is one whose extent is not so many of its errors.
+LEAST, SURE = 1e-9, 100.0
 
 #: Parameters beyond this are named where a motion can't be followed.
 STEEP = 1e8
@@ -173,12 +189,17 @@ def _towards(
 
 
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
-    if not extent(loop) > 1e-7:
+    if _rests(loop):
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
             f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
         )
     return cycle_of(loop, fly, name)
+
+
+def _rests(loop: Loop) -> bool:
+    """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside it nearly does."""
+    return extent(loop) <= max(LEAST, SURE * error_of(loop))
 
 
 def _state(field: Field, near: Any) -> FloatArray:
@@ -206,7 +227,7 @@ def _by_returns(
         except ConvergenceError:
             continue
         # What a motion approaches is stable; near a state that is given there may be either.
-        if extent(loop) > 1e-6 and not (stable and np.abs(multipliers(loop)[1:]).max() > 1):
+        if not _rests(loop) and not (stable and np.abs(multipliers(loop)[1:]).max() > 1):
             return loop
     return None
 

@@ -47,8 +47,8 @@ class Fate(Result):
     outcome : Outcome
         The attractor, reached or approached.
     exponents, error : ndarray, shape (m,)
-        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers; else measured, with half-widths of
-        95 % intervals. NaN for lift-off.
+        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers and their errors, infinite where
+        rounding hides a multiplier; else measured, with half-widths of 95 % intervals. NaN for lift-off.
     trivial : int
         Which of them is that of the flow's own direction, known to be 0; −1 where there is none.
     time_scale : float
@@ -141,8 +141,8 @@ def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end:
     if verdict.decided:
         why = f"it comes to {verdict.told()}"
         try:
-            known = none if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
-            error = none if verdict.kind == Regime.LIFT_OFF else np.zeros(field.size)
+            limits = (none, none) if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
+            known, error = limits
             trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
             return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
         except ConvergenceError as failed:

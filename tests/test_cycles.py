@@ -627,7 +627,7 @@ def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
     assert found.value == pytest.approx(FATE, abs=1e-12)
     for sign in (-1, 1):
         p = ss.Parameters.article(theta0=found.value + sign * 1e-9)
-        reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).amplitude(300.0)
+        reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).largest(300.0)
         assert (reach > 1.0) == (sign > 0)
     friction = ss.sliding_friction(0.5, 0.5, 10.0)
     rest = ss.equilibria(ss.Parameters.article(theta0=found.value, mu0=friction))
@@ -880,7 +880,7 @@ def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate(
     assert (found.boundary == differ).all()  # at its neighbours both sides come to the cycle: that is manifold, and no boundary
     assert [text.split()[0] for text in found.sides[differ][0]] == ["rest", "a"]
     assert set(found.sides[~differ].ravel()) == {"a cycle of period 34.1824"}
-    reach = [ss.simulate(p, **BELT, x0=off, rtol=1e-12, t_end=1000.0).amplitude(300.0) for off in (-1e-6, 1e-6)]
+    reach = [ss.simulate(p, **BELT, x0=off, rtol=1e-12, t_end=1000.0).largest(300.0) for off in (-1e-6, 1e-6)]
     assert min(reach) < 1 < max(reach)
     with pytest.raises(ss.ParameterError, match="one divergent equilibrium is needed"):
         ss.basin_boundary(at(60.0), **BELT)

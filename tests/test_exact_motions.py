@@ -94,12 +94,12 @@ def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float], 
     assert found.period == pytest.approx(2 * touch + 2 * np.pi - 2 * np.arctan(touch), abs=1e-9)
 
 
-def test_the_amplitude_of_a_rate_is_that_between_samples_too() -> None:
+def test_the_largest_rate_is_that_between_samples_too() -> None:
     """A mass on a spring: x = cos t from x = 1, and a speed of 1 where x = 0."""
     free = ss.load("stick_slip").Parameters(mu_s=0.0, zeta=0.0)
     motion = ss.simulate(free, x0=1.0, t_end=50.0)
-    assert motion.amplitude(10.0, of="vx") == pytest.approx(1.0, abs=1e-9)
-    assert motion.amplitude(10.0, of="vx", about="mean") == pytest.approx(1 + abs(motion.mean(10.0, of="vx")), abs=1e-9)
+    assert motion.largest(10.0, of="vx") == pytest.approx(1.0, abs=1e-9)
+    assert motion.largest(10.0, of="vx", about="mean") == pytest.approx(1 + abs(motion.mean(10.0, of="vx")), abs=1e-9)
 
 
 @pytest.mark.parametrize("epsilon", [2.0, 5.0])

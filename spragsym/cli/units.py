@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ..studies import Study
 
 #: Of a motion what is measured in the unit of its first component, and what is a force.
-MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "error"), ("spring_force", "contact_force")
+MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error"), ("spring_force", "contact_force")
 
 
 #: A number in a remark.

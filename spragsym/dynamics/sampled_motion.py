@@ -107,7 +107,7 @@ class Recorded(Result):
         deviation = late._values(of) - late._centre(of, about)
         return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
 
-    def amplitude(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+    def largest(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
         late = self.after(transient)
         return float(np.abs(late._extrema(of) - late._centre(of, about)).max())

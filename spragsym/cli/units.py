@@ -110,10 +110,10 @@ class Units:
         def in_units(found: re.Match[str]) -> str:
             title, unit = told[found[1]]
             numbers = NUMBER.sub(lambda number: f"{unit * float(number[0]):.8g}", found[2])
-            return title + numbers.removesuffix(" rad")
+            return title + numbers
 
         names = "|".join(map(re.escape, sorted(told, key=len, reverse=True)))
-        place = re.compile(rf"(?<![\w.])({names})( = {NUMBER.pattern}| in \[{NUMBER.pattern}, {NUMBER.pattern}\](?: rad)?)")
+        place = re.compile(rf"(?<![\w.])({names})(?:( = {NUMBER.pattern}| in \[{NUMBER.pattern}, {NUMBER.pattern}\])(?: rad)?)")
         return [place.sub(in_units, text) for text in remarks]
 
     def measured(self, summary: dict[str, Any]) -> dict[str, Any]:

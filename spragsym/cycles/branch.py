@@ -53,6 +53,9 @@ LAST, MORE = 3, 12
 #: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
 ALIKE = 1e-7
 
+#: Kinds of event at which stability may change.
+CHANGING = ("fold", "period_doubling", "torus")
+
 CROSSES = "another branch of cycles crosses this one"
 VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
 MERGES = "it meets the cycle of half its period, which doubles there"
@@ -108,6 +111,8 @@ class CycleBranch(Result):
         Each begun anew where its first coordinate is largest when it is asked for.
     events : tuple of CycleEvent
         In the order of the branch.
+    places : tuple of int
+        How many points of the branch come before each event.
     """
 
     vary: str
@@ -120,6 +125,7 @@ class CycleBranch(Result):
     cycles: Cycles = field(repr=False)
     events: tuple[CycleEvent, ...]
     to: tuple[float, float] = field(repr=False)
+    places: tuple[int, ...] = field(repr=False)
 
     @property
     def table_model(self) -> Field | None:
@@ -141,6 +147,16 @@ class CycleBranch(Result):
     def amplitude(self) -> FloatArray:
         """Half of the range of the first coordinate, shape (n,)."""
         return (self.highest - self.lowest) / 2
+
+    def changes(self) -> Iterator[tuple[int, CycleEvent]]:
+        """Events at which the stability changes, each with the number of points before it."""
+        for place in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
+            between = [
+                event for event, before in zip(self.events, self.places, strict=True)
+                if before == place and event.kind in CHANGING
+            ]  # fmt: skip
+            if between:
+                yield place, between[0 if self.stable[place - 1] else -1]
 
     def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
         """The events of some kinds only."""
@@ -204,13 +220,19 @@ def cycle_branch(
     forth = list(trace.follow(start, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
-    loops = [item.loop for item in items if isinstance(item, Point)]
-    events = [trace.event(item) for item in items if isinstance(item, Finding) and item.kind != "closed"]
+    loops, events, places = [], [], []
+    for item in items:
+        if isinstance(item, Point):
+            loops.append(item.loop)
+        elif item.kind != "closed":
+            events.append(trace.event(item))
+            places.append(len(loops))
     lowest, highest = np.array([range_of(loop) for loop in loops]).T
     return CycleBranch(
         vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
         np.array([moments(loop, backend)[1] for loop in loops]), lowest, highest,
         np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops), fly, backend), tuple(events), (low, high),
+        tuple(places),
     )  # fmt: skip
 
 
@@ -469,4 +491,6 @@ def stillest(loop: Loop) -> FloatArray:
 
 def _rests(loop: Loop) -> str:
     """Where an orbit of a very long period hardly moves, without the sign of a zero."""
-    return f"it comes to rest near {(np.round(stillest(loop), 6) + 0.0).tolist()}"
+    names, place = loop.field.coordinates, np.round(stillest(loop), 6) + 0.0
+    told = (f"{name} = {value:g}{' rad' * loop.field.is_angle(name)}" for name, value in zip(names, place, strict=False))
+    return f"it comes to rest near {', '.join(told)}"

@@ -53,6 +53,12 @@ page.damper(a * (x**2 / L**2 - 1), along=x)
 """
 
 
+#: Stick-slip beside a mass that nothing moves, which comes first.
+QUIET = SCALED.replace('x = page.coordinate("x"', 'q = page.coordinate("q", "m", "quiet")\nx = page.coordinate("x"').replace(
+    "page.kinetic(", "page.kinetic(m * page.rate(q) ** 2 / 2 + "
+).replace("page.spring(", "page.spring(k, along=q)\npage.spring(", 1)  # fmt: skip
+
+
 @pytest.fixture(scope="module")
 def scaled(tmp_path_factory: pytest.TempPathFactory) -> Any:
     return model_of(SCALED, "scaled", tmp_path_factory.mktemp("pages"))
@@ -110,3 +116,27 @@ def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float, tmp_path: 
     divergence = -epsilon * (found.outcome.cycle_rms**2 - 1)
     assert abs(found.exponents.sum() - divergence) <= found.error.sum()
     assert found.error[0] == 0
+
+
+@needs_a_quick_integrator
+def test_a_first_coordinate_that_stands_still_is_named(tmp_path: Any) -> None:
+    """Its cycle is there, and no longer motion finds it: that was the advice."""
+    p = model_of(QUIET, "quiet", tmp_path).Parameters(V=0.2)
+    with pytest.raises(ss.ConvergenceError, match=r"q stands still while x moves.* first coordinate is x"):
+        ss.cycle(p, patient=False)
+    assert "q stands still while x moves" in ss.fate(p, t_end=400.0).why
+
+
+def test_a_basin_takes_no_start_that_the_model_has_not() -> None:
+    """One across the belt was left out in silence."""
+    p = ss.load("stick_slip").Parameters(V=2.5)
+    assert ss.basin(p, x=[0.0], vx=[0.0], t_end=20.0).attractor.shape == (1, 1)
+    with pytest.raises(ss.ParameterTypeError, match="y0 is no argument"):
+        ss.basin(p, x=[0.0], vx=[0.0], y0=0.7, t_end=20.0)
+
+
+@needs_a_quick_integrator
+def test_a_cycle_that_nothing_damps_is_not_called_unstable(tmp_path: Any) -> None:
+    found = ss.fate(model_of(BOUNCING, "bouncing", tmp_path).Parameters(), start=(2.0, 0.0), t_end=400.0)
+    assert found.kind == "undecided"
+    assert "neither stable nor unstable" in found.near

@@ -45,6 +45,9 @@ FAR = 0.3
 #: A closed orbit of a smaller extent is rest, as is one whose extent is not so many of its errors.
 LEAST, SURE = 1e-9, 100.0
 
+#: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of another stands still.
+LOOK, STILL = 200.0, 1e-9
+
 #: Parameters beyond this are named where a motion can't be followed.
 STEEP = 1e8
 
@@ -275,10 +278,30 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
         outcome = field.simulate(values, state, 2000.0).outcome(1000.0)
     except ConvergenceError as error:
         return f"{told}, which could not be followed: {error}"
+    if still := stands_still(field, values, state):
+        return f"{told}: {still}"
     rest = zip(field.coordinates, (outcome.rest_x, outcome.rest_y), strict=False)
     places = [f"{name} = {value:.6g}" for name, value in rest if np.isfinite(value)]
     return (
         f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
         + (f" at {', '.join(places)}" if places else "")
         + "; give a state nearer to a cycle, as near=simulate(p, t_end=…) of a longer motion, or ask fate(p) what it comes to"
+    )
+
+
+def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> str:
+    """That the first coordinate stands still while others move, in words; empty where it moves, or nothing does.
+
+    Returns of a motion are looked at where its first coordinate is largest: there are none then.
+    """
+    try:
+        moved = np.ptp(field.simulate(values, state, LOOK).state[: len(field.coordinates)], axis=1)
+    except ConvergenceError:
+        return ""
+    if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
+        return ""
+    first, most = field.coordinates[0], field.coordinates[int(moved.argmax())]
+    return (
+        f"{first} stands still while {most} moves, and cycles are looked for where the first coordinate is largest; "
+        f"write a page whose first coordinate is {most}"
     )

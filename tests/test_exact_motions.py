@@ -92,6 +92,19 @@ def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(scaled: Any, 
         assert abs(end.value / width - onset) < 2 * end.error / width + 1e-6
 
 
+@needs_a_quick_integrator
+def test_a_curve_of_folds_goes_on_where_multipliers_are_known_to_ten_digits() -> None:
+    """It ended after two points: rounding of the test function kept the closed orbit open."""
+    p = ss.load("stick_slip").Parameters(V=2.9)
+    (fold,) = ss.cycle_branch(ss.cycle(p, near=(3.2, 0.0)), "V", (2.8, 3.3)).of("fold")
+    curve = ss.cycle_events(fold, ("V", "zeta"), to={"V": (1.0, 9.0), "zeta": (0.03, 0.07)}, points=3)
+    assert curve.how == ("3 points were followed", "3 points were followed")
+    V, zeta = curve.values[-1]
+    beside = ss.cycle(p.replace(V=V - 0.05, zeta=zeta), near=curve.cycles[-1].state + np.array([0.05, 0.0]))
+    (other,) = ss.cycle_branch(beside, "V", (V - 0.2, V + 0.1)).of("fold")
+    assert other.value == pytest.approx(V, abs=1e-8)
+
+
 @pytest.mark.parametrize("start", [(0.5, 1.0), (2.0, 0.0)])
 def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float], tmp_path: Any) -> None:
     """Flight and contact, a half of a harmonic swing and more: nothing damps, so that all orbits close."""

@@ -207,17 +207,17 @@ def limiting(field: Field, known: Attractor) -> tuple[FloatArray, FloatArray]:
     Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is known.
     """
     if known.orbit is None:
-        rates: FloatArray = np.linalg.eigvals(linearization(field, known.values, known.state)).real
+        rates = np.asarray(np.linalg.eigvals(linearization(field, known.values, known.state)).real, dtype=float)
         errors = np.zeros(len(rates))
     else:
         sizes = np.abs(known.orbit.multipliers)
         off = np.array([0.0, *known.orbit.multiplier_errors])
         with np.errstate(divide="ignore", invalid="ignore"):
-            rates = np.log(sizes) / known.orbit.period
+            rates = np.asarray(np.log(sizes) / known.orbit.period, dtype=float)
             errors = np.where(off < sizes, -np.log1p(-off / sizes) / known.orbit.period, np.inf)
         rates[0] = 0.0
     order = np.argsort(-rates, kind="stable")
-    return rates[order], errors[order]
+    return np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
 
 
 def same(one: Attractor, other: Attractor) -> bool:

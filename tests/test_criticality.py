@@ -226,6 +226,8 @@ def test_the_amplitude_is_the_one_that_was_asked_for(stick_slip: Any) -> None:
     assert found.amplitude == pytest.approx(0.02, rel=1.1e-3)
     with pytest.raises(ss.ConvergenceError, match=r"amplitude 0\.05 was found: .*give a smaller one"):
         ss.cycle(onset=stick_slip, index=0, amplitude=0.05)
+    with pytest.raises(ss.ConvergenceError, match=r"only amplitudes below 0\.101 do not come to x' = V"):
+        ss.cycle(onset=stick_slip, index=0, amplitude=0.2)  # x = A cos t is as fast as the belt, V = 0.101
 
 
 @needs_a_quick_integrator

@@ -191,7 +191,7 @@ def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
     assert "equilibrium" in shrunk.how
     assert abs(shrunk.value + 1 / 6) < min(shrunk.error, 1e-4)
     assert abs(homoclinic.value) < min(homoclinic.error, 1e-12)
-    assert "[0.0, 0.0]" in homoclinic.how
+    assert homoclinic.how == "it comes to rest near x = 0"
     top = branch.cycles[len(branch.cycles) // 2].state[0]
     assert top**3 / 3 - top**2 / 2 == pytest.approx(branch.values[len(branch.cycles) // 2], abs=1e-12)
     assert "CONTACT" not in str(branch.cycles[0])  # a state of two numbers is shown as it is
@@ -218,6 +218,21 @@ def test_switching_at_a_fold_goes_to_its_other_side() -> None:
     other = branch.switch(fold)
     assert (other.amplitude > 1) == (branch.cycles[-1].amplitude > 1)
     assert other.amplitude**4 - 2 * other.amplitude**2 == pytest.approx(other.values[0], abs=1e-10)
+
+
+def test_a_figure_is_full_up_to_the_change_of_stability() -> None:
+    """The stable part was drawn to the next point beyond the fold, in the line style of what is stable."""
+    figures = pytest.importorskip("spragsym.figures", reason="the extra plot is not installed")
+    branch = ss.cycle_branch(finding.cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3)
+    ((place, fold),) = branch.changes()
+    assert (fold.kind, {bool(side) for side in branch.stable[place - 1 : place + 1]}) == ("fold", {True, False})
+    left, right = figures.branch_figure(branch).axes[:2]
+    for axis, least in ((left, np.sqrt(0.5)), (right, 2 * np.pi)):  # of x = cos t, at r = 1
+        full = next(line for line in axis.lines if line.get_linestyle() == "-").get_xydata()
+        full = full[np.isfinite(full).all(axis=1)]
+        assert full[:, 0].min() == pytest.approx(-1, abs=1e-9)
+        assert full[:, 1].min() == pytest.approx(least, abs=1e-6)
+        assert axis.get_xlabel()
 
 
 @pytest.mark.parametrize("apart", [0.2, 0.05, 0.02])
@@ -627,7 +642,7 @@ def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
     assert found.value == pytest.approx(FATE, abs=1e-12)
     for sign in (-1, 1):
         p = ss.Parameters.article(theta0=found.value + sign * 1e-9)
-        reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).amplitude(300.0)
+        reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).largest(300.0)
         assert (reach > 1.0) == (sign > 0)
     friction = ss.sliding_friction(0.5, 0.5, 10.0)
     rest = ss.equilibria(ss.Parameters.article(theta0=found.value, mu0=friction))
@@ -880,7 +895,7 @@ def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate(
     assert (found.boundary == differ).all()  # at its neighbours both sides come to the cycle: that is manifold, and no boundary
     assert [text.split()[0] for text in found.sides[differ][0]] == ["rest", "a"]
     assert set(found.sides[~differ].ravel()) == {"a cycle of period 34.1824"}
-    reach = [ss.simulate(p, **BELT, x0=off, rtol=1e-12, t_end=1000.0).amplitude(300.0) for off in (-1e-6, 1e-6)]
+    reach = [ss.simulate(p, **BELT, x0=off, rtol=1e-12, t_end=1000.0).largest(300.0) for off in (-1e-6, 1e-6)]
     assert min(reach) < 1 < max(reach)
     with pytest.raises(ss.ParameterError, match="one divergent equilibrium is needed"):
         ss.basin_boundary(at(60.0), **BELT)

@@ -56,7 +56,7 @@ def test_two_integrators_agree_on_the_base_case(base: dict[str, Trajectory]) -> 
     pytest.importorskip("heyoka")
     one, other = base["scipy"], base["heyoka"]
     assert one.rms() == pytest.approx(other.rms(), rel=1e-8)
-    assert one.amplitude() == pytest.approx(other.amplitude(), rel=1e-8)
+    assert one.largest() == pytest.approx(other.largest(), rel=1e-8)
 
 
 @pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")
@@ -327,8 +327,8 @@ def test_measures_of_a_known_wave(omega: float, centre: float) -> None:
     assert tr.mean(begin) == pytest.approx(mean, abs=1e-13)
     assert tr.rms(begin) == pytest.approx(np.sqrt(square), abs=1e-13)
     assert tr.rms(begin, about="mean") == pytest.approx(np.sqrt(square - mean**2), abs=1e-13)
-    assert tr.amplitude(begin) == pytest.approx(1 + centre, abs=1e-13)
-    assert tr.amplitude(begin, about="mean") == pytest.approx(1 + abs(mean - centre), abs=1e-13)
+    assert tr.largest(begin) == pytest.approx(1 + centre, abs=1e-13)
+    assert tr.largest(begin, about="mean") == pytest.approx(1 + abs(mean - centre), abs=1e-13)
     course = tr.after(begin).course()
     assert np.diff(course.maxima_t) == pytest.approx(2 * np.pi / omega, abs=1e-11)
     assert course.maxima[:, 0] == pytest.approx(centre + 1, abs=1e-13)

@@ -141,7 +141,7 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
         np.testing.assert_allclose(found.last[row], tr.state[:, -1], atol=1e-7)
         assert found.averages[0, row] == pytest.approx(tr.mean(0.0), abs=1e-8)
         assert found.averages[2, row] == pytest.approx(tr.mean(0.0, of="y"), abs=1e-8)
-        assert max(abs(found.low[row]), abs(found.high[row])) == pytest.approx(tr.amplitude(0.0), abs=1e-8)
+        assert max(abs(found.low[row]), abs(found.high[row])) == pytest.approx(tr.largest(0.0), abs=1e-8)
         assert found.events[row].tolist() == [len(tr.events.of(kind)) for kind in Event]
         np.testing.assert_allclose(found.course(row).maxima, tr.course().maxima, atol=1e-7)
 
@@ -168,7 +168,7 @@ def test_how_many_motions_are_one_task_does_not_show(monkeypatch: pytest.MonkeyP
     expected = rms_sweep(p, **BELT, t_end=60.0, backend="heyoka")
     monkeypatch.setattr("spragsym.sweeps.many._together", lambda *_: together)
     anchored = rms_sweep(p, **BELT, t_end=60.0, backend="heyoka")
-    for name in ("rms", "spread", "amplitude", "mean_y", "regime", "rate", "contact_lost"):
+    for name in ("rms", "spread", "largest", "mean_y", "regime", "rate", "contact_lost"):
         np.testing.assert_array_equal(getattr(anchored, name), getattr(expected, name))
 
 

@@ -78,7 +78,7 @@ def test_files_say_what_one_of_each_number_is(name: str) -> None:
         said["rms"][0]
     }
     assert one_of("period") * one_of("rate") == pytest.approx(1.0)
-    assert all(model.coordinates[0] in said[key][1] for key in ("rms", "amplitude", "cycle_x"))
+    assert all(model.coordinates[0] in said[key][1] for key in ("rms", "largest", "cycle_x"))
 
 
 @pytest.mark.parametrize("name", ["x", "y", "L", "vx", "vy", "V", "d", "tau"])

@@ -1155,6 +1155,9 @@ def test_a_remark_names_places_in_the_units_of_the_file(study: ss.Study) -> None
     ]
     for text in ("psi0 = 2, max = 4, and mu0 is 3", "theta_1 in [0, 1] rad"):
         assert said([text]) == [text]
+    assert said(["it comes to rest near x = 0.5, y = -0.25"]) == [
+        f"it comes to rest near x_mm = {0.5 * length:.8g}, y_mm = {-0.25 * length:.8g}"
+    ]
     assert Units(study.dimensionless.model).said(["x in [0, 1]"]) == ["x in [0, 1]"]
 
 

@@ -48,7 +48,7 @@ def test_a_sweep_is_a_map_of_simulate(backend: str | None) -> None:
         tr = simulate(p.replace(theta0=theta0), V=0.5, d=10.0, t_end=60.0, rtol=1e-13, backend=backend).after(20.0)
         assert found.rms[i] == pytest.approx(tr.rms(0.0), rel=1e-10)
         assert found.spread[i] == pytest.approx(tr.rms(0.0, about="mean"), rel=1e-10)
-        assert found.amplitude[i] == pytest.approx(tr.amplitude(0.0), rel=1e-10)
+        assert found.largest[i] == pytest.approx(tr.largest(0.0), rel=1e-10)
         assert found.mean[i] == pytest.approx(tr.mean(0.0), rel=1e-10)
         assert found.contact_lost[i] == len(tr.events.of(Event.CONTACT_LOST))
 
@@ -111,7 +111,7 @@ def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> Non
     small = found.rms < 0.5
     assert small.any()
     assert (~small).any()
-    np.testing.assert_array_equal(small, found.amplitude < middle)
+    np.testing.assert_array_equal(small, found.largest < middle)
     assert (np.diff(small.astype(int)) <= 0).all()  # once it jumps it stays
     assert found.rms[~small].min() > 5 * found.rms[small].max()
 

@@ -353,7 +353,7 @@ def limit_cycle() -> Found:
     alone = int(eq.count) == 1 and int(eq.stability[0]) == Stability.STABLE
     holds = outcome.regime == Regime.LIMIT_CYCLE and alone and growth > 0
     return Found(bool(holds), {
-        "period": outcome.period, "largest |x|": late.amplitude(0.0), "x of the only equilibrium": x,
+        "period": outcome.period, "largest |x|": late.largest(0.0), "x of the only equilibrium": x,
         "its growth rate with the friction law's damping": growth,
     })  # fmt: skip
 

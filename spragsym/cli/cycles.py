@@ -119,7 +119,7 @@ def _tell_diagram(
     ] + [
         {"of": "cycles", "branch": i, "points": len(branch.values), "from": unit * branch.values[0],
          "to": unit * branch.values[-1], "stable": int(branch.stable.sum()),
-         "ends": "; ".join(end.how for end in branch.of("end", "homoclinic"))}
+         "ends": "; ".join(case.units.said(end.how for end in branch.of("end", "homoclinic")))}
         for i, branch in enumerate(found.cycles)
     ]  # fmt: skip
     remarks = case.units.said(found.remarks)
@@ -191,8 +191,8 @@ def _branch(case: Case, branch: CycleBranch, along: Span) -> dict[str, Any]:
         ],
         "branch_events": [
             {"kind": event.kind, name: unit * event.value, "error": unit * event.error,
-             **in_units({"period": event.cycle.period}), "how": event.how}
-            for event in branch.events
+             **in_units({"period": event.cycle.period}), "how": how}
+            for event, how in zip(branch.events, case.units.said(event.how for event in branch.events), strict=True)
         ],
     }  # fmt: skip
 

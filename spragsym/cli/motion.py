@@ -115,7 +115,7 @@ def summary_of(tr: Any, transient: float) -> dict[str, Any]:
     late = tr.after(transient)
     summary: dict[str, Any] = {
         "rms": late.rms(0.0, of=tr.components[0]), "rms_about_mean": late.rms(0.0, of=tr.components[0], about="mean"),
-        "mean": late.mean(0.0, of=tr.components[0]), "amplitude": late.amplitude(0.0, of=tr.components[0]),
+        "mean": late.mean(0.0, of=tr.components[0]), "largest": late.largest(0.0, of=tr.components[0]),
         "period": late.period(0.0), "converged": late.converged(0.0),
         **{kind.name.lower(): len(tr.events.of(kind)) for kind in Event}, "backend": tr.backend,
     }  # fmt: skip

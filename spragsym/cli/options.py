@@ -87,7 +87,7 @@ def _flag(param: click.Parameter | None) -> str:
 
 def window(function: F) -> F:
     """``--t-end --transient``: until when a motion is integrated, and from when on it is measured."""
-    text = "What to leave out of RMS, amplitude and period. Default: three quarters of --t-end."
+    text = "What to leave out of RMS, largest displacement and period. Default: three quarters of --t-end."
     function = click.option("--transient", type=Number(NOT_NEGATIVE), help=text)(function)
     text = "Until when, in {time}; with --data in seconds, as --transient."
     return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, help=text)(function)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ..studies import Study
 
 #: Of a motion what is measured in the unit of its first component, and what is a force.
-MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "error"), ("spring_force", "contact_force")
+MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error"), ("spring_force", "contact_force")
 
 
 #: A number in a remark.
@@ -110,10 +110,10 @@ class Units:
         def in_units(found: re.Match[str]) -> str:
             title, unit = told[found[1]]
             numbers = NUMBER.sub(lambda number: f"{unit * float(number[0]):.8g}", found[2])
-            return title + numbers.removesuffix(" rad")
+            return title + numbers
 
         names = "|".join(map(re.escape, sorted(told, key=len, reverse=True)))
-        place = re.compile(rf"(?<![\w.])({names})( = {NUMBER.pattern}| in \[{NUMBER.pattern}, {NUMBER.pattern}\](?: rad)?)")
+        place = re.compile(rf"(?<![\w.])({names})(?:( = {NUMBER.pattern}| in \[{NUMBER.pattern}, {NUMBER.pattern}\])(?: rad)?)")
         return [place.sub(in_units, text) for text in remarks]
 
     def measured(self, summary: dict[str, Any]) -> dict[str, Any]:

@@ -201,15 +201,23 @@ def followed_cycle(field: Field, known: Cycle, values: tuple[float, ...], backen
     return cycle_of(along(setting, started(setting, known.loop.guess), values[index]).loop, fly, name)
 
 
-def limiting(field: Field, known: Attractor) -> FloatArray:
-    """The Lyapunov exponents of an equilibrium or a cycle, largest first: real parts of eigenvalues, or ln |μ| / T."""
+def limiting(field: Field, known: Attractor) -> tuple[FloatArray, FloatArray]:
+    """The Lyapunov exponents of an equilibrium or a cycle, largest first, and their errors.
+
+    Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is known.
+    """
     if known.orbit is None:
-        rates = np.linalg.eigvals(linearization(field, known.values, known.state)).real
+        rates = np.asarray(np.linalg.eigvals(linearization(field, known.values, known.state)).real, dtype=float)
+        errors = np.zeros(len(rates))
     else:
-        with np.errstate(divide="ignore"):
-            rates = np.log(np.abs(known.orbit.multipliers)) / known.orbit.period
+        sizes = np.abs(known.orbit.multipliers)
+        off = np.array([0.0, *known.orbit.multiplier_errors])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            rates = np.asarray(np.log(sizes) / known.orbit.period, dtype=float)
+            errors = np.where(off < sizes, -np.log1p(-off / sizes) / known.orbit.period, np.inf)
         rates[0] = 0.0
-    return np.sort(rates)[::-1]
+    order = np.argsort(-rates, kind="stable")
+    return np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
 
 
 def same(one: Attractor, other: Attractor) -> bool:

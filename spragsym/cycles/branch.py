@@ -26,6 +26,13 @@ FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
 
+#: States move by no more than this in one step, nor by more than this share of the orbit's extent, however small that is in the
+#: model's units: an equilibrium is a closed orbit of every period, and Newton's method may not fall onto it.
+FAR, SHARE = 0.5, 0.3
+
+#: An orbit of a smaller extent, or of a smaller share of the first one's, has shrunk onto an equilibrium.
+LEAST = 1e-3
+
 #: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
 SHRUNK = 0.1
 
@@ -45,6 +52,9 @@ LAST, MORE = 3, 12
 
 #: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
 ALIKE = 1e-7
+
+#: Kinds of event at which stability may change.
+CHANGING = ("fold", "period_doubling", "torus")
 
 CROSSES = "another branch of cycles crosses this one"
 VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
@@ -101,6 +111,8 @@ class CycleBranch(Result):
         Each begun anew where its first coordinate is largest when it is asked for.
     events : tuple of CycleEvent
         In the order of the branch.
+    places : tuple of int
+        How many points of the branch come before each event.
     """
 
     vary: str
@@ -113,6 +125,7 @@ class CycleBranch(Result):
     cycles: Cycles = field(repr=False)
     events: tuple[CycleEvent, ...]
     to: tuple[float, float] = field(repr=False)
+    places: tuple[int, ...] = field(repr=False)
 
     @property
     def table_model(self) -> Field | None:
@@ -134,6 +147,16 @@ class CycleBranch(Result):
     def amplitude(self) -> FloatArray:
         """Half of the range of the first coordinate, shape (n,)."""
         return (self.highest - self.lowest) / 2
+
+    def changes(self) -> Iterator[tuple[int, CycleEvent]]:
+        """Events at which the stability changes, each with the number of points before it."""
+        for place in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
+            between = [
+                event for event, before in zip(self.events, self.places, strict=True)
+                if before == place and event.kind in CHANGING
+            ]  # fmt: skip
+            if between:
+                yield place, between[0 if self.stable[place - 1] else -1]
 
     def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
         """The events of some kinds only."""
@@ -197,13 +220,19 @@ def cycle_branch(
     forth = list(trace.follow(start, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
-    loops = [item.loop for item in items if isinstance(item, Point)]
-    events = [trace.event(item) for item in items if isinstance(item, Finding) and item.kind != "closed"]
+    loops, events, places = [], [], []
+    for item in items:
+        if isinstance(item, Point):
+            loops.append(item.loop)
+        elif item.kind != "closed":
+            events.append(trace.event(item))
+            places.append(len(loops))
     lowest, highest = np.array([range_of(loop) for loop in loops]).T
     return CycleBranch(
         vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
         np.array([moments(loop, backend)[1] for loop in loops]), lowest, highest,
         np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops), fly, backend), tuple(events), (low, high),
+        tuple(places),
     )  # fmt: skip
 
 
@@ -251,7 +280,7 @@ class _Trace:
         while count < self.points:
             try:
                 with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, self.value(point.loop)):
-                    ahead = self._last(point, length) or corrected(setting, point, length, reach=0.5)
+                    ahead = self._last(point, length) or corrected(setting, point, length, reach=_reach(point))
             except ConvergenceError as error:
                 length /= 3
                 if length < SHORTEST:
@@ -397,13 +426,13 @@ class _Trace:
     def _at(self, point: Point, step: FloatArray, value: float) -> Point:
         """The point at a value of the parameter, a step from another point."""
         found = placed(self.setting, point, step, value)
-        if np.abs(found.loop.guess.states - point.loop.guess.states).max() > 0.5:
+        if np.abs(found.loop.guess.states - point.loop.guess.states).max() > _reach(point):
             raise ConvergenceError("the end of the range is farther than a step")
         return found
 
     def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
         loop = ahead.loop
-        if extent(loop) < 1e-3:
+        if extent(loop) < LEAST * min(1.0, extent(start.loop)):
             return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
         error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
         if loop.guess.period > LONG * self.setting.period and slowest(loop) < STILL:
@@ -445,6 +474,11 @@ class _Trace:
         return End("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
+def _reach(point: Point) -> float:
+    """How far the states of the next point may lie."""
+    return min(FAR, SHARE * extent(point.loop))
+
+
 def slowest(loop: Loop) -> float:
     """Least size of the field at the turns of an orbit."""
     return min(float(np.linalg.norm(rate(loop.field, turn.state, loop.constants))) for turn in loop.turns())
@@ -457,4 +491,6 @@ def stillest(loop: Loop) -> FloatArray:
 
 def _rests(loop: Loop) -> str:
     """Where an orbit of a very long period hardly moves, without the sign of a zero."""
-    return f"it comes to rest near {(np.round(stillest(loop), 6) + 0.0).tolist()}"
+    names, place = loop.field.coordinates, np.round(stillest(loop), 6) + 0.0
+    told = (f"{name} = {value:g}{' rad' * loop.field.is_angle(name)}" for name, value in zip(names, place, strict=False))
+    return f"it comes to rest near {', '.join(told)}"

@@ -145,6 +145,6 @@ def _kind(field: Field, values: tuple[float, ...], state: FloatArray, t_end: flo
     if verdict.kind == Regime.LIFT_OFF:
         return KINDS[verdict.kind], why, none
     try:
-        return KINDS[verdict.kind], why, limiting(field, attractor(field, values, verdict, backend))
+        return KINDS[verdict.kind], why, limiting(field, attractor(field, values, verdict, backend))[0]
     except ConvergenceError:
         return "", "", none

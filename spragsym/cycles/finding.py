@@ -14,7 +14,20 @@ from ..dynamics.field import Field
 from ..dynamics.flows import NEAR, carrier, follower, scout
 from ..dynamics.regimes import Regime
 from ..dynamics.segment import Fly, Turn
-from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
+from ..dynamics.shooting import (
+    CLOSED,
+    LARGEST_GROWTH,
+    Guess,
+    Loop,
+    across,
+    divided,
+    error_of,
+    extent,
+    growth,
+    looped,
+    rate,
+    solved,
+)
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..parameters import FINITE, FloatArray, ParameterSet, as_number
 from .orbit import Cycle, cycle_of
@@ -28,6 +41,12 @@ TRIES = 8
 #: A return that misses by more than this share of the motion's extent is not tried.
 FAR = 0.3
 
+
+#: A closed orbit of a smaller extent is rest, as is one whose extent is not so many of its errors.
+LEAST, SURE = 1e-9, 100.0
+
+#: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of another stands still.
+LOOK, STILL = 200.0, 1e-9
 
 #: Parameters beyond this are named where a motion can't be followed.
 STEEP = 1e8
@@ -173,12 +192,17 @@ def _towards(
 
 
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
-    if not extent(loop) > 1e-7:
+    if _rests(loop):
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
             f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
         )
     return cycle_of(loop, fly, name)
+
+
+def _rests(loop: Loop) -> bool:
+    """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside it nearly does."""
+    return extent(loop) <= max(LEAST, SURE * error_of(loop))
 
 
 def _state(field: Field, near: Any) -> FloatArray:
@@ -206,7 +230,7 @@ def _by_returns(
         except ConvergenceError:
             continue
         # What a motion approaches is stable; near a state that is given there may be either.
-        if extent(loop) > 1e-6 and not (stable and np.abs(multipliers(loop)[1:]).max() > 1):
+        if not _rests(loop) and not (stable and np.abs(multipliers(loop)[1:]).max() > 1):
             return loop
     return None
 
@@ -254,10 +278,30 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
         outcome = field.simulate(values, state, 2000.0).outcome(1000.0)
     except ConvergenceError as error:
         return f"{told}, which could not be followed: {error}"
+    if still := stands_still(field, values, state):
+        return f"{told}: {still}"
     rest = zip(field.coordinates, (outcome.rest_x, outcome.rest_y), strict=False)
     places = [f"{name} = {value:.6g}" for name, value in rest if np.isfinite(value)]
     return (
         f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
         + (f" at {', '.join(places)}" if places else "")
         + "; give a state nearer to a cycle, as near=simulate(p, t_end=…) of a longer motion, or ask fate(p) what it comes to"
+    )
+
+
+def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> str:
+    """That the first coordinate stands still while others move, in words; empty where it moves, or nothing does.
+
+    Returns of a motion are looked at where its first coordinate is largest: there are none then.
+    """
+    try:
+        moved = np.ptp(field.simulate(values, state, LOOK).state[: len(field.coordinates)], axis=1)
+    except ConvergenceError:
+        return ""
+    if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
+        return ""
+    first, most = field.coordinates[0], field.coordinates[int(moved.argmax())]
+    return (
+        f"{first} stands still while {most} moves, and cycles are looked for where the first coordinate is largest; "
+        f"write a page whose first coordinate is {most}"
     )

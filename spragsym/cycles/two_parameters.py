@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..display import Result
-from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair
+from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair, unsure
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
-from ..dynamics.shooting import Loop, looped, solved
+from ..dynamics.shooting import CLOSED, Loop, looped, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
 from ..progress import doing
@@ -25,6 +25,9 @@ FIRST, LONGEST, SHORTEST = 0.01, 0.1, 1e-6
 
 #: Spans of a parameter whose range is not given: of its value, and at least.
 SPAN, LEAST = 0.25, 0.02
+
+#: A test function is known to so many of its errors.
+SURE = 100.0
 
 #: For differences of a test function.
 DIFFERENCE = 1e-6
@@ -143,15 +146,16 @@ class _Walk:
         return looped(self.setting.field, self.setting.fly, loop.guess, self.setting.free)
 
     def equations(self, loop: Loop) -> Callable[[Loop], tuple[FloatArray, FloatArray]]:
-        """Phase and event, near a loop."""
+        """Phase and event, near a loop; the event's test function in such units that its rounding does not keep the loop open."""
         if self.border >= 0:
             return touching(self.setting, self.border, len(loop.guess.states))
         test, phase, start = CRITERIA[self.kind], phase_row(self.setting, loop), loop.guess.coordinates(self.setting.free)
+        unit = max(1.0, SURE * unsure(loop, self.kind) / CLOSED)
 
         def both(now: Loop) -> tuple[FloatArray, FloatArray]:
             there = now.guess.coordinates(self.setting.free)
             row = _slope(self.setting, now, test, phase)
-            return np.array([*(phase @ (there - start)), test(now)]), np.vstack([phase, row])
+            return np.array([*(phase @ (there - start)), test(now) / unit]), np.vstack([phase, row / unit])
 
         return both
 

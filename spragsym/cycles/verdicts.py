@@ -17,8 +17,9 @@ from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
-from .finding import cycle_near
+from .finding import cycle_near, stands_still
 from .growth_rates import rates_along
+from .orbit import NEUTRAL
 from .saddles import decay_at, equilibrium_near
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
@@ -47,8 +48,8 @@ class Fate(Result):
     outcome : Outcome
         The attractor, reached or approached.
     exponents, error : ndarray, shape (m,)
-        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers; else measured, with half-widths of
-        95 % intervals. NaN for lift-off.
+        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers and their errors, infinite where
+        rounding hides a multiplier; else measured, with half-widths of 95 % intervals. NaN for lift-off.
     trivial : int
         Which of them is that of the flow's own direction, known to be 0; −1 where there is none.
     time_scale : float
@@ -141,8 +142,8 @@ def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end:
     if verdict.decided:
         why = f"it comes to {verdict.told()}"
         try:
-            known = none if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
-            error = none if verdict.kind == Regime.LIFT_OFF else np.zeros(field.size)
+            limits = (none, none) if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
+            known, error = limits
             trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
             return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
         except ConvergenceError as failed:
@@ -156,6 +157,7 @@ def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end:
         why, end, t = rates.undecided(t_end), more.end, t + more.span
     if not why:
         why = _transient(field, values, start, t_end, name)
+    why = why and (stands_still(field, values, end) or why)
     order = np.argsort(-rates.exponents)
     near = _near(field, values, end, name) if why else ""
     if why and scale < np.inf:
@@ -201,4 +203,6 @@ def _near(field: Field, values: tuple[float, ...], end: FloatArray, backend: str
     except ConvergenceError:
         return "no cycle"
     away = float(np.abs(found.samples.states - end[:, None]).max(axis=0).min())
-    return f"a cycle of period {found.period:.6g}, {'stable' if found.stable else 'unstable'}, {away:.2g} away"
+    repels = bool((np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + NEUTRAL).any())
+    word = "stable" if found.stable else "unstable" if repels else "neither stable nor unstable by its multipliers"
+    return f"a cycle of period {found.period:.6g}, {word}, {away:.2g} away"

@@ -36,6 +36,18 @@ def _barycentric() -> FloatArray:
     return barycentric
 
 
+@cache
+def _differentiation() -> FloatArray:
+    """The matrix that takes values at the Lobatto points in [−1, 1] to the derivatives of their polynomial there."""
+    points, _ = lobatto()
+    weights, apart = _barycentric(), points[:, None] - points
+    np.fill_diagonal(apart, 1.0)
+    matrix: FloatArray = weights / weights[:, None] / apart
+    np.fill_diagonal(matrix, 0.0)
+    np.fill_diagonal(matrix, -matrix.sum(axis=1))
+    return matrix
+
+
 @dataclass(frozen=True)
 class PiecewisePolynomial:
     """States x, y, x', y' over time: polynomials of degree :data:`DEGREE`, consecutive steps sharing a sample.
@@ -71,6 +83,13 @@ class PiecewisePolynomial:
         share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
         states: FloatArray = (self.states[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
         return states
+
+    def slopes(self, row: int) -> FloatArray:
+        """Derivative of a component at the samples; where two steps meet that of the later one."""
+        steps = self.t[::DEGREE]
+        inside = self.states[row, np.arange(len(steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
+        slopes = inside @ _differentiation().T * (2 / np.diff(steps))[:, None]
+        return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
 
     def after(self, begin: float) -> PiecewisePolynomial:
         """The part after a given time; the step that contains this time is shortened."""

@@ -23,6 +23,12 @@ ROUNDING = 1e-12
 #: Smallest decay of the squares over half a window that can be measured.
 VISIBLE = 1e-3
 
+#: Squares that are larger than this many times what a linear decay leaves of them have not decayed.
+LEFT = 4.0
+
+#: What an integrator leaves of a motion at rest, in tolerances of a step.
+NOISE = 100.0
+
 #: Newton's method has gone astray beyond this, in L_0.
 FAR = 1e6
 
@@ -89,7 +95,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     growth = float(rest.values.real.max())
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
     distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
-    if still and distance <= tol and growth <= ROUNDING:
+    if still and distance <= tol and growth <= ROUNDING and _stays(course, problem, rest):
         return Outcome(Regime.EQUILIBRIUM, rest_x=x, rest_y=y, rate=max(-growth, 0.0), distance=distance)
     if decaying and growth < 0 and _decays(course, rest):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
@@ -100,6 +106,18 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
 def is_still(moved: Any, extent: Any, tol: float) -> Any:
     """Whether x has hardly moved over a motion, at its ends as in between."""
     return (np.abs(moved) <= 4 * tol) & (extent <= 4 * tol)
+
+
+def _stays(course: Course, problem: Problem, rest: Rest) -> bool:
+    """Whether as little is left as the linearization says: a cycle beside the equilibrium may be small too, in the model's units.
+
+    Beyond a kink the linearization says nothing, unless the decay is seen.
+    """
+    inverse = np.linalg.pinv(rest.vectors)
+    before, after = (np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last))
+    noise = NOISE * problem.rtol * (1e-3 + np.abs(rest.state).max()) * np.linalg.norm(inverse, 2)
+    left = LEFT * before * math.exp(2 * rest.values.real.max() * (course.end - course.begin))
+    return bool(after <= noise**2 or (after <= left and (left < before or not _kinks(course, problem))))
 
 
 def _kinks(course: Course, problem: Problem) -> bool:
@@ -113,7 +131,7 @@ def _decays(course: Course, rest: Rest) -> bool:
 
     The squares of the two halves are compared under Hann windows, which hide unfinished beats.
     """
-    modes = np.abs(np.linalg.solve(rest.vectors, (course.maxima - rest.state).T)) ** 2
+    modes = np.abs(np.linalg.pinv(rest.vectors) @ (course.maxima - rest.state).T) ** 2
     window = course.end - course.since
     share = (course.maxima_t - course.since) / window
     if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:

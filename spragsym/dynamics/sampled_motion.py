@@ -107,7 +107,7 @@ class Recorded(Result):
         deviation = late._values(of) - late._centre(of, about)
         return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
 
-    def amplitude(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+    def largest(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
         late = self.after(transient)
         return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
@@ -152,16 +152,13 @@ class Recorded(Result):
         return self.mean(0.0, of=of) if about == "mean" else 0.0
 
     def _extrema(self, of: str | None) -> FloatArray:
-        """Values at the ends and at all local extrema of x or y; the samples themselves for speeds."""
+        """Values at the ends and at all local extrema: of a rate, where its own rate passes 0."""
         values = self._values(of)
-        row = 0 if of is None else self.components.index(of)
-        n = len(self.components) // 2
-        if row >= n:
-            return values
-        speed = self.state[row + n]
-        lowest = self.samples.passages(speed, lambda state: state[row + n])
-        highest = self.samples.passages(-speed, lambda state: -state[row + n])
-        return np.concatenate([values[[0, -1]], self.samples(lowest)[row], self.samples(highest)[row]])
+        row, n = 0 if of is None else self.components.index(of), len(self.components) // 2
+        speed = self.state[row + n] if row < n else self.samples.slopes(row)
+        both = PiecewisePolynomial(self.t, np.array([values, speed]))
+        lowest, highest = both.passages(speed, lambda state: state[1]), both.passages(-speed, lambda state: -state[1])
+        return np.concatenate([values[[0, -1]], both(lowest)[0], both(highest)[0]])
 
     def course(self) -> Course:
         """What :func:`~spragsym.dynamics.integrators.measure` measures on the way, from the samples."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -296,11 +297,12 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
             if apart.max() > max(ONE, 10 * error_of(loop)):
                 continue
             guess = Guess(first.state[None], period / round(share), loop.guess.values)
-            try:
-                shorter = solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
-            except ConvergenceError:
-                continue
-            return shorter
+            with suppress(ConvergenceError):
+                return solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
+            with suppress(ConvergenceError):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
+                shorter = looped(loop.field, fly, guess)
+                if shorter.missed <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
+                    return shorter
     return loop
 
 

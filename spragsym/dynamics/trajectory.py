@@ -278,7 +278,7 @@ def simulate(
     >>> round(tr.rms(transient=1500.0), 4), len(tr.events)
     (1.8052, 259)
     >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
-    >>> tr.components, round(tr.amplitude(), 2)
+    >>> tr.components, round(tr.largest(), 2)
     (('x', 'vx'), 0.61)
     """
     options: dict[str, Any] = {

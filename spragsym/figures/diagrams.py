@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .labels import shown
-from .oscillation import COLOURS, draw_stretches
+from .oscillation import COLOURS, draw_cycles, draw_stretches
 from .style import BLACK, DOUBLE, GREY, Sheet, Table, panels
 
 if TYPE_CHECKING:
@@ -30,8 +30,9 @@ def diagram_figure(found: Diagram) -> Sheet:
         draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
         tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
     for i, branch in enumerate(found.cycles):
-        for heights in (branch.highest, branch.lowest):
-            draw_stretches(ax, unit * branch.values, one * heights, branch.stable, COLOURS[i % len(COLOURS)], 1.3)
+        colour = COLOURS[i % len(COLOURS)]
+        draw_cycles(ax, branch, unit, one * branch.highest, lambda cycle: one * cycle.state[0], colour)
+        draw_cycles(ax, branch, unit, one * branch.lowest, lambda cycle: one * (cycle.state[0] - 2 * cycle.amplitude), colour)
         tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
             "stable": branch.stable,

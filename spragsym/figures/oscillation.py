@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from contextlib import suppress
 from importlib import resources
 from typing import Any, NamedTuple
@@ -15,7 +16,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from ..assumed import D, V
-from ..cycles import CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
+from ..cycles import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..cycles.maps import Kind
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, Parameters
@@ -153,6 +154,18 @@ def draw_stretches(
         ax.plot(np.where(shown, values, np.nan), np.where(shown, heights, np.nan), color=colour, linestyle=style, linewidth=width)
 
 
+def draw_cycles(
+    ax: Axes, branch: CycleBranch, unit: float, heights: FloatArray, height_of: Callable[[Cycle], float], colour: str
+) -> None:
+    """A branch of cycles by one of its columns, of which ``height_of`` is one cycle's: full as far as it is stable."""
+    changes = list(branch.changes())
+    at = np.repeat([place for place, _ in changes], 2).astype(int)
+    values = np.insert(branch.values, at, np.repeat([event.value for _, event in changes], 2))
+    curve = np.insert(heights, at, np.repeat([height_of(event.cycle) for _, event in changes], 2))
+    stable = np.insert(branch.stable, at, [side for place, _ in changes for side in branch.stable[place - 1 : place + 1]])
+    draw_stretches(ax, unit * values, curve, stable, colour, 1.3)
+
+
 def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
     """Equilibria at μ(V): |x| is their root mean square."""
     friction = _sliding()
@@ -176,9 +189,10 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     field = branch.cycles[0].field
     (along, unit), (first, one) = (shown(field, name) for name in (branch.vary, field.coordinates[0]))
-    for ax, values, title in ((left, one * branch.rms, f"RMS of {first}"), (right, branch.periods, "period")):
-        draw_stretches(ax, unit * branch.values, values, branch.stable, BLUE, 1.3)
-        ax.set(xlabel=along, ylabel=title)
+    draw_cycles(left, branch, unit, one * branch.rms, lambda cycle: one * cycle.rms, BLUE)
+    draw_cycles(right, branch, unit, branch.periods, lambda cycle: cycle.period, BLUE)
+    left.set(xlabel=along, ylabel=f"RMS of {first}")
+    right.set(xlabel=along, ylabel="period")
     for kind, marker in {**MARKERS, "grazing": "|"}.items():
         for event in branch.of(kind):
             for ax, value in ((left, one * event.cycle.rms), (right, event.cycle.period)):

@@ -80,12 +80,14 @@ def born(
             found = _along(model, given, state, place, form, z, backend)
         except ConvergenceError as error:
             asked = 2 * z * size if amplitude is None else amplitude
-            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {SMALLER}") from error
+            more = _beyond(model, given, state, form, asked, size)
+            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {SMALLER}{more}") from error
         reached = float(np.ptp(found.samples.states[most])) / 2
         if amplitude is None or abs(reached / amplitude - 1) < MET:
             return found
         z *= min(max(amplitude / reached, 1 / FARTHEST), FARTHEST)
-    raise ConvergenceError(f"no cycle of the amplitude {amplitude:g} was found: the last one has {reached:.6g}; {SMALLER}")
+    more = _beyond(model, given, state, form, float(amplitude or 0.0), size)
+    raise ConvergenceError(f"no cycle of the amplitude {amplitude:g} was found: the last one has {reached:.6g}; {SMALLER}{more}")
 
 
 def _along(
@@ -159,21 +161,34 @@ def _of_the_motion(
 
 
 def _default(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> float:
-    """|z| of a share of the amplitude at which gap or sliding speed would come to 0, to first order."""
+    """|z| of a share of the amplitude at which gap or sliding speed would come to 0."""
+    name, reach = _first_border(model, given, state, form)
+    return min(SHARE * reach, 1.0) if name else FREE
+
+
+def _beyond(model: Model, given: FloatArray, state: FloatArray, form: NormalForm, asked: float, size: float) -> str:
+    """That an amplitude takes the motion past a border of the field, and which one would not; nothing where it does not."""
+    name, reach = _first_border(model, given, state, form)
+    least = 2 * reach * size
+    return f"; to first order only amplitudes below {least:.3g} do not come to {name}" if asked > least else ""
+
+
+def _first_border(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> tuple[str, float]:
+    """The border that gap or sliding speed would come to first, and the |z| at which they do, to first order; none, infinity."""
     field = model.field
     constants, rest, step = field.constants(given.tolist()), [*state.tolist(), *[0.0] * len(state)], 1e-6
+    borders = [border for border in field.borders if any(border.crossings)]
+    if not borders:
+        return "", math.inf
 
     def levels(u: Any) -> FloatArray:
         mode = field.mode_at_rest(rest, constants)
-        return np.array([border.level(list(u), constants, mode) for border in field.borders if any(border.crossings)])
+        return np.array([border.level(list(u), constants, mode) for border in borders])
 
-    at_rest = levels(rest)
-    if not at_rest.size:
-        return FREE
     by_state = np.column_stack([(levels(rest + e) - levels(rest - e)) / (2 * step) for e in step * np.eye(len(rest))])
     with np.errstate(divide="ignore"):
-        reach = np.abs(at_rest) / (2 * np.abs(by_state @ form.q))
-    return min(SHARE * float(reach.min()), 1.0)
+        reach = np.abs(levels(rest)) / (2 * np.abs(by_state @ form.q))
+    return borders[int(reach.argmin())].name, float(reach.min())
 
 
 def _within(model: Model, given: FloatArray, place: int, form: NormalForm) -> float:

@@ -66,7 +66,7 @@ def _of_motions(first: Place, second: Place | None, time: str, rate: str) -> dic
         "error": ("1", "largest difference of the state to a run at a tighter tolerance"),
         "rms": (unit, f"root mean square of {x} about zero, {after}"),
         "spread": (unit, f"root mean square of {x} about its mean, {after}"),
-        "amplitude": (unit, f"largest |{x}| {after}"),
+        "largest": (unit, f"largest |{x}| {after}"),
         "mean": (unit, f"mean of {x} {after}"),
         "period": (time, "period of the cycle that the motion is on or approaches; NaN for none"),
         "rate": (rate, "rate at which what the motion settles to or approaches attracts"),

@@ -95,7 +95,8 @@ def basin(
     for name, values in zip(("x", "vx"), starts, strict=True):
         if values.ndim != 1:
             raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
-    across = {name: value for name, value in (("y0", y0), ("vy0", vy0)) if name[:-1] in (*p.model.coordinates, *p.model.rates)}
+    own = (*p.model.coordinates, *p.model.rates)
+    across = {name: value for name, value in (("y0", y0), ("vy0", vy0)) if name[:-1] in own or np.any(np.asarray(value) != 0)}
     sweep = p.model.rms_sweep(p, x0=starts[0][:, None], vx0=starts[1], **across, **options)
     labels, attractors = _attractors(sweep)
     return Basin(starts[0], starts[1], labels, attractors, sweep)

@@ -17,7 +17,7 @@ from ..files.journal import Record
 from ..parameters import FloatArray
 
 #: What is measured of every motion after its transient.
-AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
+AVERAGES = ("rms", "spread", "largest", "mean", "mean_y", "contact_lost", "slip_reversed")
 
 #: What a record says, after those, about the limit of the motion.
 LIMITS = ("period", "rate", "distance", "cycle_mean", "cycle_rms", "cycle_x", "cycle_y", "cycle_vy")
@@ -85,5 +85,5 @@ def _averages(found: Measured) -> FloatArray:
     mean, spread, *others = found.averages
     mean_y = others[0] if others else np.full(len(mean), np.nan)
     lost, _, *reversals = found.events.T
-    amplitude = np.maximum(np.abs(found.low), np.abs(found.high))
-    return np.array([np.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)])
+    largest = np.maximum(np.abs(found.low), np.abs(found.high))
+    return np.array([np.hypot(mean, spread), spread, largest, mean, mean_y, lost, sum(reversals)])

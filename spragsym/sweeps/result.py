@@ -30,7 +30,7 @@ class Sweep(Result):
     inputs : dict of str to ndarray
         The model's parameters and initial state as they were given, which broadcast together; for the article's θ₀, μ₀, κ, α,
         σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's first coordinate, and y the second.
-    rms, spread, amplitude, mean, mean_y : ndarray
+    rms, spread, largest, mean, mean_y : ndarray
         Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
         means of x and y.
     contact_lost, slip_reversed : ndarray
@@ -64,7 +64,7 @@ class Sweep(Result):
     max_steps: int
     rms: FloatArray
     spread: FloatArray
-    amplitude: FloatArray
+    largest: FloatArray
     mean: FloatArray
     mean_y: FloatArray
     contact_lost: FloatArray

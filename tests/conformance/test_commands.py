@@ -229,7 +229,7 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, capsys: p
     angle = {entry["name"]: entry["unit"] for entry in model.about["coordinates"]}[first] == "rad"
     words = ["--t-end", "30", "--backend", "scipy", "--rtol", "1e-8", f"--{first}0", "2" if angle else "0.05"]
     told = json.loads(run(capsys, "simulate", *of(name), *words, "--json"))
-    size = ["rms", "rms_about_mean", "mean", "amplitude"]
+    size = ["rms", "rms_about_mean", "mean", "largest"]
     events = [kind.name.lower() for kind in ss.Event]
     assert list(told) == ["model", *(key + "_deg" * angle for key in size), "period", "converged", *events, "backend"]
     unit = math.degrees(1.0) if angle else 1.0

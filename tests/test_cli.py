@@ -633,7 +633,8 @@ def test_greek_output_in_any_surroundings(surroundings: str, tmp_path: Path) -> 
     """The command that writes Greek takes seconds."""
     pytest.importorskip("sympy")
     done = run_in(surroundings, tmp_path, "check")
-    assert (done.returncode, done.stderr) == (DONE, b"")
+    # A slow machine says what it is at.
+    assert (done.returncode, [line for line in done.stderr.splitlines() if not line.endswith(b" s so far")]) == (DONE, [])
     assert b"eq-6" in done.stdout
     assert len(json.loads(run_in(surroundings, tmp_path, "check", "--json").stdout)) == 53
 

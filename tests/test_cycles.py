@@ -522,8 +522,9 @@ def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: 
     (doubling,) = next_to_a_grazing.of("period_doubling")
     assert np.abs(doubling.cycle.multipliers[1:] + 1).min() < 1e-2
     assert doubling.cycle.period > 270
-    # By the algebra of (8) and (9) as printed, in the place of the page's: rounding alone differs, and moves it by 5e-14.
-    assert abs(doubling.value - 1.0566308519693666) < doubling.error < 1e-12
+    # By the algebra of (8) and (9) as printed, in the place of the page's: rounding alone differs, and moves it by 5e-14, with the
+    # matrix products of other processors by 1.5e-12; the grazing lies 1e-8 away.
+    assert abs(doubling.value - 1.0566308519693666) < doubling.error < 1e-10
 
 
 @pytest.mark.thorough

@@ -8,8 +8,8 @@ classdef algebra
       result3 = L_0.*k_c;
     end
 
-    function [result1, result2, result3, result4, result5, result6] = dimensionless_groups(m, k_c, L_0, F_L, k_x, k, k_y, V_dim, ...
-        d_dim)
+    function [result1, result2, result3, result4, result5, result6] = dimensionless_groups(m, k_c, L_0, F_L, k_x, k, k_y, ...
+        V_dim, d_dim)
     %DIMENSIONLESS_GROUPS  The dimensionless parameters of dimensional data. Returns kappa, alpha, sigma, beta, V, d. Source: text
     %  after (9). Operations: 19.
       result1 = F_L./(L_0.*k_c);
@@ -384,8 +384,8 @@ classdef algebra
       cos_2 = cos.*cos;
       w3 = (cos.*cos_2).*sigma;
       w4 = sigma.*sin;
-      result1 = -alpha.*kappa - alpha.*sigma.*sin_3 + beta.*sigma.*sin_3 - beta.*w0 - beta.*w1 - kappa.*sigma + sigma.*sin_3 - w0 ...
-          - w1;
+      result1 = -alpha.*kappa - alpha.*sigma.*sin_3 + beta.*sigma.*sin_3 - beta.*w0 - beta.*w1 - kappa.*sigma + sigma.*sin_3 - ...
+          w0 - w1;
       result2 = cos.*sigma.*sin_2;
       result3 = -alpha.*w3 + beta.*w2 + beta.*w3 + sigma.*w2 + w2 + w3;
       result4 = -cos_2.*w4 - kappa + w1 - w4;
@@ -629,8 +629,8 @@ classdef algebra
       w5 = sigma.*sin;
       w6 = cos.*(-w2 - w5);
       result1 = alpha.*(B.*(-cos.*sin0 + cos0.*sin) - cos.*kappa + w4.*w5) + cos.*sigma.*w1 + mu0.*w3;
-      result2 = alpha.*(B.*(cos.*cos0 + sin.*sin0) + kappa.*sin + sigma.*(cos.*w4 + sin.*sin)) + mu0.*w6 + sigma.*(B.*(cos.*cos) - ...
-          sin.*w1);
+      result2 = alpha.*(B.*(cos.*cos0 + sin.*sin0) + kappa.*sin + sigma.*(cos.*w4 + sin.*sin)) + mu0.*w6 + ...
+          sigma.*(B.*(cos.*cos) - sin.*w1);
     end
 
     function [result1, result2, result3, result4, result5, result6, result7] = fold_sextic(a_f, b_f, d_f, m_f, a_v, b_v, d_v, m_v)
@@ -655,8 +655,8 @@ classdef algebra
       result7 = -ab - bd;
     end
 
-    function [result1, result2, w4, w5, w6, result6, result7, result8, result9, result10, result11, result12, result13, result14] ...
-        = fold_cubics(mu0, kappa, alpha, sigma, beta)
+    function [result1, result2, w4, w5, w6, result6, result7, result8, result9, result10, result11, result12, result13, ...
+        result14] = fold_cubics(mu0, kappa, alpha, sigma, beta)
     %FOLD_CUBICS  Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold through θ at friction
     %  μ₀. Returns (S0, …, S6), (C0, …, C6). Source: f = f′ = 0. Operations: 35.
       p = alpha + sigma;
@@ -689,8 +689,8 @@ classdef algebra
       result14 = w7 + w9.*(a_f + w8);
     end
 
-    function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10] = cusp_polynomial(kappa, ...
-        alpha, sigma, beta)
+    function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10] = ...
+        cusp_polynomial(kappa, alpha, sigma, beta)
     %CUSP_POLYNOMIAL  Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. Needs α > 0 and α ≠ 1 +
     %  β. Returns e0, …, e9. Source: f = f′ = f″ = 0. Operations: 103.
       B = beta + 1;
@@ -879,15 +879,15 @@ classdef algebra
       result1 = kappa.*(w0_2.*w0_2).*w2.*(kappa - sigma).*(kappa + sigma);
       result2 = (w0.*w0_2).*w2.*w7.*(3.*w3 - w4 + w6);
       result3 = -kappa.*w0_2.*(2.*B.*alpha_2.*kappa_2.*sigma - B.*sigma_4.*w11 + B_2.*kappa_2.*sigma_2 + ...
-          20.*alpha.*kappa_2.*sigma_3 + 15.*alpha_2.*kappa_2.*sigma_2 - alpha_2.*sigma_4 + 5.*kappa_2.*sigma_4 - sigma_4.*w10 - ...
-          13.*w12 - 16.*w14 - w15.*w16 - w24 - w9);
-      result4 = -w0_2.*w7.*(4.*B.*alpha_2.*kappa_2.*sigma - 3.*B.*w15 + 7.*B_2.*alpha.*kappa_2.*sigma + 3.*B_2.*kappa_2.*sigma_2 + ...
-          9.*alpha_2.*kappa_2.*sigma_2 - 3.*w17 - w20.*w27 - w26 - w29 - w31);
+          20.*alpha.*kappa_2.*sigma_3 + 15.*alpha_2.*kappa_2.*sigma_2 - alpha_2.*sigma_4 + 5.*kappa_2.*sigma_4 - sigma_4.*w10 ...
+          - 13.*w12 - 16.*w14 - w15.*w16 - w24 - w9);
+      result4 = -w0_2.*w7.*(4.*B.*alpha_2.*kappa_2.*sigma - 3.*B.*w15 + 7.*B_2.*alpha.*kappa_2.*sigma + ...
+          3.*B_2.*kappa_2.*sigma_2 + 9.*alpha_2.*kappa_2.*sigma_2 - 3.*w17 - w20.*w27 - w26 - w29 - w31);
       result5 = -w41.*(12.*B.*alpha_2.*sigma_2 + 14.*B.*alpha_3.*sigma + 25.*B_2.*w4 - 28.*alpha_2.*w5 - kappa_2.*w35 + ...
           35.*sigma.*w8 - 34.*w15 - 8.*w18 + 8.*w21 + w30 + 13.*w32 + 10.*w33 - 2.*w37 - 8.*w39);
       result6 = -2.*w40.*(8.*w12 + w24 + 2.*w26 - 10.*w28 + w31 - 7.*w34.*w5 - 14.*w42 + w44);
-      result7 = w41.*(16.*B.*alpha_2.*sigma_2 - B.*sigma_3.*w27 + 5.*B_2.*alpha.*sigma_2 + 14.*B_2.*alpha_2.*sigma + B_2.*sigma_3 ...
-          - B_2.*w3 + 12.*alpha_2.*sigma_3 - sigma_3.*w45 - 13.*w15 - 6.*w37 - 14.*w39 - w46);
+      result7 = w41.*(16.*B.*alpha_2.*sigma_2 - B.*sigma_3.*w27 + 5.*B_2.*alpha.*sigma_2 + 14.*B_2.*alpha_2.*sigma + ...
+          B_2.*sigma_3 - B_2.*w3 + 12.*alpha_2.*sigma_3 - sigma_3.*w45 - 13.*w15 - 6.*w37 - 14.*w39 - w46);
       result8 = 2.*sigma_3.*(-B.*w4.*w45 + B_2.*w36 + alpha.*w46 + w14 + w29 - w35.*w5 - 7.*w42 + w44 + w9);
       result9 = -kappa.*sigma_3.*w1.*(B.*alpha_2.*sigma + 5.*alpha_2.*sigma_2 - w16.*w3 - w23 - w36 - w38 - w4.*w43);
       result10 = 2.*sigma_4.*(w1.*w1).*w3;
@@ -1006,8 +1006,8 @@ classdef algebra
       result2 = -kappa - s1.*sigma + sigma.*sin0 - y.*(beta + nbar + sigma);
     end
 
-    function [result1, result2, result3, result4, result5, result6, result7, result8] = regime_jacobian(x, y, vx, vy, cos0, sin0, ...
-        mu0, kappa, alpha, sigma, beta, V, d, nbar, side)
+    function [result1, result2, result3, result4, result5, result6, result7, result8] = regime_jacobian(x, y, vx, vy, cos0, ...
+        sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side)
     %REGIME_JACOBIAN  Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …).
     %  Source: (8)–(10). Operations: 40.
       w1 = sin0 - y;
@@ -1029,8 +1029,9 @@ classdef algebra
       result8 = 0;
     end
 
-    function [result1, result2, result3, w1, result5, result6, result7, result8, result9, result10, result11, result12, result13, ...
-        w3, result15, result16] = regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side)
+    function [result1, result2, result3, w1, result5, result6, result7, result8, result9, result10, result11, result12, ...
+        result13, w3, result15, result16] = regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, ...
+        d, nbar, side)
     %REGIME_BY_PARAMETERS  Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …).
     %  Source: (8)–(10). Operations: 52.
       w1 = -x;

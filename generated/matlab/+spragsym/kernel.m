@@ -215,13 +215,13 @@ classdef kernel
     %BALANCE_  f of the point: coefficients and sizes over the largest coefficient.
       [a, b, d, m] = spragsym.algebra.f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, ...
           point.beta, point.nbar);
-      [a_size, d_size] = spragsym.algebra.f_magnitudes(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, ...
-          point.beta, point.nbar);
+      [a_size, d_size] = spragsym.algebra.f_magnitudes(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, ...
+          point.sigma, point.beta, point.nbar);
       % m = μ₀ σ n̄ is not negative.
       scale = spragsym.kernel.larger(spragsym.kernel.larger(abs(a), abs(b)), spragsym.kernel.larger(abs(d), m));
       over = 1.0 ./ scale;
-      result = struct('a', a .* over, 'b', b .* over, 'd', d .* over, 'm', m .* over, 'a_size', a_size .* over, 'd_size', d_size ...
-          .* over, 'scale', scale);
+      result = struct('a', a .* over, 'b', b .* over, 'd', d .* over, 'm', m .* over, 'a_size', a_size .* over, 'd_size', ...
+          d_size .* over, 'scale', scale);
     end
 
     function result = representable(line)
@@ -341,8 +341,8 @@ classdef kernel
       q2 = spragsym.kernel.where(good, new_q2, q2);
       larger_second = -q1 < q2;
       inverse_q = -1.0 ./ spragsym.kernel.where(larger_second, q2, q1);
-      result = struct('p1', spragsym.kernel.where(good, p1 + dp1, p1), 'q1', spragsym.kernel.where(larger_second, inverse_q, q1), ...
-          'p2', spragsym.kernel.where(good, p2 + dp2, p2), 'q2', spragsym.kernel.where(larger_second, q2, inverse_q));
+      result = struct('p1', spragsym.kernel.where(good, p1 + dp1, p1), 'q1', spragsym.kernel.where(larger_second, inverse_q, ...
+          q1), 'p2', spragsym.kernel.where(good, p2 + dp2, p2), 'q2', spragsym.kernel.where(larger_second, q2, inverse_q));
     end
 
     function result = factors(e, resolved)
@@ -399,7 +399,8 @@ classdef kernel
       outer = spragsym.kernel.smaller(a2, b2);
       count = spragsym.kernel.where(contact, 1.0, 2.0) + spragsym.kernel.where(more, 2.0, 0.0);
       result = struct('t0', spragsym.kernel.smaller(a1, b1), 't1', spragsym.kernel.smaller(inner, outer), 't2', ...
-          spragsym.kernel.larger(inner, outer), 't3', spragsym.kernel.larger(a2, b2), 'count', count, 'certain', spared | real);
+          spragsym.kernel.larger(inner, outer), 't3', spragsym.kernel.larger(a2, b2), 'count', count, 'certain', spared | ...
+          real);
     end
 
     function result = at_root(t, point, line, u)
@@ -459,8 +460,8 @@ classdef kernel
       outsider = (L < -L_error) | (beyond < -y_error);
       uncertainty = spragsym.kernel.larger(relative, L_error ./ abs(L)) + 8.0 .* u;
       kind = spragsym.kernel.stability(at, wide_L, slope, uncertainty, point);
-      result = struct('L', L, 'x', x, 'y', y, 'radius', radius, 'error', error, 'member', member, 'outsider', outsider, 'code', ...
-          kind.code, 'known', proved & kind.certain);
+      result = struct('L', L, 'x', x, 'y', y, 'radius', radius, 'error', error, 'member', member, 'outsider', outsider, ...
+          'code', kind.code, 'known', proved & kind.certain);
     end
 
     function result = stability(at, L, slope, uncertainty, point)
@@ -469,8 +470,8 @@ classdef kernel
     %  The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ, and
     %  of sin θ and L over themselves.
       COUNT_K = 9.0;  % a count of roundings
-      [K11, K12, K21, K22] = spragsym.algebra.stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, ...
-          point.nbar);
+      [K11, K12, K21, K22] = spragsym.algebra.stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, ...
+          point.beta, point.nbar);
       [wide_trace, ~, wide_flutter] = spragsym.algebra.invariants(K11, K12, K21, K22);
       trace = wide_trace;
       flutter = wide_flutter;
@@ -532,8 +533,8 @@ classdef kernel
       third = size < 1.1875;
       fourth = size < 2.4375;
       beyond = spragsym.kernel.where(fourth, size - 1.5, -1.0) ./ spragsym.kernel.where(fourth, 1.0 + 1.5 .* size, size);
-      about_one = spragsym.kernel.where(second, 2.0 .* size - 1.0, size - 1.0) ./ spragsym.kernel.where(second, 2.0 + size, size + ...
-          1.0);
+      about_one = spragsym.kernel.where(second, 2.0 .* size - 1.0, size - 1.0) ./ spragsym.kernel.where(second, 2.0 + size, ...
+          size + 1.0);
       x = spragsym.kernel.where(first, size, spragsym.kernel.where(third, about_one, beyond));
       high = spragsym.kernel.where(third, spragsym.kernel.where(second, 0.4636476090008061, 0.7853981633974483), ...
           spragsym.kernel.where(fourth, 0.982793723247329, 1.5707963267948966));
@@ -560,7 +561,8 @@ classdef kernel
       M = spragsym.kernel.dd_multiply(mu0, nbar);
       q = spragsym.kernel.dd_add(B, sigma);
       d_f = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(M, spragsym.kernel.dd_add(spragsym.kernel.dd_negative(kappa), ...
-          spragsym.kernel.dd_multiply(sigma, sin0))), spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(alpha, cos0), q));
+          spragsym.kernel.dd_multiply(sigma, sin0))), spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(alpha, cos0), ...
+          q));
       m_f = spragsym.kernel.dd_multiply(M, sigma);
       result1 = a_f;
       result2 = b_f;
@@ -570,16 +572,16 @@ classdef kernel
 
     function result = wide_balance(point)
     %WIDE_BALANCE  ``balance`` in double-double arithmetic.
-      [a, b, d, m] = spragsym.kernel.wide_f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, ...
-          point.beta, point.nbar);
+      [a, b, d, m] = spragsym.kernel.wide_f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, ...
+          point.sigma, point.beta, point.nbar);
       [a_size, d_size] = spragsym.algebra.f_magnitudes(point.cos0.high, point.sin0.high, point.mu0.high, point.kappa.high, ...
           point.alpha.high, point.sigma.high, point.beta.high, point.nbar.high);
       scale = spragsym.kernel.larger(spragsym.kernel.larger(abs(a.high), abs(b.high)), spragsym.kernel.larger(abs(d.high), ...
           m.high));
       over = 1.0 ./ scale;
       result = struct('a', spragsym.kernel.dd_multiply_double(a, over), 'b', spragsym.kernel.dd_multiply_double(b, over), 'd', ...
-          spragsym.kernel.dd_multiply_double(d, over), 'm', spragsym.kernel.dd_multiply_double(m, over), 'a_size', a_size .* over, ...
-          'd_size', d_size .* over, 'scale', scale);
+          spragsym.kernel.dd_multiply_double(d, over), 'm', spragsym.kernel.dd_multiply_double(m, over), 'a_size', a_size .* ...
+          over, 'd_size', d_size .* over, 'scale', scale);
     end
 
     function result = wide_moderate(point)
@@ -619,8 +621,8 @@ classdef kernel
       result1 = spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative(b_f), ...
           spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(a_f, d_f), spragsym.kernel.dd_multiply(b_f, m_f))), 0.25);
       result2 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_scaled(spragsym.kernel.dd_negative( ...
-          spragsym.kernel.dd_multiply(a_f, a_f)), 0.25), spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(b_f, b_f), ...
-          0.25)), spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(d_f, d_f), 0.25));
+          spragsym.kernel.dd_multiply(a_f, a_f)), 0.25), spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(b_f, ...
+          b_f), 0.25)), spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(d_f, d_f), 0.25));
       result3 = spragsym.kernel.dd_negative(m_f);
     end
 
@@ -630,8 +632,8 @@ classdef kernel
       result = struct('P', spragsym.kernel.dd_divide(spragsym.kernel.dd_add(r1, ...
           spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(r2, mean))), spragsym.kernel.paired(3.0, 0.0)), 'Q', ...
           spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(r0, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(mean, ...
-          spragsym.kernel.dd_add(r1, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(mean, 2.0), ...
-          mean)))))), 0.5));
+          spragsym.kernel.dd_add(r1, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(mean, ...
+          2.0), mean)))))), 0.5));
     end
 
     function result = wide_cubic(a, b, d, m)
@@ -652,15 +654,15 @@ classdef kernel
       from_P = P_bound .* P_bound .* size.P .* (3.0 .* COUNT_P + 4.0);
       from_Q = Q_bound .* size.Q .* (2.0 .* COUNT_Q + 4.0);
       result = struct('value', ...
-          spragsym.kernel.dd_leading(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(it.P, it.P), ...
-          it.P), spragsym.kernel.dd_multiply(it.Q, it.Q))), 'error', u .* (from_P + from_Q) + UNDERFLOW);
+          spragsym.kernel.dd_leading(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(it.P, ...
+          it.P), it.P), spragsym.kernel.dd_multiply(it.Q, it.Q))), 'error', u .* (from_P + from_Q) + UNDERFLOW);
     end
 
     function result = wide_simple_root(it)
     %WIDE_SIMPLE_ROOT  ``simple_root`` in double-double arithmetic.
       z = spragsym.kernel.outermost(it.P.high, it.Q.high);
-      x = spragsym.kernel.dd_add_double(spragsym.kernel.dd_negative(spragsym.kernel.dd_divide(it.r2, spragsym.kernel.paired(3.0, ...
-          0.0))), z);
+      x = spragsym.kernel.dd_add_double(spragsym.kernel.dd_negative(spragsym.kernel.dd_divide(it.r2, ...
+          spragsym.kernel.paired(3.0, 0.0))), z);
       slope = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply_double(x, ...
           3.0), spragsym.kernel.dd_scaled(it.r2, 2.0)), x), it.r1);
       step = spragsym.kernel.dd_divide(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_add( ...
@@ -676,8 +678,8 @@ classdef kernel
       r3 = spragsym.kernel.dd_add(A3, spragsym.kernel.dd_negative(spragsym.kernel.dd_add(p1, p2)));
       r2 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(A2, spragsym.kernel.dd_negative(spragsym.kernel.dd_add(q1, q2))), ...
           spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(p1, p2)));
-      r1 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(A1, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(p1, q2))), ...
-          spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(p2, q1)));
+      r1 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(A1, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(p1, ...
+          q2))), spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(p2, q1)));
       r0 = spragsym.kernel.dd_add_double(spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(q1, q2)), -1.0);
       s1 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(r3, ...
           spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(p2, p2), spragsym.kernel.dd_negative(q2))), ...
@@ -687,8 +689,9 @@ classdef kernel
       du = spragsym.kernel.dd_add(p1, spragsym.kernel.dd_negative(p2));
       dv = spragsym.kernel.dd_add(q1, spragsym.kernel.dd_negative(q2));
       dw = spragsym.kernel.dd_add(dv, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(du, p2)));
-      inverse = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(dv, ...
-          dw), spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(du, du), q2)));
+      inverse = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), ...
+          spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(dv, dw), ...
+          spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(du, du), q2)));
       dp2 = spragsym.kernel.dd_multiply(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(s1, dv), ...
           spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(s0, du))), inverse);
       dq2 = spragsym.kernel.dd_multiply(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(s0, dw), ...
@@ -707,8 +710,8 @@ classdef kernel
       larger_second = spragsym.kernel.dd_less(spragsym.kernel.dd_negative(q1), q2);
       inverse_q = spragsym.kernel.dd_divide(spragsym.kernel.paired(-1.0, 0.0), spragsym.kernel.dd_where(larger_second, q2, q1));
       result = struct('p1', spragsym.kernel.dd_where(good, spragsym.kernel.dd_add(p1, dp1), p1), 'q1', ...
-          spragsym.kernel.dd_where(larger_second, inverse_q, q1), 'p2', spragsym.kernel.dd_where(good, spragsym.kernel.dd_add(p2, ...
-          dp2), p2), 'q2', spragsym.kernel.dd_where(larger_second, q2, inverse_q));
+          spragsym.kernel.dd_where(larger_second, inverse_q, q1), 'p2', spragsym.kernel.dd_where(good, ...
+          spragsym.kernel.dd_add(p2, dp2), p2), 'q2', spragsym.kernel.dd_where(larger_second, q2, inverse_q));
     end
 
     function result = wide_factors(e, resolved)
@@ -736,7 +739,8 @@ classdef kernel
       quarter = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(half, half), spragsym.kernel.dd_negative(q));
       radical = spragsym.kernel.dd_sqrt(spragsym.kernel.dd_larger(quarter, spragsym.kernel.paired(0.0, 0.0)));
       large = spragsym.kernel.dd_add(spragsym.kernel.dd_negative(half), ...
-          spragsym.kernel.dd_negative(spragsym.kernel.dd_where(half.high > 0.0, radical, spragsym.kernel.dd_negative(radical))));
+          spragsym.kernel.dd_negative(spragsym.kernel.dd_where(half.high > 0.0, radical, ...
+          spragsym.kernel.dd_negative(radical))));
       result = struct('large', large, 'small', spragsym.kernel.dd_divide(q, large), 'discriminant', quarter);
     end
 
@@ -772,18 +776,17 @@ classdef kernel
       outer = spragsym.kernel.dd_smaller(a2, b2);
       count = spragsym.kernel.where(contact, 1.0, 2.0) + spragsym.kernel.where(more, 2.0, 0.0);
       result = struct('t0', spragsym.kernel.dd_smaller(a1, b1), 't1', spragsym.kernel.dd_smaller(inner, outer), 't2', ...
-          spragsym.kernel.dd_larger(inner, outer), 't3', spragsym.kernel.dd_larger(a2, b2), 'count', count, 'certain', spared | ...
-          real);
+          spragsym.kernel.dd_larger(inner, outer), 't3', spragsym.kernel.dd_larger(a2, b2), 'count', count, 'certain', spared ...
+          | real);
     end
 
     function result = wide_direction(t)
     %WIDE_DIRECTION  ``direction`` in double-double arithmetic.
       inverse = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), ...
           spragsym.kernel.dd_add_double(spragsym.kernel.dd_multiply(t, t), 1.0));
-      result = struct('cosine', ...
-          spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(spragsym.kernel.dd_add_double(spragsym.kernel.dd_negative(t), ...
-          1.0), spragsym.kernel.dd_add_double(t, 1.0)), inverse), 'sine', spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(t, ...
-          2.0), inverse));
+      result = struct('cosine', spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(spragsym.kernel.dd_add_double( ...
+          spragsym.kernel.dd_negative(t), 1.0), spragsym.kernel.dd_add_double(t, 1.0)), inverse), 'sine', ...
+          spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(t, 2.0), inverse));
     end
 
     function result = wide_f(cos_theta, sin_theta, a_f, b_f, d_f, m_f)
@@ -840,9 +843,8 @@ classdef kernel
           spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(sin_theta, sin_theta), w0)));
       result2 = spragsym.kernel.dd_add(M, w1);
       result3 = w1;
-      result4 = ...
-          spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(cos_theta, ...
-          cos_theta)), w0), q);
+      result4 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative( ...
+          spragsym.kernel.dd_multiply(cos_theta, cos_theta)), w0), q);
     end
 
     function [result1, result2, result3] = wide_invariants(K11, K12, K21, K22)
@@ -900,8 +902,8 @@ classdef kernel
       h = newton .* bend ./ steepness;
       proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS .* s_size) & spragsym.kernel.wide_sound(point);
       radius = spragsym.kernel.where(proved, 1.0001 .* newton ./ (1.0 - h), INFINITY);
-      [wide_L, wide_x, wide_y] = spragsym.kernel.wide_state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, ...
-          point.beta, point.nbar);
+      [wide_L, wide_x, wide_y] = spragsym.kernel.wide_state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, ...
+          point.sigma, point.beta, point.nbar);
       L = wide_L.high;
       x = wide_x.high;
       y = wide_y.high;
@@ -927,16 +929,16 @@ classdef kernel
       outsider = (L < -L_error) | (beyond < -y_error);
       uncertainty = spragsym.kernel.larger(relative, L_error ./ abs(L)) + 8.0 .* u;
       kind = spragsym.kernel.wide_stability(at, wide_L, slope, uncertainty, point);
-      result = struct('L', L, 'x', x, 'y', y, 'radius', radius, 'error', error, 'member', member, 'outsider', outsider, 'code', ...
-          kind.code, 'known', proved & kind.certain);
+      result = struct('L', L, 'x', x, 'y', y, 'radius', radius, 'error', error, 'member', member, 'outsider', outsider, ...
+          'code', kind.code, 'known', proved & kind.certain);
     end
 
     function result = wide_apart(low, low_radius, high, high_radius)
     %WIDE_APART  ``apart`` in double-double arithmetic.
       low_square = low.high .* low.high;
       high_square = high.high .* high.high;
-      result = 2.0 .* spragsym.kernel.dd_leading(spragsym.kernel.dd_add(high, spragsym.kernel.dd_negative(low))) > (low_radius + ...
-          high_radius) .* (1.0 + spragsym.kernel.larger(low_square, high_square));
+      result = 2.0 .* spragsym.kernel.dd_leading(spragsym.kernel.dd_add(high, spragsym.kernel.dd_negative(low))) > (low_radius ...
+          + high_radius) .* (1.0 + spragsym.kernel.larger(low_square, high_square));
     end
 
     function result = where(condition, yes, no)

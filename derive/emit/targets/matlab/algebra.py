@@ -65,9 +65,12 @@ def comment(text: str, indent: str) -> list[str]:
 
 def wrapped(line: str) -> list[str]:
     """A statement on as many lines as it needs, broken at spaces, and after brackets where these leave a line too long."""
+    if len(line) <= WIDTH:
+        return [line]
+    width = WIDTH - len(" ...")
     indent = " " * (len(line) - len(line.lstrip()) + 4)
-    wrapper = textwrap.TextWrapper(WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    wrapper = textwrap.TextWrapper(width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
     broken = wrapper.wrap(line)
-    if max(map(len, broken)) > WIDTH:
+    if max(map(len, broken)) > width:
         broken = [part.replace("(\0 ", "(").replace("(\0", "(") for part in wrapper.wrap(line.replace("(", "(\0 "))]
     return [*(f"{part} ..." for part in broken[:-1]), broken[-1]]

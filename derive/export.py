@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Collection
 from pathlib import Path
 
 import sympy as sp
@@ -16,35 +17,42 @@ from .emit.statements import flatten
 from .emit.targets.c99.layout import WIDTH, broken
 from .mechanics import number
 
+#: What the explorer's page of a model asks its algebra for: all that ``explorer/src`` calls.
+EXPLORED = frozenset({
+    "border_rates", "borders", "contact_force", "contact_gap", "damping", "forces", "forces_jacobian", "friction_at_rest", "geometry",
+    "mass_matrix", "regime_rhs", "spring_forces", "turning_borders", "turnings",
+})  # fmt: skip
 #: A model from a page brings no solver with it.
 _NO_KERNEL = language.Source("", 0, (), {}, {})
 
 
 def export(page: Path, name: str, written_in: str) -> dict[str, str]:
     """The files of a page's library in a language, by their names; it has the model's ``name``."""
-    return _rendered(pages.read(page, name), written_in)
+    return _rendered(material(pages.read(page, name)), written_in)
 
 
 def for_the_browser(model: pages.Model, header: str) -> dict[str, str]:
-    """What the explorer shows of a page: its functions as an ES module, and its drawing."""
+    """What the explorer shows of a page: the functions that it calls as an ES module, and its drawing."""
     module = f"{model.name}.mjs"
     return {
-        module: _rendered(model, "javascript", header)[module],
+        module: _rendered(material(model, header, EXPLORED), "javascript")[module],
         f"{model.name}.svg": drawing.render(model.page, model.docstring),
     }
 
 
-def _rendered(model: pages.Model, written_in: str, header: str | None = None) -> dict[str, str]:
+def _rendered(given: targets.Material, written_in: str) -> dict[str, str]:
     target = next(target for target in targets.targets() if target.language == written_in)
-    return target.render(material(model, header))
+    return target.render(given)
 
 
-def material(model: pages.Model, header: str | None = None) -> targets.Material:
-    """What a target prints of a page: all functions that have a result."""
+def material(model: pages.Model, header: str | None = None, only: Collection[str] | None = None) -> targets.Material:
+    """What a target prints of a page: all functions that have a result, or those of them that ``only`` names."""
     it = model.mechanics
     modules = tuple(
-        Module(module.name, module.summary, tuple(filter(_has_result, module.functions))) for module in folder.modules(it)
-    )
+        Module(module.name, module.summary, tuple(function for function in module.functions
+                                                  if _has_result(function) and (only is None or function.name in only)))
+        for module in folder.modules(it)
+    )  # fmt: skip
     meanings = folder.meanings(it)
     angles = {
         datum.becomes: Quantity(number(datum), "", f"{datum.meaning}, radians") for datum in it.parameters if datum.unit == "rad"

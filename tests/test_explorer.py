@@ -53,6 +53,13 @@ def test_the_page_is_whole_and_the_same_every_time() -> None:
         assert (ROOT / "generated/javascript" / module).read_text(encoding="utf-8").strip() in page
 
 
+def test_the_module_of_a_page_has_what_the_explorer_calls() -> None:
+    export = pytest.importorskip("spragsym.derive.export", exc_type=ImportError)
+    sources = "".join(path.read_text(encoding="utf-8") for path in (SOURCES / "src").glob("*.js"))
+    called = re.findall(r'\balgebra(?:\?\.|\.)(\w+)|\bcall\("(\w+)"', sources)
+    assert {one or other for one, other in called} == export.EXPLORED
+
+
 def test_the_bundle_is_what_its_sources_give(tmp_path: Path) -> None:
     if NODE is None or not (SOURCES / "node_modules").is_dir():
         pytest.skip("needs node, and its packages in explorer/: make explorer")

@@ -94,7 +94,7 @@ class _Program:
             return name, routine.returns
         if name not in self.functions:
             given = dict(zip((argument for argument, _ in routine.arguments), kinds, strict=True))
-            self.write(name, routine.summary, given, routine.body, self.kernel.lines)
+            self.write(name, f"``{name}`` in double-double arithmetic.", given, routine.body)
             self.functions[name] = kinds, self.functions[name][1]
         known, returned = self.functions[name]
         if known != kinds:
@@ -115,13 +115,13 @@ class _Program:
                     case ast.arg():
                         node.arg = SPELLED.get(node.arg, node.arg)
             given = {argument.arg: WIDE for argument in tree.args.args}
-            self.write(name, function.summary, given, tree.body[1:], text.splitlines())
+            self.write(name, function.summary, given, tree.body[1:])
         return f"wide_{name}", self.functions[name][1]
 
-    def write(self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt], lines: list[str]) -> None:
-        """Write a function of double-doubles."""
-        writer = _Writer(self, dict(given), body, lines)
-        written = [line for statement in body for line in writer.explained(statement, "    ")]
+    def write(self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt]) -> None:
+        """Write a function of double-doubles; what explains its statements stands in the plain one."""
+        writer = _Writer(self, dict(given))
+        written = [line for statement in body for line in writer.statement(statement, "    ")]
         arguments = ", ".join(f"{argument}: {kind}" for argument, kind in given.items())
         head = f'def wide_{name}({arguments}) -> {writer.returned}:\n    """{summary}"""\n'
         self.functions[name] = tuple(given.values()), writer.returned
@@ -131,36 +131,27 @@ class _Program:
 class _Writer:
     """Rewrites the statements of one function."""
 
-    def __init__(self, program: _Program, kinds: dict[str, str], body: Sequence[ast.stmt], lines: list[str]) -> None:
-        self.program, self.kinds, self.lines = program, kinds, lines
+    def __init__(self, program: _Program, kinds: dict[str, str]) -> None:
+        self.program, self.kinds = program, kinds
         self.returned = ""
-        names = [node for statement in body for node in ast.walk(statement) if isinstance(node, ast.Name)]
-        self.used = {node.id for node in names if isinstance(node.ctx, ast.Load)}
 
     # ------------------------------------------------------------------------------------------ statements
-
-    def explained(self, node: ast.stmt, indent: str) -> Iterator[str]:
-        """A statement, below the comment that stands above it."""
-        above = self.lines[node.lineno - 2].strip()
-        if above.startswith("# "):
-            yield f"{indent}{above}"
-        yield from self.statement(node, indent)
 
     def statement(self, node: ast.stmt, indent: str) -> Iterator[str]:
         match node:
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 yield self.assigned(name, self.expression(value), indent)
             case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call(func=ast.Name(id=called), args=args)):
-                yield from self.unpacked(_leaves(target), called, args, indent)
+                yield self.unpacked(_leaves(target), called, args, indent)
             case ast.For(target=target, body=body):
                 yield f"{indent}for {ast.unparse(target)} in range({passes(node)}):"
                 for statement in body:
-                    yield from self.explained(statement, indent + "    ")
+                    yield from self.statement(statement, indent + "    ")
             case ast.Return(value=ast.Tuple() as results):
                 leaves = _items(results)
                 self.returned = self.program.several(len(leaves))
-                values = [self.wide(*self.expression(leaf)) for leaf in leaves]
-                yield f"{indent}return {ast.unparse(_call(self.returned, *values))}"
+                values = [ast.unparse(self.wide(*self.expression(leaf))) for leaf in leaves]
+                yield f"{indent}return {', '.join(values)}"
             case ast.Return(value=ast.Call(func=ast.Name(id=name), args=args)) if name in self.program.kernel.records:
                 typed = [self.expression(argument) for argument in args]
                 self.returned = self.program.record(name, tuple(kind for _, kind in typed))
@@ -180,18 +171,14 @@ class _Writer:
             raise KernelError(f"{name} is a {known} and then a {kind}")
         return f"{indent}{name} = {ast.unparse(value)}"
 
-    def unpacked(self, names: list[str], called: str, args: list[ast.expr], indent: str) -> Iterator[str]:
-        """Results of generated algebra: a record, if a double-double is among what it is given."""
+    def unpacked(self, names: list[str], called: str, args: list[ast.expr], indent: str) -> str:
+        """Results of generated algebra: double-doubles, if one is among what it is given."""
         typed = [self.expression(argument) for argument in args]
-        if not any(kind == WIDE for _, kind in typed):
-            self.kinds |= dict.fromkeys(names, REAL)
-            yield f"{indent}{', '.join(names)} = {ast.unparse(_call(called, *(value for value, _ in typed)))}"
-            return
-        function, kind = self.program.algebra_call(called)
-        results = f"{called}_results"
-        yield f"{indent}{results} = {ast.unparse(_call(function, *(self.wide(*it) for it in typed)))}"
-        self.kinds |= {results: kind} | dict.fromkeys(names, WIDE)
-        yield from (f"{indent}{name} = {results}.value{place}" for place, name in enumerate(names) if name in self.used)
+        wide = any(kind == WIDE for _, kind in typed)
+        function = self.program.algebra_call(called)[0] if wide else called
+        values = [self.wide(*it) if wide else it[0] for it in typed]
+        self.kinds |= dict.fromkeys(names, WIDE if wide else REAL)
+        return f"{indent}{', '.join(names)} = {ast.unparse(_call(function, *values))}"
 
     # ----------------------------------------------------------------------------------------- expressions
 

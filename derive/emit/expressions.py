@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from .function import Results
-from .language import KernelError, Routine, Source
+from .language import KernelError, Kinds, Routine, Source
 
 _ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
@@ -98,9 +98,16 @@ def hands_back(routine: Routine | None) -> bool:
     return False
 
 
-def printed(source: Source) -> list[Routine]:
-    """The routines that are printed: all but those that return their argument unchanged."""
-    return [routine for routine in source.routines.values() if not hands_back(routine)]
+def printed(source: Source, asked: Iterable[str]) -> list[Routine]:
+    """The routines that are printed: those that are asked for, and all that they call, but for those that return their argument."""
+    needed: set[str] = set()
+    further = [source.routines[name] for name in asked]
+    while further:
+        routine = further.pop()
+        needed.add(routine.name)
+        called = source.routines.keys() & set(Kinds(source).calls(routine)) - needed
+        further += [source.routines[name] for name in sorted(called)]
+    return [routine for name, routine in source.routines.items() if name in needed and not hands_back(routine)]
 
 
 def number(value: float) -> str:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 
@@ -17,6 +19,21 @@ class Body:
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
     results: Results
     operations: int
+    powers: frozenset[sp.Symbol] = frozenset()  #: names that stand for a whole power of another
+
+    @cached_property
+    def inlined(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """What needs no statement of its own: a power that is used in one place, printed there, and a second name of something."""
+        known = dict(self.assignments)
+        used = Counter(part for whole in (*known.values(), *flatten(self.results)) for part in sp.preorder_traversal(whole))
+        return {
+            symbol: value for symbol, value in known.items() if value.is_Symbol or (symbol in self.powers and used[symbol] == 1)
+        }
+
+    @property
+    def statements(self) -> list[tuple[sp.Symbol, sp.Expr]]:
+        """The assignments that are printed."""
+        return [(symbol, value) for symbol, value in self.assignments if symbol not in self.inlined]
 
 
 def flatten(results: Results) -> Iterator[sp.Expr]:
@@ -63,7 +80,13 @@ def straight_line(function: Function) -> Body:
     for root in [*(symbol for symbol, _ in named), *outputs]:
         _place(root, available, ordered)
     operations = sum(int(sp.count_ops(expression)) for expression in [*ordered.values(), *outputs])
-    return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), operations)
+    of_powers = {second.get(symbol, symbol) for symbol in definitions} | again.definitions.keys()
+    whole = {symbol for symbol in of_powers & ordered.keys() if ordered[symbol].is_Mul or _is_square(ordered[symbol])}
+    return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), operations, frozenset(whole))
+
+
+def _is_square(expression: sp.Expr) -> bool:
+    return isinstance(expression, sp.Pow) and expression.exp == 2
 
 
 def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:

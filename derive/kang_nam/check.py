@@ -53,6 +53,11 @@ class Row:
         """For JSON."""
         return asdict(self)
 
+    def recorded(self) -> dict[str, str]:
+        """As the ledger has it: without what is empty, and without a derived form that is the printed one."""
+        entries = {name: text for name, text in self.as_dict().items() if text}
+        return entries if self.derived != self.printed else {name: text for name, text in entries.items() if name != "derived"}
+
 
 @dataclass(frozen=True)
 class Derived:

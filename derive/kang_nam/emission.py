@@ -22,6 +22,9 @@ WIDELY = (
     ("at_root", ("Wide", "Point", "Balance", "Real")), ("apart", ("Wide", "Real", "Wide", "Real")),
 )  # fmt: skip
 
+#: What spragsym/kang_nam/statics/_compiled.c calls of the kernel besides.
+ASKED = ("one_or_three",)
+
 SUMMARY = "Equilibria, stability and motion of the sprag-slip oscillator, for real-time use."
 _GENERAL = Path(language.__file__).parent
 _RUNTIME = Path(__file__).parent / "runtime"
@@ -58,6 +61,7 @@ def material(digest: str) -> targets.Material:
         header=write.header(),
         summary=SUMMARY,
         runtime=own_files(),
+        asked=ASKED,
         arithmetic=arithmetic,
         widened=double_double_kernel.widened(solver, arithmetic, functions, WIDELY),
     )

@@ -28,7 +28,7 @@ def as_dict(ledger: Ledger, digest: str) -> dict[str, Any]:
         "source_hash": digest,
         "sympy": sp.__version__,
         "summary": summary(ledger.rows),
-        "rows": [row.as_dict() for row in ledger.rows],
+        "rows": [row.recorded() for row in ledger.rows],
         "identities": ledger.identities,
         "one_or_three": [{"claim": step.claim, "holds": step.holds} for step in ledger.theorem],
         "lowest_fold": [{"claim": step.claim, "holds": step.holds} for step in ledger.lowest_fold],
@@ -51,7 +51,7 @@ def markdown(ledger: Ledger, header: str) -> str:
         "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2748, as printed, against what follows from "
         "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1. What is derived stands in the "
         "arrangement of the print, so that the two can be compared by eye; ledger.json also has the form that the derivation itself "
-        "arrives at.",
+        "arrives at, and leaves out a derived form that is the printed one.",
         "",
         "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + \\sigma$, $q = B + \\sigma$.",
         "",
@@ -67,7 +67,7 @@ def markdown(ledger: Ledger, header: str) -> str:
     for row in ledger.rows:
         if row.status not in ("confirmed", "definition"):
             lines += _section(row)
-    lines += ["## Rows that stand as printed", ""]
+    lines += ["## Rows that stand as printed", "", "Printed and derived:", ""]
     for row in ledger.rows:
         if row.status in ("confirmed", "definition"):
             lines += _section(row)
@@ -104,13 +104,13 @@ def _mark(holds: bool) -> str:
 
 
 def _section(row: Row) -> list[str]:
-    lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**." + (f" Note: {row.note}." if row.note else "")]
     if row.status in ("confirmed", "definition"):
-        lines += ["", "Printed and derived:", "", f"```math\n{row.printed}\n```", ""]
+        lines = [f"### {row.id}", "", f"```math\n{row.printed}\n```", ""]
     else:
-        lines += ["", *side_by_side(row.printed, row.derived), ""]
+        lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**.", "", *side_by_side(row.printed, row.derived), ""]
         lines += ["Printed less derived:", "", f"```math\n{row.difference}\n```", ""]
     for title, text in (
+        ("Note", row.note),
         ("Cause", row.cause),
         ("Second derivation", row.evidence),
         ("Consequence", row.consequence),

@@ -212,6 +212,10 @@ def _shown(value: Any) -> str:
     return ", ".join(map(_shown, value)) if isinstance(value, list) else str(value)
 
 
+def _remark(row: dict[str, str]) -> str:
+    return next((row[name] for name in ("cause", "limit", "note") if name in row), "")
+
+
 def _equations(rows: list[dict[str, str]]) -> list[str]:
     return [
         "## Equations",
@@ -220,5 +224,5 @@ def _equations(rows: list[dict[str, str]]) -> list[str]:
         "",
         "| row | where | status | remark |",
         "|---|---|---|---|",
-        *(f"| {row['id']} | {row['where']} | {row['status']} | {row['cause'] or row['limit'] or row['note']} |" for row in rows),
+        *(f"| {row['id']} | {row['where']} | {row['status']} | {_remark(row)} |" for row in rows),
     ]

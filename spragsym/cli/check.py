@@ -122,7 +122,7 @@ def _check_equations(json_output: bool, only: tuple[str, ...]) -> None:
     chosen = _chosen(only, [row.id for row in every], "the equations (statements of the text: --claims)")
     rows = [row for row in every if row.id in chosen]
     recorded = json.loads(resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8"))["rows"]
-    changed = _changed([row.as_dict() for row in rows], [row for row in recorded if not only or row["id"] in chosen])
+    changed = _changed([row.recorded() for row in rows], [row for row in recorded if not only or row["id"] in chosen])
     if json_output:
         print_json([row.as_dict() for row in rows])
     else:

@@ -47,6 +47,7 @@ class Material:
     #: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine, itself before them if it is used.
     angles: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     of_page: tuple[Module, ...] = ()  #: further modules, which Python has in the folder of the model's page
+    asked: tuple[str, ...] = ()  #: functions of the kernel that extension modules in C call, besides the model's own files
     arithmetic: Source = NOTHING  #: double-double numbers
     widened: Source = NOTHING  #: the kernel a second time, on these
 

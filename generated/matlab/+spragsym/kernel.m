@@ -4,8 +4,7 @@ classdef kernel
   methods (Static)
     function result = paired(high, low)
     %PAIRED  The number of which both parts are known.
-      result.high = high;
-      result.low = low;
+      result = struct('high', high, 'low', low);
     end
 
     function result = two_sum(a, b)
@@ -13,15 +12,13 @@ classdef kernel
       s = a + b;
       of_b = s - a;
       of_a = s - of_b;
-      result.high = s;
-      result.low = a - of_a + (b - of_b);
+      result = struct('high', s, 'low', a - of_a + (b - of_b));
     end
 
     function result = fast_two_sum(a, b)
     %FAST_TWO_SUM  a + b, exactly where |a| ≥ |b| or a = 0 (Dekker).
       s = a + b;
-      result.high = s;
-      result.low = b - (s - a);
+      result = struct('high', s, 'low', b - (s - a));
     end
 
     function result = two_product(a, b)
@@ -34,20 +31,17 @@ classdef kernel
       big_b = SPLITTER .* b;
       high_b = big_b - (big_b - b);
       low_b = b - high_b;
-      result.high = p;
-      result.low = high_a .* high_b - p + high_a .* low_b + low_a .* high_b + low_a .* low_b;
+      result = struct('high', p, 'low', high_a .* high_b - p + high_a .* low_b + low_a .* high_b + low_a .* low_b);
     end
 
     function result = dd_negative(x)
     %DD_NEGATIVE  −x, exactly.
-      result.high = -x.high;
-      result.low = -x.low;
+      result = struct('high', -x.high, 'low', -x.low);
     end
 
     function result = dd_absolute(x)
     %DD_ABSOLUTE  |x|, exactly.
-      result.high = abs(x.high);
-      result.low = spragsym.kernel.where(x.high < 0.0, -x.low, x.low);
+      result = struct('high', abs(x.high), 'low', spragsym.kernel.where(x.high < 0.0, -x.low, x.low));
     end
 
     function result = dd_leading(x)
@@ -57,8 +51,7 @@ classdef kernel
 
     function result = dd_scaled(x, power)
     %DD_SCALED  x times a power of two, exactly.
-      result.high = x.high .* power;
-      result.low = x.low .* power;
+      result = struct('high', x.high .* power, 'low', x.low .* power);
     end
 
     function result = dd_less(x, y)
@@ -69,8 +62,7 @@ classdef kernel
 
     function result = dd_where(chosen, x, y)
     %DD_WHERE  x where the flag is set, y elsewhere.
-      result.high = spragsym.kernel.where(chosen, x.high, y.high);
-      result.low = spragsym.kernel.where(chosen, x.low, y.low);
+      result = struct('high', spragsym.kernel.where(chosen, x.high, y.high), 'low', spragsym.kernel.where(chosen, x.low, y.low));
     end
 
     function result = dd_larger(x, y)
@@ -130,12 +122,11 @@ classdef kernel
     function result = dd_cosine_and_sine(x)
     %DD_COSINE_AND_SINE  cos x and sin x of a double 0 < x < π, within 2^-101 of themselves.
     %
-    %  x = k π/2 + r with |r| ≤ π/4 by π/2 in three parts, of which the first leaves nothing to round; then Taylor's series,
-    %  whose terms from the tenth on need a double only.
+    %  x = k π/2 + r with |r| ≤ π/4 by π/2 in three parts, of which the first leaves nothing to round; then Taylor's series, whose
+    %  terms from the tenth on need a double only.
       k = spragsym.kernel.where(x > 0.7853981633974483, 1.0, 0.0) + spragsym.kernel.where(x > 2.356194490192345, 1.0, 0.0);
       near = x - k .* 1.5707963267948966;
-      r = spragsym.kernel.dd_add_double(spragsym.kernel.two_sum(near, -k .* 6.123233995736766e-17), k .* ...
-          1.4973849048591698e-33);
+      r = spragsym.kernel.dd_add_double(spragsym.kernel.two_sum(near, -k .* 6.123233995736766e-17), k .* 1.4973849048591698e-33);
       z = spragsym.kernel.dd_multiply(r, r);
       odd = -9.183689863795546e-29;
       odd = 6.446950284384474e-26 + z.high .* odd;
@@ -185,17 +176,13 @@ classdef kernel
       sine = spragsym.kernel.dd_where(k == 1.0, c, spragsym.kernel.dd_where(k > 1.0, spragsym.kernel.dd_negative(s), s));
       cosine = spragsym.kernel.dd_where(k == 1.0, spragsym.kernel.dd_negative(s), spragsym.kernel.dd_where(k > 1.0, ...
           spragsym.kernel.dd_negative(c), c));
-      result.cosine_high = cosine.high;
-      result.cosine_low = cosine.low;
-      result.sine_high = sine.high;
-      result.sine_low = sine.low;
+      result = struct('cosine_high', cosine.high, 'cosine_low', cosine.low, 'sine_high', sine.high, 'sine_low', sine.low);
     end
 
     function result = direction(t)
     %DIRECTION  cos θ and sin θ at t = tan(θ/2).
       inverse = 1.0 ./ (1.0 + t .* t);
-      result.cosine = (1.0 - t) .* (1.0 + t) .* inverse;
-      result.sine = 2.0 .* t .* inverse;
+      result = struct('cosine', (1.0 - t) .* (1.0 + t) .* inverse, 'sine', 2.0 .* t .* inverse);
     end
 
     function result = ordinary(parameter)
@@ -207,7 +194,6 @@ classdef kernel
 
     function result = sound(point)
     %SOUND  Whether the bounds below can count on relative rounding errors.
-      % A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
       SMALLEST_PARAMETER = 1e-250;
       sin0 = point.sin0;
       kappa = point.kappa;
@@ -225,16 +211,6 @@ classdef kernel
       result = (parameter < LARGEST_WIDE) & ((parameter > SMALLEST_WIDE) | (parameter <= 0.0));
     end
 
-    function result = moderate(point)
-    %MODERATE  Whether double-double arithmetic is as good as its bounds say at this point.
-      % Between these, numbers are far enough from underflow and overflow for the exact products of double-double arithmetic.
-      SMALLEST_WIDE = 1e-50;
-      sin0 = point.sin0;
-      across = (sin0 > SMALLEST_WIDE) & spragsym.kernel.tame(point.kappa) & spragsym.kernel.tame(point.sigma) & ...
-          spragsym.kernel.tame(point.beta);
-      result = across & spragsym.kernel.tame(point.mu0) & spragsym.kernel.tame(point.alpha);
-    end
-
     function result = balance_(point)
     %BALANCE_  f of the point: coefficients and sizes over the largest coefficient.
       [a, b, d, m] = spragsym.algebra.f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, ...
@@ -244,13 +220,8 @@ classdef kernel
       % m = μ₀ σ n̄ is not negative.
       scale = spragsym.kernel.larger(spragsym.kernel.larger(abs(a), abs(b)), spragsym.kernel.larger(abs(d), m));
       over = 1.0 ./ scale;
-      result.a = a .* over;
-      result.b = b .* over;
-      result.d = d .* over;
-      result.m = m .* over;
-      result.a_size = a_size .* over;
-      result.d_size = d_size .* over;
-      result.scale = scale;
+      result = struct('a', a .* over, 'b', b .* over, 'd', d .* over, 'm', m .* over, 'a_size', a_size .* over, 'd_size', ...
+          d_size .* over, 'scale', scale);
     end
 
     function result = representable(line)
@@ -265,8 +236,7 @@ classdef kernel
     function result = depressed(r0, r1, r2)
     %DEPRESSED  The resolvent r0 + r1 ℓ + r2 ℓ² + ℓ³ without its quadratic term; P³ + Q² < 0: four real roots in t.
       mean = r2 ./ 3.0;
-      result.P = (r1 - r2 .* mean) ./ 3.0;
-      result.Q = 0.5 .* (r0 - mean .* (r1 - 2.0 .* mean .* mean));
+      result = struct('P', (r1 - r2 .* mean) ./ 3.0, 'Q', 0.5 .* (r0 - mean .* (r1 - 2.0 .* mean .* mean)));
     end
 
     function result = depressed_size(a_size, b_size, d_size, m_size)
@@ -274,36 +244,27 @@ classdef kernel
       r1_size = 0.25 .* (a_size .* a_size + b_size .* b_size + d_size .* d_size);
       r0_size = 0.25 .* b_size .* (a_size .* d_size + m_size .* b_size);
       mean = m_size ./ 3.0;
-      result.P = (r1_size + m_size .* mean) ./ 3.0;
-      result.Q = 0.5 .* (r0_size + mean .* (r1_size + 2.0 .* mean .* mean));
+      result = struct('P', (r1_size + m_size .* mean) ./ 3.0, 'Q', 0.5 .* (r0_size + mean .* (r1_size + 2.0 .* mean .* mean)));
     end
 
     function result = cubic(a, b, d, m)
     %CUBIC  The resolvent of the quartic in t, and the same without its quadratic term.
       [r0, r1, r2] = spragsym.algebra.resolvent(a, b, d, m);
       it = spragsym.kernel.depressed(r0, r1, r2);
-      result.r0 = r0;
-      result.r1 = r1;
-      result.r2 = r2;
-      result.P = it.P;
-      result.Q = it.Q;
+      result = struct('r0', r0, 'r1', r1, 'r2', r2, 'P', it.P, 'Q', it.Q);
     end
 
     function result = quartic(a, b, d, m)
     %QUARTIC  The quartic in t = tan(θ/2) whose roots are those of f.
       [e0, e1, e2, e3, e4] = spragsym.algebra.t_quartic(a, b, d, m);
-      result.e0 = e0;
-      result.e1 = e1;
-      result.e2 = e2;
-      result.e3 = e3;
-      result.e4 = e4;
+      result = struct('e0', e0, 'e1', e1, 'e2', e2, 'e3', e3, 'e4', e4);
     end
 
     function result = discriminant(line, it, u)
     %DISCRIMINANT  The sign of P³ + Q² is that of the discriminant, reversed.
     %
-    %  From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error) error;
-    %  cubing, squaring and adding round four times more.
+    %  From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error) error; cubing,
+    %  squaring and adding round four times more.
       UNDERFLOW = 1e-307;  % What underflow may add to P³ + Q² at most, generously.
       COUNT_P = 22.0;  % a count of roundings
       COUNT_Q = 27.0;  % a count of roundings
@@ -312,58 +273,13 @@ classdef kernel
       Q_bound = abs(it.Q) + COUNT_Q .* u .* size.Q;
       from_P = P_bound .* P_bound .* size.P .* (3.0 .* COUNT_P + 4.0);
       from_Q = Q_bound .* size.Q .* (2.0 .* COUNT_Q + 4.0);
-      result.value = it.P .* it.P .* it.P + it.Q .* it.Q;
-      result.error = u .* (from_P + from_Q) + UNDERFLOW;
+      result = struct('value', it.P .* it.P .* it.P + it.Q .* it.Q, 'error', u .* (from_P + from_Q) + UNDERFLOW);
     end
 
     function result = one_positive(line, e, u)
     %ONE_POSITIVE  Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0.
       COUNT_E1 = 10.0;  % a count of roundings
       result = e.e1 < -2.0 .* COUNT_E1 .* u .* (line.a_size + line.d_size);
-    end
-
-    function result = above(e1, e2, e3, e4, c, margin)
-    %ABOVE  How many of the positive roots of e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ are above c ≥ 0.
-    %
-    %  Three are positive, the fourth is real as well, and the value at c is negative. As many are above c as the derivatives
-    %  there, over factorials, change their sign (Budan and Fourier), from that value to e4 > 0: three times or once.
-      d1 = ((4.0 .* e4 .* c + 3.0 .* e3) .* c + 2.0 .* e2) .* c + e1;
-      d2 = (6.0 .* e4 .* c + 3.0 .* e3) .* c + e2;
-      d3 = 4.0 .* e4 .* c + e3;
-      falls2 = d2 < -margin;
-      falls3 = d3 < -margin;
-      rises2 = d2 > margin;
-      rises3 = d3 > margin;
-      thrice = ((d1 > margin) & (falls2 | falls3)) | (rises2 & falls3);
-      once = ((d1 < -margin) | (rises2 & rises3)) & (falls2 | rises3);
-      result.all = thrice;
-      result.one = once;
-    end
-
-    function result = one_or_three(point, u)
-    %ONE_OR_THREE  The number of equilibria in contact, 1 or 3; 0 where that is open.
-    %
-    %  Each is a positive root in t. One is positive unless all four are real and e1 > 0; then three are, by Descartes' rule.
-    %  Of these the ones in contact have sin θ > s* = sin θ₀ − κ/σ. At the lower end t = c of these directions f is negative,
-    %  so that none or two of the three lie below it. None lies beyond the upper end, where cos θ < 0 and sin θ = s < s* < sin
-    %  θ₀: there f = |cos θ| (|b| − a s) + s (m (s* − s) + α q cos θ₀) is positive, by |b| − a s > α q s and |cos θ| > |cos
-    %  θ₀|.
-    %
-    %  ``margin`` is more than what the derivatives at c may be off by. All coefficients are at most 4 and c at most 1; the
-    %  largest share is that of c, which is off by √(22 u) at most, near c = 1, and changes a derivative by up to 44 times as
-    %  much; the rest is below 480 u (1 + a_size + d_size).
-      line = spragsym.kernel.balance_(point);
-      e = spragsym.kernel.quartic(line.a, line.b, line.d, line.m);
-      D = spragsym.kernel.discriminant(line, spragsym.kernel.cubic(line.a, line.b, line.d, line.m), u);
-      margin = 512.0 .* sqrt(u) .* (1.0 + line.a_size + line.d_size);
-      lowest = spragsym.kernel.larger(point.sin0 - point.kappa ./ point.sigma, 0.0);
-      c = lowest ./ (1.0 + sqrt((1.0 - lowest) .* (1.0 + lowest)));
-      in_contact = spragsym.kernel.above(e.e1, e.e2, e.e3, e.e4, c, margin);
-      certain = spragsym.kernel.sound(point) & spragsym.kernel.representable(line);
-      three_positive = certain & (D.value < -D.error) & (e.e1 > margin);
-      one_positive_root = certain & ((D.value > D.error) | spragsym.kernel.one_positive(line, e, u));
-      one = one_positive_root | (three_positive & in_contact.one);
-      result = spragsym.kernel.where(one, 1.0, spragsym.kernel.where(three_positive & in_contact.all, 3.0, 0.0));
     end
 
     function result = outermost(P, Q)
@@ -425,10 +341,8 @@ classdef kernel
       q2 = spragsym.kernel.where(good, new_q2, q2);
       larger_second = -q1 < q2;
       inverse_q = -1.0 ./ spragsym.kernel.where(larger_second, q2, q1);
-      result.p1 = spragsym.kernel.where(good, p1 + dp1, p1);
-      result.q1 = spragsym.kernel.where(larger_second, inverse_q, q1);
-      result.p2 = spragsym.kernel.where(good, p2 + dp2, p2);
-      result.q2 = spragsym.kernel.where(larger_second, q2, inverse_q);
+      result = struct('p1', spragsym.kernel.where(good, p1 + dp1, p1), 'q1', spragsym.kernel.where(larger_second, inverse_q, ...
+          q1), 'p2', spragsym.kernel.where(good, p2 + dp2, p2), 'q2', spragsym.kernel.where(larger_second, q2, inverse_q));
     end
 
     function result = factors(e, resolved)
@@ -453,16 +367,14 @@ classdef kernel
       quarter = half .* half - q;
       radical = sqrt(spragsym.kernel.larger(quarter, 0.0));
       large = -half - spragsym.kernel.where(half > 0.0, radical, -radical);
-      result.large = large;
-      result.small = q ./ large;
-      result.discriminant = quarter;
+      result = struct('large', large, 'small', q ./ large, 'discriminant', quarter);
     end
 
     function result = guesses(point, line, u)
     %GUESSES  The roots that may be equilibria.
     %
-    %  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root
-    %  of either sign; those of the second are complex, or both negative, or both positive.
+    %  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root of
+    %  either sign; those of the second are complex, or both negative, or both positive.
       INFINITY = Inf;
       e = spragsym.kernel.quartic(line.a, line.b, line.d, line.m);
       resolved = spragsym.kernel.cubic(line.a, line.b, line.d, line.m);
@@ -486,20 +398,17 @@ classdef kernel
       inner = spragsym.kernel.larger(a1, b1);
       outer = spragsym.kernel.smaller(a2, b2);
       count = spragsym.kernel.where(contact, 1.0, 2.0) + spragsym.kernel.where(more, 2.0, 0.0);
-      result.t0 = spragsym.kernel.smaller(a1, b1);
-      result.t1 = spragsym.kernel.smaller(inner, outer);
-      result.t2 = spragsym.kernel.larger(inner, outer);
-      result.t3 = spragsym.kernel.larger(a2, b2);
-      result.count = count;
-      result.certain = spared | real;
+      result = struct('t0', spragsym.kernel.smaller(a1, b1), 't1', spragsym.kernel.smaller(inner, outer), 't2', ...
+          spragsym.kernel.larger(inner, outer), 't3', spragsym.kernel.larger(a2, b2), 'count', count, 'certain', spared | ...
+          real);
     end
 
     function result = at_root(t, point, line, u)
     %AT_ROOT  State, error bounds and stability at a root of f that is proved to lie near θ = 2 atan t.
     %
-    %  Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ, L = σ/q + R/(q sin
-    %  θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most radius (|cos θ|
-    %  + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
+    %  Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ, L = σ/q + R/(q sin θ),
+    %  y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most radius (|cos θ| +
+    %  radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
       INFINITY = Inf;
       % The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
       LARGEST_H = 0.4;
@@ -544,30 +453,22 @@ classdef kernel
       y_error = (1.01 .* sigma .* radius .* swing + rounding .* y_size) .* over;
       turn = 1.01 .* radius .* (s_size + radius);
       x_error = L_error .* swing + L_size .* (turn + rounding .* c_size) + rounding;
-      state_error = spragsym.kernel.larger(L_error, x_error) ./ spragsym.kernel.larger(spragsym.kernel.smaller(L, abs(x)), ...
-          1.0);
+      state_error = spragsym.kernel.larger(L_error, x_error) ./ spragsym.kernel.larger(spragsym.kernel.smaller(L, abs(x)), 1.0);
       error = spragsym.kernel.larger(state_error, spragsym.kernel.larger(radius + COUNT_THETA .* u, y_error));
       beyond = (1.0 - 2.0 .* nbar) .* y;
       member = (L > L_error) & (beyond > y_error);
       outsider = (L < -L_error) | (beyond < -y_error);
       uncertainty = spragsym.kernel.larger(relative, L_error ./ abs(L)) + 8.0 .* u;
       kind = spragsym.kernel.stability(at, wide_L, slope, uncertainty, point);
-      result.L = L;
-      result.x = x;
-      result.y = y;
-      result.radius = radius;
-      result.error = error;
-      result.member = member;
-      result.outsider = outsider;
-      result.code = kind.code;
-      result.known = proved & kind.certain;
+      result = struct('L', L, 'x', x, 'y', y, 'radius', radius, 'error', error, 'member', member, 'outsider', outsider, ...
+          'code', kind.code, 'known', proved & kind.certain);
     end
 
     function result = stability(at, L, slope, uncertainty, point)
     %STABILITY  1 stable, 2 divergent, 3 flutter, by (27).
     %
-    %  The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ,
-    %  and of sin θ and L over themselves.
+    %  The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ, and
+    %  of sin θ and L over themselves.
       COUNT_K = 9.0;  % a count of roundings
       [K11, K12, K21, K22] = spragsym.algebra.stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, ...
           point.beta, point.nbar);
@@ -586,8 +487,7 @@ classdef kernel
           2.0)));
       % Far from a vanishing discriminant, and from a vanishing trace where that decides.
       far = abs(flutter) > margin .* (size + 1.5 .* point.mu0 .* nbar);
-      result.code = code;
-      result.certain = saddle | (far & (fluttering | (abs(trace) > margin)));
+      result = struct('code', code, 'certain', saddle | (far & (fluttering | (abs(trace) > margin))));
     end
 
     function result = apart(low, low_radius, high, high_radius)
@@ -619,8 +519,7 @@ classdef kernel
       c = top + (1.0 - top - half + (z .* z .* even - r .* tail));
       sine = spragsym.kernel.where(k == 1.0, c, spragsym.kernel.where(k > 1.0, -s, s));
       cosine = spragsym.kernel.where(k == 1.0, -s, spragsym.kernel.where(k > 1.0, -c, c));
-      result.cosine = cosine;
-      result.sine = sine;
+      result = struct('cosine', cosine, 'sine', sine);
     end
 
     function result = arctangent(t)
@@ -652,7 +551,7 @@ classdef kernel
       result = spragsym.kernel.where(t < 0.0, -result, result);
     end
 
-    function result = wide_f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar)
+    function [result1, result2, result3, result4] = wide_f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar)
     %WIDE_F_COEFFICIENTS  a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).
       B = spragsym.kernel.dd_add(beta, nbar);
       a_f = spragsym.kernel.dd_multiply(sigma, spragsym.kernel.dd_add(B, spragsym.kernel.dd_negative(alpha)));
@@ -665,38 +564,28 @@ classdef kernel
           spragsym.kernel.dd_multiply(sigma, sin0))), spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(alpha, cos0), ...
           q));
       m_f = spragsym.kernel.dd_multiply(M, sigma);
-      result.value0 = a_f;
-      result.value1 = b_f;
-      result.value2 = d_f;
-      result.value3 = m_f;
+      result1 = a_f;
+      result2 = b_f;
+      result3 = d_f;
+      result4 = m_f;
     end
 
     function result = wide_balance(point)
-    %WIDE_BALANCE  f of the point: coefficients and sizes over the largest coefficient.
-      f_coefficients_results = spragsym.kernel.wide_f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, ...
-          point.alpha, point.sigma, point.beta, point.nbar);
-      a = f_coefficients_results.value0;
-      b = f_coefficients_results.value1;
-      d = f_coefficients_results.value2;
-      m = f_coefficients_results.value3;
+    %WIDE_BALANCE  ``balance`` in double-double arithmetic.
+      [a, b, d, m] = spragsym.kernel.wide_f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, ...
+          point.sigma, point.beta, point.nbar);
       [a_size, d_size] = spragsym.algebra.f_magnitudes(point.cos0.high, point.sin0.high, point.mu0.high, point.kappa.high, ...
           point.alpha.high, point.sigma.high, point.beta.high, point.nbar.high);
-      % m = μ₀ σ n̄ is not negative.
       scale = spragsym.kernel.larger(spragsym.kernel.larger(abs(a.high), abs(b.high)), spragsym.kernel.larger(abs(d.high), ...
           m.high));
       over = 1.0 ./ scale;
-      result.a = spragsym.kernel.dd_multiply_double(a, over);
-      result.b = spragsym.kernel.dd_multiply_double(b, over);
-      result.d = spragsym.kernel.dd_multiply_double(d, over);
-      result.m = spragsym.kernel.dd_multiply_double(m, over);
-      result.a_size = a_size .* over;
-      result.d_size = d_size .* over;
-      result.scale = scale;
+      result = struct('a', spragsym.kernel.dd_multiply_double(a, over), 'b', spragsym.kernel.dd_multiply_double(b, over), 'd', ...
+          spragsym.kernel.dd_multiply_double(d, over), 'm', spragsym.kernel.dd_multiply_double(m, over), 'a_size', a_size .* ...
+          over, 'd_size', d_size .* over, 'scale', scale);
     end
 
     function result = wide_moderate(point)
-    %WIDE_MODERATE  Whether double-double arithmetic is as good as its bounds say at this point.
-      % Between these, numbers are far enough from underflow and overflow for the exact products of double-double arithmetic.
+    %WIDE_MODERATE  ``moderate`` in double-double arithmetic.
       SMALLEST_WIDE = 1e-50;
       sin0 = point.sin0.high;
       across = (sin0 > SMALLEST_WIDE) & spragsym.kernel.tame(point.kappa.high) & spragsym.kernel.tame(point.sigma.high) & ...
@@ -705,97 +594,72 @@ classdef kernel
     end
 
     function result = wide_representable(line)
-    %WIDE_REPRESENTABLE  Whether double precision can carry the quartic of this balance.
-      SMALLEST_SCALE = 1e-200;  % Between these the largest coefficient of f can be divided out without underflow or overflow.
+    %WIDE_REPRESENTABLE  ``representable`` in double-double arithmetic.
+      SMALLEST_SCALE = 1e-200;
       LARGEST_SCALE = 1e+200;
-      % The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther apart share no scale.
       SMALLEST_RATIO = 1e-60;
       result = (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b.high <= -SMALLEST_RATIO);
     end
 
-    function result = wide_t_quartic(a_f, b_f, d_f, m_f)
+    function [result1, result2, result3, result4, result5] = wide_t_quartic(a_f, b_f, d_f, m_f)
     %WIDE_T_QUARTIC  Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = tan(θ/2).
-      result.value0 = b_f;
-      result.value1 = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(a_f, d_f), 2.0);
-      result.value2 = spragsym.kernel.dd_scaled(m_f, -4.0);
-      result.value3 = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(spragsym.kernel.dd_negative(a_f), d_f), 2.0);
-      result.value4 = spragsym.kernel.dd_negative(b_f);
+      result1 = b_f;
+      result2 = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(a_f, d_f), 2.0);
+      result3 = spragsym.kernel.dd_scaled(m_f, -4.0);
+      result4 = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(spragsym.kernel.dd_negative(a_f), d_f), 2.0);
+      result5 = spragsym.kernel.dd_negative(b_f);
     end
 
     function result = wide_quartic(a, b, d, m)
-    %WIDE_QUARTIC  The quartic in t = tan(θ/2) whose roots are those of f.
-      t_quartic_results = spragsym.kernel.wide_t_quartic(a, b, d, m);
-      e0 = t_quartic_results.value0;
-      e1 = t_quartic_results.value1;
-      e2 = t_quartic_results.value2;
-      e3 = t_quartic_results.value3;
-      e4 = t_quartic_results.value4;
-      result.e0 = e0;
-      result.e1 = e1;
-      result.e2 = e2;
-      result.e3 = e3;
-      result.e4 = e4;
+    %WIDE_QUARTIC  ``quartic`` in double-double arithmetic.
+      [e0, e1, e2, e3, e4] = spragsym.kernel.wide_t_quartic(a, b, d, m);
+      result = struct('e0', e0, 'e1', e1, 'e2', e2, 'e3', e3, 'e4', e4);
     end
 
-    function result = wide_resolvent(a_f, b_f, d_f, m_f)
+    function [result1, result2, result3] = wide_resolvent(a_f, b_f, d_f, m_f)
     %WIDE_RESOLVENT  Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t.
-      a_f_2 = spragsym.kernel.dd_multiply(a_f, a_f);
-      b_f_2 = spragsym.kernel.dd_multiply(b_f, b_f);
-      d_f_2 = spragsym.kernel.dd_multiply(d_f, d_f);
-      result.value0 = spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative(b_f), ...
+      result1 = spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative(b_f), ...
           spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(a_f, d_f), spragsym.kernel.dd_multiply(b_f, m_f))), 0.25);
-      result.value1 = ...
-          spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_scaled(spragsym.kernel.dd_negative(a_f_2), 0.25), ...
-          spragsym.kernel.dd_scaled(b_f_2, 0.25)), spragsym.kernel.dd_scaled(d_f_2, 0.25));
-      result.value2 = spragsym.kernel.dd_negative(m_f);
+      result2 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_scaled(spragsym.kernel.dd_negative( ...
+          spragsym.kernel.dd_multiply(a_f, a_f)), 0.25), spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(b_f, ...
+          b_f), 0.25)), spragsym.kernel.dd_scaled(spragsym.kernel.dd_multiply(d_f, d_f), 0.25));
+      result3 = spragsym.kernel.dd_negative(m_f);
     end
 
     function result = wide_depressed(r0, r1, r2)
-    %WIDE_DEPRESSED  The resolvent r0 + r1 ℓ + r2 ℓ² + ℓ³ without its quadratic term; P³ + Q² < 0: four real roots in t.
+    %WIDE_DEPRESSED  ``depressed`` in double-double arithmetic.
       mean = spragsym.kernel.dd_divide(r2, spragsym.kernel.paired(3.0, 0.0));
-      result.P = spragsym.kernel.dd_divide(spragsym.kernel.dd_add(r1, ...
-          spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(r2, mean))), spragsym.kernel.paired(3.0, 0.0));
-      result.Q = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(r0, ...
-          spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(mean, spragsym.kernel.dd_add(r1, ...
-          spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(mean, 2.0), mean)))))), 0.5);
+      result = struct('P', spragsym.kernel.dd_divide(spragsym.kernel.dd_add(r1, ...
+          spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(r2, mean))), spragsym.kernel.paired(3.0, 0.0)), 'Q', ...
+          spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(r0, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(mean, ...
+          spragsym.kernel.dd_add(r1, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(mean, ...
+          2.0), mean)))))), 0.5));
     end
 
     function result = wide_cubic(a, b, d, m)
-    %WIDE_CUBIC  The resolvent of the quartic in t, and the same without its quadratic term.
-      resolvent_results = spragsym.kernel.wide_resolvent(a, b, d, m);
-      r0 = resolvent_results.value0;
-      r1 = resolvent_results.value1;
-      r2 = resolvent_results.value2;
+    %WIDE_CUBIC  ``cubic`` in double-double arithmetic.
+      [r0, r1, r2] = spragsym.kernel.wide_resolvent(a, b, d, m);
       it = spragsym.kernel.wide_depressed(r0, r1, r2);
-      result.r0 = r0;
-      result.r1 = r1;
-      result.r2 = r2;
-      result.P = it.P;
-      result.Q = it.Q;
+      result = struct('r0', r0, 'r1', r1, 'r2', r2, 'P', it.P, 'Q', it.Q);
     end
 
     function result = wide_discriminant(line, it, u)
-    %WIDE_DISCRIMINANT  The sign of P³ + Q² is that of the discriminant, reversed.
-    %
-    %  From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error) error;
-    %  cubing, squaring and adding round four times more.
-      UNDERFLOW = 1e-307;  % What underflow may add to P³ + Q² at most, generously.
-      COUNT_P = 22.0;  % a count of roundings
-      COUNT_Q = 27.0;  % a count of roundings
+    %WIDE_DISCRIMINANT  ``discriminant`` in double-double arithmetic.
+      UNDERFLOW = 1e-307;
+      COUNT_P = 22.0;
+      COUNT_Q = 27.0;
       size = spragsym.kernel.depressed_size(line.a_size, abs(line.b.high), line.d_size, line.m.high);
       P_bound = abs(it.P.high) + COUNT_P .* u .* size.P;
       Q_bound = abs(it.Q.high) + COUNT_Q .* u .* size.Q;
       from_P = P_bound .* P_bound .* size.P .* (3.0 .* COUNT_P + 4.0);
       from_Q = Q_bound .* size.Q .* (2.0 .* COUNT_Q + 4.0);
-      result.value = ...
+      result = struct('value', ...
           spragsym.kernel.dd_leading(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(it.P, ...
-          it.P), it.P), spragsym.kernel.dd_multiply(it.Q, it.Q)));
-      result.error = u .* (from_P + from_Q) + UNDERFLOW;
+          it.P), it.P), spragsym.kernel.dd_multiply(it.Q, it.Q))), 'error', u .* (from_P + from_Q) + UNDERFLOW);
     end
 
     function result = wide_simple_root(it)
-    %WIDE_SIMPLE_ROOT  The real root of the resolvent cubic farthest from the mean of the three, to full relative accuracy.
-      % Newton's step squares the error, so that more than a double would be lost on the start.
+    %WIDE_SIMPLE_ROOT  ``simple_root`` in double-double arithmetic.
       z = spragsym.kernel.outermost(it.P.high, it.Q.high);
       x = spragsym.kernel.dd_add_double(spragsym.kernel.dd_negative(spragsym.kernel.dd_divide(it.r2, ...
           spragsym.kernel.paired(3.0, 0.0))), z);
@@ -809,10 +673,7 @@ classdef kernel
     end
 
     function result = wide_polish(A1, A2, A3, p1, q1, p2, q2)
-    %WIDE_POLISH  One Newton step on both factors of t⁴ + A3 t³ + A2 t² + A1 t − 1 at once.
-    %
-    %  The change of the second factor is the remainder over the first, modulo the second. q1 q2 = −1 is kept by setting the
-    %  smaller from the larger.
+    %WIDE_POLISH  ``polish`` in double-double arithmetic.
       INFINITY = Inf;
       r3 = spragsym.kernel.dd_add(A3, spragsym.kernel.dd_negative(spragsym.kernel.dd_add(p1, p2)));
       r2 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(A2, spragsym.kernel.dd_negative(spragsym.kernel.dd_add(q1, q2))), ...
@@ -839,7 +700,6 @@ classdef kernel
       dq1 = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_add(r2, spragsym.kernel.dd_negative(dq2)), ...
           spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(p2, dp1))), ...
           spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(p1, dp2)));
-      % Where three roots meet, the factors share a root and the step is not reliable.
       new_q1 = spragsym.kernel.dd_add(q1, dq1);
       new_q2 = spragsym.kernel.dd_add(q2, dq2);
       good = (new_q1.high < 0.0) & (new_q2.high > 0.0) & spragsym.kernel.dd_less(spragsym.kernel.dd_absolute( ...
@@ -848,16 +708,14 @@ classdef kernel
       q1 = spragsym.kernel.dd_where(good, new_q1, q1);
       q2 = spragsym.kernel.dd_where(good, new_q2, q2);
       larger_second = spragsym.kernel.dd_less(spragsym.kernel.dd_negative(q1), q2);
-      inverse_q = spragsym.kernel.dd_divide(spragsym.kernel.paired(-1.0, 0.0), spragsym.kernel.dd_where(larger_second, q2, ...
-          q1));
-      result.p1 = spragsym.kernel.dd_where(good, spragsym.kernel.dd_add(p1, dp1), p1);
-      result.q1 = spragsym.kernel.dd_where(larger_second, inverse_q, q1);
-      result.p2 = spragsym.kernel.dd_where(good, spragsym.kernel.dd_add(p2, dp2), p2);
-      result.q2 = spragsym.kernel.dd_where(larger_second, q2, inverse_q);
+      inverse_q = spragsym.kernel.dd_divide(spragsym.kernel.paired(-1.0, 0.0), spragsym.kernel.dd_where(larger_second, q2, q1));
+      result = struct('p1', spragsym.kernel.dd_where(good, spragsym.kernel.dd_add(p1, dp1), p1), 'q1', ...
+          spragsym.kernel.dd_where(larger_second, inverse_q, q1), 'p2', spragsym.kernel.dd_where(good, ...
+          spragsym.kernel.dd_add(p2, dp2), p2), 'q2', spragsym.kernel.dd_where(larger_second, q2, inverse_q));
     end
 
     function result = wide_factors(e, resolved)
-    %WIDE_FACTORS  The two real quadratic factors of the quartic in t.
+    %WIDE_FACTORS  ``factors`` in double-double arithmetic.
       over = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), e.e4);
       A1 = spragsym.kernel.dd_multiply(e.e1, over);
       A2 = spragsym.kernel.dd_multiply(e.e2, over);
@@ -876,30 +734,24 @@ classdef kernel
     end
 
     function result = wide_root_pair(p, q)
-    %WIDE_ROOT_PAIR  The two roots of t² + p t + q without cancellation.
+    %WIDE_ROOT_PAIR  ``root_pair`` in double-double arithmetic.
       half = spragsym.kernel.dd_scaled(p, 0.5);
       quarter = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(half, half), spragsym.kernel.dd_negative(q));
       radical = spragsym.kernel.dd_sqrt(spragsym.kernel.dd_larger(quarter, spragsym.kernel.paired(0.0, 0.0)));
       large = spragsym.kernel.dd_add(spragsym.kernel.dd_negative(half), ...
           spragsym.kernel.dd_negative(spragsym.kernel.dd_where(half.high > 0.0, radical, ...
           spragsym.kernel.dd_negative(radical))));
-      result.large = large;
-      result.small = spragsym.kernel.dd_divide(q, large);
-      result.discriminant = quarter;
+      result = struct('large', large, 'small', spragsym.kernel.dd_divide(q, large), 'discriminant', quarter);
     end
 
     function result = wide_one_positive(line, e, u)
-    %WIDE_ONE_POSITIVE  Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 <
-    %  0.
-      COUNT_E1 = 10.0;  % a count of roundings
+    %WIDE_ONE_POSITIVE  ``one_positive`` in double-double arithmetic.
+      COUNT_E1 = 10.0;
       result = e.e1.high < -2.0 .* COUNT_E1 .* u .* (line.a_size + line.d_size);
     end
 
     function result = wide_guesses(point, line, u)
-    %WIDE_GUESSES  The roots that may be equilibria.
-    %
-    %  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root
-    %  of either sign; those of the second are complex, or both negative, or both positive.
+    %WIDE_GUESSES  ``guesses`` in double-double arithmetic.
       INFINITY = Inf;
       e = spragsym.kernel.wide_quartic(line.a, line.b, line.d, line.m);
       resolved = spragsym.kernel.wide_cubic(line.a, line.b, line.d, line.m);
@@ -911,7 +763,6 @@ classdef kernel
       spared = (D.value > D.error) | (contact & spragsym.kernel.wide_one_positive(line, e, u));
       real = second.discriminant.high >= 0.0;
       more = real & (~spared);
-      % A sorting network; places without a root go to the end.
       low = spragsym.kernel.dd_where(contact, spragsym.kernel.paired(INFINITY, 0.0), spragsym.kernel.dd_smaller(first.large, ...
           first.small));
       high = spragsym.kernel.dd_larger(first.large, first.small);
@@ -924,45 +775,39 @@ classdef kernel
       inner = spragsym.kernel.dd_larger(a1, b1);
       outer = spragsym.kernel.dd_smaller(a2, b2);
       count = spragsym.kernel.where(contact, 1.0, 2.0) + spragsym.kernel.where(more, 2.0, 0.0);
-      result.t0 = spragsym.kernel.dd_smaller(a1, b1);
-      result.t1 = spragsym.kernel.dd_smaller(inner, outer);
-      result.t2 = spragsym.kernel.dd_larger(inner, outer);
-      result.t3 = spragsym.kernel.dd_larger(a2, b2);
-      result.count = count;
-      result.certain = spared | real;
+      result = struct('t0', spragsym.kernel.dd_smaller(a1, b1), 't1', spragsym.kernel.dd_smaller(inner, outer), 't2', ...
+          spragsym.kernel.dd_larger(inner, outer), 't3', spragsym.kernel.dd_larger(a2, b2), 'count', count, 'certain', spared ...
+          | real);
     end
 
     function result = wide_direction(t)
-    %WIDE_DIRECTION  cos θ and sin θ at t = tan(θ/2).
+    %WIDE_DIRECTION  ``direction`` in double-double arithmetic.
       inverse = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), ...
           spragsym.kernel.dd_add_double(spragsym.kernel.dd_multiply(t, t), 1.0));
-      result.cosine = spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(spragsym.kernel.dd_add_double( ...
-          spragsym.kernel.dd_negative(t), 1.0), spragsym.kernel.dd_add_double(t, 1.0)), inverse);
-      result.sine = spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(t, 2.0), inverse);
+      result = struct('cosine', spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(spragsym.kernel.dd_add_double( ...
+          spragsym.kernel.dd_negative(t), 1.0), spragsym.kernel.dd_add_double(t, 1.0)), inverse), 'sine', ...
+          spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(t, 2.0), inverse));
     end
 
     function result = wide_f(cos_theta, sin_theta, a_f, b_f, d_f, m_f)
     %WIDE_F  The scalar function whose roots are the equilibria.
-      sin_2 = spragsym.kernel.dd_multiply(sin_theta, sin_theta);
       result = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply( ...
           spragsym.kernel.dd_multiply(a_f, cos_theta), sin_theta), spragsym.kernel.dd_multiply(b_f, cos_theta)), ...
           spragsym.kernel.dd_multiply(d_f, sin_theta)), spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(m_f, ...
-          sin_2)));
+          spragsym.kernel.dd_multiply(sin_theta, sin_theta))));
     end
 
     function result = wide_f_slope(cos_theta, sin_theta, a_f, b_f, d_f, m_f)
     %WIDE_F_SLOPE  df/dθ, which is L det K at an equilibrium.
-      cos_2 = spragsym.kernel.dd_multiply(cos_theta, cos_theta);
-      sin_2 = spragsym.kernel.dd_multiply(sin_theta, sin_theta);
-      result = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(a_f, cos_2), ...
-          spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(a_f, sin_2))), spragsym.kernel.dd_multiply(cos_theta, d_f)), ...
+      result = spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(a_f, ...
+          spragsym.kernel.dd_multiply(cos_theta, cos_theta)), spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(a_f, ...
+          spragsym.kernel.dd_multiply(sin_theta, sin_theta)))), spragsym.kernel.dd_multiply(cos_theta, d_f)), ...
           spragsym.kernel.dd_multiply(sin_theta, spragsym.kernel.dd_add(spragsym.kernel.dd_negative(b_f), ...
           spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(cos_theta, 2.0), m_f)))));
     end
 
     function result = wide_sound(point)
-    %WIDE_SOUND  Whether the bounds below can count on relative rounding errors.
-      % A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
+    %WIDE_SOUND  ``sound`` in double-double arithmetic.
       SMALLEST_PARAMETER = 1e-250;
       sin0 = point.sin0.high;
       kappa = point.kappa.high;
@@ -972,7 +817,7 @@ classdef kernel
           spragsym.kernel.ordinary(point.beta.high);
     end
 
-    function result = wide_state(cos_theta, sin_theta, cos0, sin0, kappa, sigma, beta, nbar)
+    function [result1, result2, result3] = wide_state(cos_theta, sin_theta, cos0, sin0, kappa, sigma, beta, nbar)
     %WIDE_STATE  Spring length and displacement at an equilibrium with direction θ.
       B = spragsym.kernel.dd_add(beta, nbar);
       q = spragsym.kernel.dd_add(B, sigma);
@@ -980,85 +825,67 @@ classdef kernel
       L = spragsym.kernel.dd_divide(spragsym.kernel.dd_multiply(w0, ...
           spragsym.kernel.dd_add(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(B, sin0), kappa), ...
           spragsym.kernel.dd_multiply(sigma, sin_theta))), sin_theta);
-      result.value0 = L;
-      result.value1 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative(L), cos_theta), cos0);
-      result.value2 = spragsym.kernel.dd_multiply(w0, spragsym.kernel.dd_add(spragsym.kernel.dd_negative(kappa), ...
+      result1 = L;
+      result2 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative(L), cos_theta), cos0);
+      result3 = spragsym.kernel.dd_multiply(w0, spragsym.kernel.dd_add(spragsym.kernel.dd_negative(kappa), ...
           spragsym.kernel.dd_multiply(sigma, spragsym.kernel.dd_add(spragsym.kernel.dd_negative(sin_theta), sin0))));
     end
 
-    function result = wide_stiffness(cos_theta, sin_theta, L, mu0, alpha, sigma, beta, nbar)
+    function [result1, result2, result3, result4] = wide_stiffness(cos_theta, sin_theta, L, mu0, alpha, sigma, beta, nbar)
     %WIDE_STIFFNESS  K, the Jacobian of (F_x, F_y).
       p = spragsym.kernel.dd_add(alpha, sigma);
       M = spragsym.kernel.dd_multiply(mu0, nbar);
       B = spragsym.kernel.dd_add(beta, nbar);
       q = spragsym.kernel.dd_add(B, sigma);
-      sin_2 = spragsym.kernel.dd_multiply(sin_theta, sin_theta);
       w0 = spragsym.kernel.dd_divide(sigma, L);
       w1 = spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(cos_theta, sin_theta), w0);
-      cos_2 = spragsym.kernel.dd_multiply(cos_theta, cos_theta);
-      result.value0 = spragsym.kernel.dd_add(p, spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(sin_2, w0)));
-      result.value1 = spragsym.kernel.dd_add(M, w1);
-      result.value2 = w1;
-      result.value3 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative(cos_2), w0), q);
+      result1 = spragsym.kernel.dd_add(p, ...
+          spragsym.kernel.dd_negative(spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(sin_theta, sin_theta), w0)));
+      result2 = spragsym.kernel.dd_add(M, w1);
+      result3 = w1;
+      result4 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_negative( ...
+          spragsym.kernel.dd_multiply(cos_theta, cos_theta)), w0), q);
     end
 
-    function result = wide_invariants(K11, K12, K21, K22)
+    function [result1, result2, result3] = wide_invariants(K11, K12, K21, K22)
     %WIDE_INVARIANTS  Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.
       w0 = spragsym.kernel.dd_multiply(K12, K21);
       base0 = spragsym.kernel.dd_add(K11, spragsym.kernel.dd_negative(K22));
-      base0_2 = spragsym.kernel.dd_multiply(base0, base0);
-      result.value0 = spragsym.kernel.dd_add(K11, K22);
-      result.value1 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(K11, K22), spragsym.kernel.dd_negative(w0));
-      result.value2 = spragsym.kernel.dd_add(base0_2, spragsym.kernel.dd_scaled(w0, 4.0));
+      result1 = spragsym.kernel.dd_add(K11, K22);
+      result2 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(K11, K22), spragsym.kernel.dd_negative(w0));
+      result3 = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(base0, base0), spragsym.kernel.dd_scaled(w0, 4.0));
     end
 
     function result = wide_stability(at, L, slope, uncertainty, point)
-    %WIDE_STABILITY  1 stable, 2 divergent, 3 flutter, by (27).
-    %
-    %  The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ,
-    %  and of sin θ and L over themselves.
-      COUNT_K = 9.0;  % a count of roundings
-      stiffness_results = spragsym.kernel.wide_stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, ...
+    %WIDE_STABILITY  ``stability`` in double-double arithmetic.
+      COUNT_K = 9.0;
+      [K11, K12, K21, K22] = spragsym.kernel.wide_stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, ...
           point.beta, point.nbar);
-      K11 = stiffness_results.value0;
-      K12 = stiffness_results.value1;
-      K21 = stiffness_results.value2;
-      K22 = stiffness_results.value3;
-      invariants_results = spragsym.kernel.wide_invariants(K11, K12, K21, K22);
-      wide_trace = invariants_results.value0;
-      wide_flutter = invariants_results.value2;
+      [wide_trace, ~, wide_flutter] = spragsym.kernel.wide_invariants(K11, K12, K21, K22);
       trace = wide_trace.high;
       flutter = wide_flutter.high;
       sigma = point.sigma.high;
       nbar = point.nbar.high;
       pull = sigma ./ abs(L.high);
-      % N + 2 pull.
       size = point.alpha.high + point.beta.high + nbar + 2.0 .* sigma + 3.0 .* pull;
       margin = COUNT_K .* uncertainty .* size;
       saddle = slope < 0.0;
       fluttering = flutter < 0.0;
       code = spragsym.kernel.where(saddle, 2.0, spragsym.kernel.where(fluttering, 3.0, spragsym.kernel.where(trace > 0.0, 1.0, ...
           2.0)));
-      % Far from a vanishing discriminant, and from a vanishing trace where that decides.
       far = abs(flutter) > margin .* (size + 1.5 .* point.mu0.high .* nbar);
-      result.code = code;
-      result.certain = saddle | (far & (fluttering | (abs(trace) > margin)));
+      result = struct('code', code, 'certain', saddle | (far & (fluttering | (abs(trace) > margin))));
     end
 
     function result = wide_at_root(t, point, line, u)
-    %WIDE_AT_ROOT  State, error bounds and stability at a root of f that is proved to lie near θ = 2 atan t.
-    %
-    %  Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ, L = σ/q + R/(q sin
-    %  θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most radius (|cos θ|
-    %  + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
+    %WIDE_AT_ROOT  ``at_root`` in double-double arithmetic.
       INFINITY = Inf;
-      % The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
       LARGEST_H = 0.4;
-      LARGEST_RADIUS = 0.001;  % The largest radius around θ, over sin θ, for which the bounds on the state below hold.
-      COUNT_F = 21.0;  % a count of roundings
-      COUNT_SLOPE = 24.0;  % a count of roundings
-      COUNT_STATE = 18.0;  % a count of roundings
-      COUNT_THETA = 16.0;  % a count of roundings
+      LARGEST_RADIUS = 0.001;
+      COUNT_F = 21.0;
+      COUNT_SLOPE = 24.0;
+      COUNT_STATE = 18.0;
+      COUNT_THETA = 16.0;
       at = spragsym.kernel.wide_direction(t);
       c_size = abs(at.cosine.high);
       s_size = abs(at.sine.high);
@@ -1074,13 +901,9 @@ classdef kernel
       newton = value ./ steepness;
       h = newton .* bend ./ steepness;
       proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS .* s_size) & spragsym.kernel.wide_sound(point);
-      % The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
       radius = spragsym.kernel.where(proved, 1.0001 .* newton ./ (1.0 - h), INFINITY);
-      state_results = spragsym.kernel.wide_state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, ...
-          point.beta, point.nbar);
-      wide_L = state_results.value0;
-      wide_x = state_results.value1;
-      wide_y = state_results.value2;
+      [wide_L, wide_x, wide_y] = spragsym.kernel.wide_state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, ...
+          point.sigma, point.beta, point.nbar);
       L = wide_L.high;
       x = wide_x.high;
       y = wide_y.high;
@@ -1099,27 +922,19 @@ classdef kernel
       y_error = (1.01 .* sigma .* radius .* swing + rounding .* y_size) .* over;
       turn = 1.01 .* radius .* (s_size + radius);
       x_error = L_error .* swing + L_size .* (turn + rounding .* c_size) + rounding;
-      state_error = spragsym.kernel.larger(L_error, x_error) ./ spragsym.kernel.larger(spragsym.kernel.smaller(L, abs(x)), ...
-          1.0);
+      state_error = spragsym.kernel.larger(L_error, x_error) ./ spragsym.kernel.larger(spragsym.kernel.smaller(L, abs(x)), 1.0);
       error = spragsym.kernel.larger(state_error, spragsym.kernel.larger(radius + COUNT_THETA .* u, y_error));
       beyond = (1.0 - 2.0 .* nbar) .* y;
       member = (L > L_error) & (beyond > y_error);
       outsider = (L < -L_error) | (beyond < -y_error);
       uncertainty = spragsym.kernel.larger(relative, L_error ./ abs(L)) + 8.0 .* u;
       kind = spragsym.kernel.wide_stability(at, wide_L, slope, uncertainty, point);
-      result.L = L;
-      result.x = x;
-      result.y = y;
-      result.radius = radius;
-      result.error = error;
-      result.member = member;
-      result.outsider = outsider;
-      result.code = kind.code;
-      result.known = proved & kind.certain;
+      result = struct('L', L, 'x', x, 'y', y, 'radius', radius, 'error', error, 'member', member, 'outsider', outsider, ...
+          'code', kind.code, 'known', proved & kind.certain);
     end
 
     function result = wide_apart(low, low_radius, high, high_radius)
-    %WIDE_APART  Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²).
+    %WIDE_APART  ``apart`` in double-double arithmetic.
       low_square = low.high .* low.high;
       high_square = high.high .* high.high;
       result = 2.0 .* spragsym.kernel.dd_leading(spragsym.kernel.dd_add(high, spragsym.kernel.dd_negative(low))) > (low_radius ...

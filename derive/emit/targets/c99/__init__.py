@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from ...expressions import hands_back, printed
 from ...function import Function
 from ...language import Kinds, Routine, Source
 from .. import Material, Target, runtime
 from . import algebra, cost, kernel
-from .layout import plain
+from .layout import WIDTH, plain
 
 
 _EXAMPLE = "main.c"
@@ -24,17 +24,15 @@ def render(material: Material) -> dict[str, str]:
     definitions = "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE)
     known = material.algebra
     used = _called(material, known) | {name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known}
-    statics = [
-        algebra.static(f"algebra_{name}", known[name]) for name in (*material.public, *sorted(used - set(material.public)))
-    ]
+    statics = [algebra.static(f"algebra_{name}", known[name]) for name in known if name in used]
     public = [known[name] for name in material.public]
     parts = {
         "algebra": "\n".join(item.text for item in statics),
         "primitives": runtime(__file__, "kernel.c") if material.kernel.routines else "",
-        "kernel": _kernel(material) if material.kernel.routines else "",
+        "kernel": _kernel(material, definitions) if material.kernel.routines else "",
         "declarations": own.get("declarations.h", ""),
         "definitions": definitions,
-        "wrappers": "\n".join(algebra.wrapper(function, library, material.angles) for function in public),
+        "public": "\n".join(algebra.public(it, library, material.angles, inside=it.name in used) for it in public),
         "prototypes": "".join(algebra.prototype(function, library, material.angles) for function in public),
     }
     names = {"library": library, "LIBRARY": library.upper()}
@@ -52,8 +50,8 @@ def _words(material: Material) -> dict[str, str]:
     """What stands in comments: where the library comes from, what it is, and the nomenclature's words."""
     words = {
         "source": material.digest[:16],
-        "header": textwrap.fill(material.header.replace("``", ""), 118, subsequent_indent=" * "),
-        "summary": textwrap.fill(plain(material.summary), 118, subsequent_indent=" * "),
+        "header": textwrap.fill(material.header.replace("``", ""), WIDTH, subsequent_indent=" * "),
+        "summary": textwrap.fill(plain(material.summary), WIDTH, subsequent_indent=" * "),
         "symbols": algebra.symbols((material.algebra[name] for name in material.public), material.quantities, material.angles),
     }
     for name, quantity in material.quantities.items():
@@ -85,19 +83,21 @@ def _called(material: Material, known: Mapping[str, Function]) -> set[str]:
     return {name for it in material.kernel.routines.values() for name in kinds.calls(it) if name in known}
 
 
-def _kernel(material: Material) -> str:
-    """Constants, records and functions."""
+def _kernel(material: Material, definitions: str) -> str:
+    """Constants, records and the functions that the definitions call."""
     source = material.both_kernels
+    called = re.findall(r"\b(\w+)\(", re.sub(r"/\*.*?\*/", "", definitions, flags=re.DOTALL))
+    asked = source.routines.keys() & {*called, *material.asked}
     numbers = {item.name: (item.value, item.comment) for item in source.constants}
     numbers |= {name: (value, "") for name, value in material.counts.items()}
     return "\n".join([
         kernel.constants(numbers),
         *(kernel.structure(record) for record in source.records.values()),
-        *(kernel.routine(it, Kinds(source), "algebra_") for it in _in_order(source)),
+        *(kernel.routine(it, Kinds(source), "algebra_") for it in _in_order(source, printed(source, asked))),
     ])  # fmt: skip
 
 
-def _in_order(source: Source) -> list[Routine]:
+def _in_order(source: Source, routines: Iterable[Routine]) -> list[Routine]:
     """Routines, each after those that it calls."""
     kinds = Kinds(source)
     ordered: dict[str, Routine] = {}
@@ -110,7 +110,7 @@ def _in_order(source: Source) -> list[Routine]:
                 place(called)
         ordered[name] = source.routines[name]
 
-    for routine in printed(source):
+    for routine in routines:
         place(routine.name)
     return list(ordered.values())
 

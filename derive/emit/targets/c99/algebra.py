@@ -12,9 +12,9 @@ import sympy as sp
 
 from ...function import SPELLED, Function
 from ...quantities import Quantity
-from ...statements import flatten, straight_line
+from ...statements import Body, flatten, straight_line
 from ..python.algebra import NAMES, AlgebraPrinter
-from .layout import broken, comment, plain
+from .layout import WIDTH, broken, comment, definition, plain
 
 #: Angles by their names, and the arguments of the algebra that stand for one, cosine and sine last.
 Angles = Mapping[str, tuple[str, ...]]
@@ -27,8 +27,11 @@ class CPrinter(AlgebraPrinter):
 
     functions: ClassVar[Mapping[str, str]] = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
 
-    def _print_Symbol(self, expression: sp.Symbol) -> str:
-        return c_name(str(expression.name))
+    def name(self, symbol: sp.Symbol) -> str:
+        return c_name(str(symbol.name))
+
+    def square(self, base: sp.Expr) -> str:
+        return f"square({self._print(base)})"
 
     def _print_Integer(self, expression: sp.Integer) -> str:
         if abs(int(expression)) > _LARGEST_EXACT:
@@ -51,13 +54,10 @@ class CPrinter(AlgebraPrinter):
 
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
         if expression.exp == 2:
-            return f"square({self._print(expression.base)})"
+            return self.square(expression.base)
         if expression.exp == -2:
-            return f"1.0/square({self._print(expression.base)})"
+            return f"1.0/{self.square(expression.base)}"
         return re.sub(r"^1/", "1.0/", super()._print_Pow(expression, rational=rational))
-
-
-_PRINTER = CPrinter({"order": None})
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def c_name(name: str) -> str:
 
 
 def _name(symbol: sp.Symbol) -> str:
-    return str(_PRINTER.doprint(symbol))
+    return c_name(str(symbol))
 
 
 def _result(function: Function) -> str:
@@ -97,63 +97,69 @@ def taken(function: Function, angles: Angles) -> list[str]:
 def static(name: str, function: Function) -> Emitted:
     """The algebra itself, unchecked: one result is returned, several are written to an array."""
     body = straight_line(function)
-    results = list(flatten(body.results))
-    single = not isinstance(function.results, tuple)
-    targets = ["return"] if single else [f"result[{index}] =" for index in range(len(results))]
-    used = {symbol for expression in [*dict(body.assignments).values(), *results] for symbol in expression.free_symbols}
-    start = f"INLINE {'double' if single else 'void'} {name}"
+    used = {
+        symbol for expression in [*dict(body.assignments).values(), *flatten(body.results)] for symbol in expression.free_symbols
+    }
+    several = isinstance(function.results, tuple)
+    said = comment(f"{function.summary} Source: {function.equations}. Operations: {body.operations}.")
+    start = f"INLINE {'void' if several else 'double'} {name}"
+    head = f"{_signature(start, map(_name, function.arguments), _result(function) if several else None)} {{"
     lines = [
-        comment(f"{function.summary} Source: {function.equations}. Operations: {body.operations}.").rstrip(),
-        _signature(start, map(_name, function.arguments), None if single else _result(function)) + " {",
         *(f"    (void){_name(symbol)};" for symbol in function.arguments if symbol not in used),
-        *(_statement(f"const double {_name(symbol)} =", expression) for symbol, expression in body.assignments),
-        *(_statement(target, expression) for target, expression in zip(targets, results, strict=True)),
-        "}\n",
+        *_statements(body, "result" if several else "return"),
     ]
-    return Emitted(name, "\n".join(lines), body.operations)
+    return Emitted(name, said + definition(head, "".join(f"{line}\n" for line in lines)), body.operations)
 
 
-def _statement(target: str, expression: sp.Expr) -> str:
-    return broken(f"    {target} {_spaced(_PRINTER.doprint(expression))};")
+def _statements(body: Body, result: str) -> list[str]:
+    """Shorthands, then the results: into an array, or for one result behind what begins its statement."""
+    if isinstance(body.results, tuple):
+        results = [(f"{result}[{place}] =", value) for place, value in enumerate(flatten(body.results))]
+    else:
+        results = [(result, body.results)]
+    named = [(f"const double {_name(symbol)} =", expression) for symbol, expression in body.statements]
+    printer = CPrinter.of(body)
+    return [broken(f"    {target} {_spaced(printer.doprint(expression))};") for target, expression in (*named, *results)]
 
 
 def _spaced(expression: str) -> str:
     return re.sub(r"([*/])", r" \1 ", expression)
 
 
-def wrapper(function: Function, library: str, angles: Angles) -> str:
-    """The public function: no null pointer in, no NaN out."""
+def public(function: Function, library: str, angles: Angles, *, inside: bool) -> str:
+    """The public function: no null pointer in, no NaN out. What the library calls itself, ``inside``, stands in a function of its own."""
     count = len(list(flatten(function.results)))
-    arguments = ", ".join(_name(symbol) for symbol in function.arguments)
-    names = taken(function, angles)
-    listed = ", ".join(names)
-    turned = [
-        f"    const double {part} = {turn}({angle});\n"
-        for angle, parts in angles.items() if angle in names
-        for turn, part in zip(("cos", "sin"), parts[-2:], strict=True)
-    ]  # fmt: skip
     several = isinstance(function.results, tuple)
-    name = f"algebra_{function.name}"
-    call = f"{name}({arguments}, value);" if several else f"value[0] = {name}({arguments});"
-    return (
-        _signature(f"{library}_status {library}_{function.name}", names, _result(function)) + " {\n"
-        f"{broken(f'    const double given[] = {{{listed}}};')}\n"
-        f"    double value[{count}];\n"
-        f"    if (!result || !finite_all({len(names)}, given)) {{\n"
-        f"        return {library.upper()}_BAD_INPUT;\n"
-        "    }\n"
-        f"{''.join(turned)}"
-        f"{broken(f'    {call}')}\n"
-        f"    return deliver({count}, value, result);\n"
-        "}\n"
-    )
+    names = taken(function, angles)
+    if inside:
+        arguments = ", ".join(map(_name, function.arguments))
+        called = f"algebra_{function.name}({arguments}{', value' if several else ''});"
+        computed = [broken(f"    {called if several else f'const double value = {called}'}")]
+    else:
+        computed = _statements(straight_line(function), "value" if several else "const double value =")
+    return "\n".join([
+        _signature(f"{library}_status {library}_{function.name}", names, _result(function)) + " {",
+        broken(f"    const double given[] = {{{', '.join(names)}}};"),
+        *([f"    double value[{count}];"] if several else []),
+        f"    if (!result || !finite_all({len(names)}, given)) {{",
+        f"        return {library.upper()}_BAD_INPUT;",
+        "    }",
+        *(
+            f"    const double {part} = {turn}({angle});"
+            for angle, parts in angles.items() if angle in names
+            for turn, part in zip(("cos", "sin"), parts[-2:], strict=True)
+        ),
+        *computed,
+        f"    return deliver({count}, {'value' if several else '&value'}, result);",
+        "}\n",
+    ])  # fmt: skip
 
 
 def prototype(function: Function, library: str, angles: Angles) -> str:
     """The declaration of the public function."""
     operations = straight_line(function).operations
     text = f"{function.summary} Result: {function.returns}. Source: {function.equations}. Operations: {operations}."
-    said = textwrap.fill(plain(text), 114, initial_indent="/** ", subsequent_indent=" * ")
+    said = textwrap.fill(plain(text), WIDTH - len(" */"), initial_indent="/** ", subsequent_indent=" * ")
     start = f"{library}_status {library}_{function.name}"
     return f"\n{said} */\n" + _signature(start, taken(function, angles), _result(function)) + ";\n"
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
+import itertools
 import math
 from collections import Counter
 from collections.abc import Mapping
 
 from ...expressions import SUM, Expressions, Syntax, assigned, number, places
 from ...language import FLAG, REAL, KernelError, Kinds, Record, Routine, passes
-from .layout import broken, comment
+from .layout import broken, comment, definition
 
 #: Doubles: of one number or two.
 PRIMITIVES = {"maximum": "larger", "minimum": "smaller", "absolute": "fabs", "sqrt": "sqrt", "cube_root": "cube_root"}
@@ -17,8 +18,9 @@ PRIMITIVES = {"maximum": "larger", "minimum": "smaller", "absolute": "fabs", "sq
 
 def structure(record: Record) -> str:
     """A record's definition."""
-    fields = "".join(f"    {declared(kind)} {name};\n" for name, kind in record.fields)
-    return f"{comment(record.summary)}typedef struct {{\n{fields}}} {record.name};\n"
+    of_a_kind = itertools.groupby(record.fields, key=lambda field: field[1])
+    fields = [f"    {declared(kind)} {', '.join(name for name, _ in names)};\n" for kind, names in of_a_kind]
+    return f"{comment(record.summary)}typedef struct {{\n{''.join(fields)}}} {record.name};\n"
 
 
 def declared(kind: str) -> str:
@@ -56,7 +58,7 @@ class _Printer:
         head = f"INLINE {declared(self.it.returns)} {self.it.name}({arguments}) {{"
         unused = "".join(f"    (void){name};\n" for name, _ in self.it.arguments if name not in self.used)
         body = "".join(self.explained(statement, "    ") for statement in self.it.body)
-        return f"{comment(self.it.summary)}{broken(head)}\n{unused}{body}}}\n"
+        return f"{comment(self.it.summary)}{definition(broken(head), unused + body)}"
 
     def explained(self, node: ast.stmt, indent: str) -> str:
         """A statement, below the comment that stands above it in the kernel."""
@@ -73,12 +75,18 @@ class _Printer:
             case ast.For(body=body):
                 inside = "".join(self.explained(statement, indent + "    ") for statement in body)
                 return f"{indent}for (int i = 0; i < {passes(node)}; i++) {{\n{inside}{indent}}}\n"
-            case ast.Return(value=ast.Call(func=ast.Name(id=name), args=args)) if name in self.kinds.source.records:
-                values = ", ".join(self.expressions.print(argument, SUM) for argument in args)
-                return f"{broken(f'{indent}const {name} result = {{{values}}};')}\n{indent}return result;\n"
+            case ast.Return(value=ast.Call(func=ast.Name(id=name), args=values)) if name in self.kinds.source.records:
+                return self.record(name, values, indent)
+            case ast.Return(value=ast.Tuple(elts=values)):
+                return self.record(self.it.returns, values, indent)
             case ast.Return(value=ast.expr() as value):
                 return broken(f"{indent}return {self.expressions.print(value)};") + "\n"
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+
+    def record(self, name: str, values: list[ast.expr], indent: str) -> str:
+        """A record, returned."""
+        listed = ", ".join(self.expressions.print(value, SUM) for value in values)
+        return f"{broken(f'{indent}const {name} result = {{{listed}}};')}\n{indent}return result;\n"
 
     def assignment(self, name: str, value: ast.expr, indent: str) -> str:
         kind = self.kinds.of(value, self.names)
@@ -88,15 +96,24 @@ class _Printer:
         return broken(f"{indent}{start} = {self.expressions.print(value)};") + "\n"
 
     def unpacked(self, names: list[str], called: str, args: list[ast.expr], indent: str) -> str:
-        """Results of generated algebra, which C returns in an array."""
-        array = f"{called}_results"
-        passed = ", ".join([*map(self.expressions.print, args), array])
-        lines = [f"{indent}double {array}[{len(names)}];", broken(f"{indent}{self.expressions.called(called)}({passed});")]
-        for place, name in enumerate(names):
-            self.names[name] = REAL
-            if name in self.used:
-                lines.append(f"{indent}const double {name} = {array}[{place}];")
-        return "\n".join(lines) + "\n"
+        """Results of generated algebra, which come in an array, and double-doubles in a record."""
+        results = f"{called}_results"
+        if called in self.kinds.source.routines:
+            record = self.kinds.source.records[self.kinds.source.routines[called].returns]
+            fields = [f"{results}.{field}" for field, _ in record.fields]
+            kind = record.fields[0][1]
+            lines = [
+                f"{indent}const {record.name} {results} = {self.expressions.called(called)}({self.expressions.listed(args)});"
+            ]
+        else:
+            fields = [f"{results}[{place}]" for place in range(len(names))]
+            kind = REAL
+            passed = ", ".join([*map(self.expressions.print, args), results])
+            lines = [f"{indent}double {results}[{len(names)}];", f"{indent}{self.expressions.called(called)}({passed});"]
+        self.names |= dict.fromkeys(names, kind)
+        unpacked = ", ".join(f"{name} = {field}" for name, field in zip(names, fields, strict=True) if name in self.used)
+        lines.append(f"{indent}const {declared(kind)} {unpacked};")
+        return "\n".join(map(broken, lines)) + "\n"
 
 
 def constants(values: Mapping[str, tuple[float, str]]) -> str:

@@ -11,7 +11,7 @@ import textwrap
 import unicodedata
 from collections.abc import Iterator
 
-WIDTH = 124
+WIDTH = 130
 _INDENT = "    "
 #: Operators, by how weakly they bind: a line is broken only after the weakest that it has.
 _OPERATORS = (r"&|\|", r"\+|-", r"\*|/")
@@ -34,6 +34,12 @@ def broken(line: str) -> str:
             lines.append(indent)
         lines[-1] += part
     return "\n".join(text.rstrip() for text in lines)
+
+
+def definition(head: str, body: str) -> str:
+    """A function, on one line if it is one statement that fits."""
+    line = f"{head} {body.strip()} }}"
+    return f"{line}\n" if body.count("\n") == 1 and len(line) <= WIDTH else f"{head}\n{body}}}\n"
 
 
 def _parts(line: str) -> Iterator[str]:

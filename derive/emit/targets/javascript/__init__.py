@@ -45,8 +45,7 @@ def _words(material: Material) -> dict[str, str]:
         "typed_base": " ".join(f"{name}: number;" for name in material.base_values),
         "ranges": _ranges(material),
         "symbols": algebra.symbols(functions.values(), material.quantities),
-        "algebra": "\n".join(algebra.definition(it, f"algebra_{name}") for name, it in functions.items()),
-        "table": "".join(f"  {name}: algebra_{name},\n" for name in functions),
+        "algebra": "\n".join(map(algebra.definition, functions.values())),
         "members": "".join(algebra.declaration(it) for it in functions.values()),
     }
 
@@ -56,7 +55,7 @@ def _spoken(text: str, words: dict[str, str]) -> str:
 
 
 def _ranges(material: Material) -> str:
-    """The allowed values of all that the algebra takes, one a line; infinite ends are left out."""
+    """The allowed values of what the algebra takes, one a line; what may have any value is left out, and infinite ends."""
     taken = {str(symbol) for function in material.algebra.values() for symbol in function.accepted}
     lines = []
     for name in [*material.parameters, *sorted(taken - set(material.parameters))]:
@@ -66,8 +65,9 @@ def _ranges(material: Material) -> str:
             ends |= {"low": allowed.low, "low_open": allowed.low_open}
         if math.isfinite(allowed.high):
             ends |= {"high": allowed.high, "high_open": allowed.high_open}
-        lines.append(f"  {name}: {json.dumps(ends)},\n")
-    return "{\n" + "".join(lines) + "}"
+        if ends:
+            lines.append(f"  {name}: {json.dumps(ends)},\n")
+    return "{\n" + "".join(lines) + "}" if lines else "{}"
 
 
 TARGET = Target(

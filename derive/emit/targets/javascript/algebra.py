@@ -11,7 +11,7 @@ from ...quantities import Quantity
 from ...statements import straight_line
 from ..python.algebra import NAMES, DividingPrinter
 
-_WIDTH = 124
+_WIDTH = 130
 
 
 class JavaScriptPrinter(DividingPrinter):
@@ -20,19 +20,17 @@ class JavaScriptPrinter(DividingPrinter):
     functions: ClassVar[Mapping[str, str]] = {name: f"Math.{name}" for name in NAMES} | {"pi": "Math.PI"}
 
 
-_PRINTER = JavaScriptPrinter({"order": None})
-
-
-def definition(function: Function, name: str) -> str:
-    """One function: one result is returned as a number, several as an array, nested as in Python."""
+def definition(function: Function) -> str:
+    """One method of the algebra: one result is returned as a number, several as an array, nested as in Python."""
     body = straight_line(function)
+    printer = JavaScriptPrinter.of(body)
     given = [f"{symbol} = 0" if symbol in function.further else str(symbol) for symbol in function.accepted]
     return "\n".join([
-        _comment(f"{function.summary} Source: {function.equations}. Operations: {body.operations}."),
-        _wrapped(f"function {name}({', '.join(given)}) {{"),
-        *(_wrapped(f"  const {symbol} = {_PRINTER.doprint(expression)};") for symbol, expression in body.assignments),
-        _wrapped(f"  return {_nested(body.results)};"),
-        "}\n",
+        _comment(f"{function.summary} Source: {function.equations}. Operations: {body.operations}.", "  "),
+        _wrapped(f"  {function.name}({', '.join(given)}) {{"),
+        *(_wrapped(f"    const {symbol} = {printer.doprint(expression)};") for symbol, expression in body.statements),
+        _wrapped(f"    return {_nested(body.results, printer)};"),
+        "  },\n",
     ])  # fmt: skip
 
 
@@ -42,8 +40,8 @@ def symbols(functions: Iterable[Function], quantities: Mapping[str, Quantity]) -
     return "".join(f"{_comment(f'{name}: {quantities[name].meaning}')}\n" for name in names)
 
 
-def _comment(text: str) -> str:
-    return textwrap.fill(text, _WIDTH, initial_indent="// ", subsequent_indent="// ")
+def _comment(text: str, indent: str = "") -> str:
+    return textwrap.fill(text, _WIDTH, initial_indent=f"{indent}// ", subsequent_indent=f"{indent}// ")
 
 
 def declaration(function: Function) -> str:
@@ -58,9 +56,11 @@ def _type(results: Results) -> str:
     return f"[{', '.join(map(_type, results))}]" if isinstance(results, tuple) else "number"
 
 
-def _nested(results: Results) -> str:
-    return f"[{', '.join(map(_nested, results))}]" if isinstance(results, tuple) else str(_PRINTER.doprint(results))
+def _nested(results: Results, printer: JavaScriptPrinter) -> str:
+    if isinstance(results, tuple):
+        return f"[{', '.join(_nested(item, printer) for item in results)}]"
+    return str(printer.doprint(results))
 
 
 def _wrapped(line: str) -> str:
-    return textwrap.fill(line, _WIDTH, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    return textwrap.fill(line, _WIDTH, subsequent_indent="      ", break_long_words=False, break_on_hyphens=False)

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 import textwrap
 from collections import Counter
 
-from ...expressions import Expressions, Syntax, assigned, number, places, printed
-from ...language import FLAG, KernelError, Kinds, Routine, Source, passes
+from ...expressions import Expressions, Syntax, assigned, number, printed
+from ...language import KernelError, Routine, Source, passes
 from .. import Material
 
-_WIDTH = 124
+_WIDTH = 130
 _SYNTAX = Syntax(
     primitives={
         "maximum": "larger", "minimum": "smaller", "absolute": "Math.abs", "sqrt": "Math.sqrt", "cube_root": "cube_root",
     },
     logic={ast.BitAnd: "&&", ast.BitOr: "||", ast.Invert: "!"},
-    algebra=lambda name: f"algebra_{name}",
+    algebra=lambda name: f"algebra.{name}",
     routine=lambda name: name,
     arithmetic={},
     comparisons={"==": "==="},
@@ -33,7 +34,9 @@ def render(material: Material) -> str:
     for it in source.constants:
         value = "Infinity" if math.isinf(it.value) else number(it.value)
         lines.append(f"{_comment(it.comment, '')}const {it.name} = {value};\n")
-    return "".join(lines) + "\n" + "\n".join(_Printer(it, source).definition() for it in printed(source))
+    own = re.sub(r"//[^\n]*|/\*.*?\*/", "", "".join(material.runtime.get("javascript", {}).values()), flags=re.DOTALL)
+    asked = source.routines.keys() & set(re.findall(r"\w+", own))
+    return "".join(lines) + "\n" + "\n".join(_Printer(it, source).definition() for it in printed(source, asked))
 
 
 def _comment(text: str, indent: str) -> str:
@@ -46,7 +49,6 @@ def _comment(text: str, indent: str) -> str:
 class _Printer:
     def __init__(self, it: Routine, source: Source) -> None:
         self.it, self.source = it, source
-        self.kinds = Kinds(self.source)
         self.expressions = Expressions(self.source, _SYNTAX)
         self.names = dict(it.arguments)
         self.written = Counter(name for statement in it.body for name in assigned(statement))
@@ -54,17 +56,10 @@ class _Printer:
                      if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}  # fmt: skip
 
     def definition(self) -> str:
-        paragraphs = self.it.summary.split("\n\n")
-        said = [line for paragraph in paragraphs for line in [*textwrap.wrap(paragraph, _WIDTH - 4), ""]][:-1]
-        said += [f"@param {{{self.type(kind)}}} {name}" for name, kind in self.it.arguments]
-        said.append(f"@returns {{{self.type(self.it.returns)}}}")
-        head = "/**\n" + "".join(f" * {line}".rstrip() + "\n" for line in said) + " */\n"
+        said = "//\n".join(_comment(paragraph, "") for paragraph in self.it.summary.split("\n\n"))
         arguments = ", ".join(name for name, _ in self.it.arguments)
         body = "".join(self.explained(statement, "  ") for statement in self.it.body)
-        return f"{head}function {self.it.name}({arguments}) {{\n{body}}}\n"
-
-    def type(self, kind: str) -> str:
-        return "boolean" if kind == FLAG else "object" if kind in self.source.records else "number"
+        return f"{said}function {self.it.name}({arguments}) {{\n{body}}}\n"
 
     def explained(self, node: ast.stmt, indent: str) -> str:
         """A statement, below the comment that stands above it in the kernel."""
@@ -76,8 +71,8 @@ class _Printer:
         match node:
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 return self.line(f"{self.declared(name)}{name} = {self.expressions.print(value)};", indent)
-            case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call(func=ast.Name(id=called)) as value):
-                return self.unpacked(target, called, value, indent)
+            case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call() as value):
+                return self.line(f"const {self.pattern(target)} = {self.expressions.print(value)};", indent)
             case ast.For(body=body):
                 inside = "".join(self.explained(statement, indent + "  ") for statement in body)
                 return f"{indent}for (let pass = 0; pass < {passes(node)}; pass++) {{\n{inside}{indent}}}\n"
@@ -85,6 +80,8 @@ class _Printer:
                 fields = [field for field, _ in self.source.records[name].fields]
                 pairs = [self.field(field, argument) for field, argument in zip(fields, args, strict=True)]
                 return self.line(f"return {{ {', '.join(pairs)} }};", indent)
+            case ast.Return(value=ast.Tuple(elts=results)):
+                return self.line(f"return [{self.expressions.listed(results)}];", indent)
             case ast.Return(value=ast.expr() as value):
                 return self.line(f"return {self.expressions.print(value)};", indent)
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
@@ -100,15 +97,13 @@ class _Printer:
         self.names[name] = ""
         return "let " if self.written[name] > 1 else "const "
 
-    def unpacked(self, target: ast.Tuple, called: str, value: ast.Call, indent: str) -> str:
-        """Results of generated algebra, which come in an array."""
-        array = f"{called}_results"
-        lines = [self.line(f"const {array} = {self.expressions.print(value)};", indent)]
-        for name, place in places(target):
-            if name in self.used:
-                at = "".join(f"[{index}]" for index in place)
-                lines.append(f"{indent}{self.declared(name)}{name} = {array}{at};\n")
-        return "".join(lines)
+    def pattern(self, target: ast.expr) -> str:
+        """Names for the results of generated algebra, which come in an array; an empty place for one that is not used."""
+        if isinstance(target, ast.Tuple):
+            return f"[{', '.join(map(self.pattern, target.elts)).rstrip(', ')}]"
+        assert isinstance(target, ast.Name)
+        self.names[target.id] = ""
+        return target.id if target.id in self.used else ""
 
     def line(self, text: str, indent: str) -> str:
         further = indent + "  "

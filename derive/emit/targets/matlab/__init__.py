@@ -93,10 +93,13 @@ def _listed(text: str, indent: int) -> list[str]:
 def _ranges(material: Material) -> str:
     """A function that knows the allowed values of what the algebra takes."""
     taken = {str(symbol) for function in material.algebra.values() for symbol in function.accepted}
-    cases = ""
+    alike: dict[str, list[str]] = {}
     for name in [*material.parameters, *sorted(taken - set(material.parameters))]:
-        cases += f"    case '{name}'\n      {_ends(material.quantities[name])}\n"
-    return _spoken(runtime(__file__, "range.m"), {"cases": cases.strip()})
+        alike.setdefault(_ends(material.quantities[name]), []).append(f"'{name}'")
+    cases = [
+        line for ends, names in alike.items() for line in (*algebra.wrapped(f"    case {{{', '.join(names)}}}"), f"      {ends}")
+    ]
+    return _spoken(runtime(__file__, "range.m"), {"cases": "\n".join(cases).strip()})
 
 
 def _ends(quantity: Quantity) -> str:

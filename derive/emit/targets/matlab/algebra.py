@@ -9,11 +9,11 @@ from typing import ClassVar
 import sympy as sp
 
 from ...function import Function
-from ...statements import flatten, straight_line
+from ...statements import Body, flatten, straight_line
 from ..python.algebra import NAMES, DividingPrinter
 
 #: Of a function, which is indented by four.
-WIDTH = 122
+WIDTH = 126
 
 
 class MatlabPrinter(DividingPrinter):
@@ -21,20 +21,17 @@ class MatlabPrinter(DividingPrinter):
 
     functions: ClassVar[Mapping[str, str]] = {name: name for name in NAMES}
 
-
-_PRINTER = MatlabPrinter({"order": None})
-
-
-def elementwise(expression: sp.Expr) -> str:
-    """An expression in which every product and quotient is one of elements; powers are products by now."""
-    return str(_PRINTER.doprint(expression)).replace("*", ".*").replace("/", "./")
+    def doprint(self, expr: sp.Expr) -> str:
+        """An expression in which every product and quotient is one of elements; powers are products by now."""
+        return str(super().doprint(expr)).replace("*", ".*").replace("/", "./")
 
 
 def definition(function: Function) -> str:
     """One function."""
     body = straight_line(function)
+    printer = MatlabPrinter.of(body)
     results = list(flatten(body.results))
-    names = [f"result{place}" for place in range(1, len(results) + 1)]
+    names = _outputs(body, results)
     given = ", ".join(map(str, function.accepted))
     returned = names[0] if len(names) == 1 else f"[{', '.join(names)}]"
     lines = [
@@ -48,11 +45,17 @@ def definition(function: Function) -> str:
         missing = len(function.arguments)
         for place, symbol in enumerate(function.further):
             lines += [f"  if nargin < {missing + place + 1}", f"    {symbol} = 0;", "  end"]
-    for symbol, expression in body.assignments:
-        lines += wrapped(f"  {symbol} = {elementwise(expression)};")
-    for name, expression in zip(names, results, strict=True):
-        lines += wrapped(f"  {name} = {elementwise(expression)};")
+    statements = [*((str(symbol), value) for symbol, value in body.statements), *zip(names, results, strict=True)]
+    for name, value in statements:
+        if name != str(value):
+            lines += wrapped(f"  {name} = {printer.doprint(value)};")
     return "\n".join([*lines, "end", ""])
+
+
+def _outputs(body: Body, results: list[sp.Expr]) -> list[str]:
+    """Names of what is returned: of a result that has a statement of its own, the name there."""
+    named = {symbol for symbol, _ in body.statements if results.count(symbol) == 1}
+    return [str(value) if value in named else f"result{place}" for place, value in enumerate(results, 1)]
 
 
 def comment(text: str, indent: str) -> list[str]:
@@ -62,9 +65,12 @@ def comment(text: str, indent: str) -> list[str]:
 
 def wrapped(line: str) -> list[str]:
     """A statement on as many lines as it needs, broken at spaces, and after brackets where these leave a line too long."""
+    if len(line) <= WIDTH:
+        return [line]
+    width = WIDTH - len(" ...")
     indent = " " * (len(line) - len(line.lstrip()) + 4)
-    wrapper = textwrap.TextWrapper(WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    wrapper = textwrap.TextWrapper(width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
     broken = wrapper.wrap(line)
-    if max(map(len, broken)) > WIDTH:
+    if max(map(len, broken)) > width:
         broken = [part.replace("(\0 ", "(").replace("(\0", "(") for part in wrapper.wrap(line.replace("(", "(\0 "))]
     return [*(f"{part} ..." for part in broken[:-1]), broken[-1]]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 from collections.abc import Iterator
 
 from ...expressions import Expressions, Syntax, number, places, printed
@@ -24,7 +25,10 @@ def method_name(name: str) -> str:
 def render(material: Material) -> list[str]:
     """Every routine."""
     source = material.both_kernels
-    return [_Printer(it, source, material).definition() for it in printed(source)]
+    words = set(re.findall(r"\w+", re.sub(r"%.*", "", "".join(material.runtime.get("matlab", {}).values()))))
+    asked = [name for name in source.routines if method_name(name) in words]
+    said: set[str] = set()
+    return [_Printer(it, source, material, said).definition() for it in printed(source, asked)]
 
 
 def _syntax(library: str) -> Syntax:
@@ -44,8 +48,8 @@ def _syntax(library: str) -> Syntax:
 
 
 class _Printer:
-    def __init__(self, it: Routine, source: Source, material: Material) -> None:
-        self.it, self.source = it, source
+    def __init__(self, it: Routine, source: Source, material: Material, said: set[str]) -> None:
+        self.it, self.source, self.said = it, source, said
         self.expressions = Expressions(self.source, _syntax(material.library))
         self.numbers = {item.name: (item.value, item.comment) for item in self.source.constants}
         self.numbers |= {name: (value, "a count of roundings") for name, value in material.counts.items()}
@@ -54,8 +58,9 @@ class _Printer:
 
     def definition(self) -> str:
         first, *rest = self.it.summary.split("\n\n")
+        given = ", ".join(name for name, _ in self.it.arguments)
         lines = [
-            f"function result = {method_name(self.it.name)}({', '.join(name for name, _ in self.it.arguments)})",
+            f"function {self.returned()} = {method_name(self.it.name)}({given})",
             *comment(f"{method_name(self.it.name).upper()}  {first}", ""),
             *(line for paragraph in rest for line in ("%", *comment(paragraph, "  "))),
             *self.constants(),
@@ -64,11 +69,20 @@ class _Printer:
         ]
         return "\n".join(lines)
 
+    def returned(self) -> str:
+        """What stands for the result, or for each of several."""
+        match self.it.body[-1]:
+            case ast.Return(value=ast.Tuple(elts=results)):
+                return f"[{', '.join(f'result{place + 1}' for place in range(len(results)))}]"
+        return "result"
+
     def constants(self) -> Iterator[str]:
-        """Named numbers that this routine uses."""
+        """Named numbers that this routine uses, explained where the first of all does."""
         for name, (value, said) in self.numbers.items():
             if name in self.used:
                 line = f"  {name} = {'Inf' if math.isinf(value) else number(value)};"
+                said = "" if name in self.said else said
+                self.said.add(name)
                 beside = f"{line}  % {said}" if said else line
                 yield from [beside] if len(beside) <= WIDTH else [*(f"  {above}" for above in comment(said, " ")), line]
 
@@ -94,8 +108,14 @@ class _Printer:
                     yield from self.explained(statement, indent + "  ")
                 yield f"{indent}end"
             case ast.Return(value=ast.Call(func=ast.Name(id=name), args=args)) if name in self.source.records:
-                for (field, _), value in zip(self.source.records[name].fields, args, strict=True):
-                    yield from wrapped(f"{indent}result.{field} = {self.expressions.print(value)};")
+                fields = zip(
+                    (field for field, _ in self.source.records[name].fields), map(self.expressions.print, args), strict=True
+                )
+                listed = ", ".join(f"'{field}', {value}" for field, value in fields)
+                yield from wrapped(f"{indent}result = struct({listed});")
+            case ast.Return(value=ast.Tuple(elts=results)):
+                for place, value in enumerate(results):
+                    yield from wrapped(f"{indent}result{place + 1} = {self.expressions.print(value)};")
             case ast.Return(value=ast.expr() as value):
                 yield from wrapped(f"{indent}result = {self.expressions.print(value)};")
             case _:

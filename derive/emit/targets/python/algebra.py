@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping
-from typing import Any, ClassVar
+from types import MappingProxyType
+from typing import Any, ClassVar, Self
 
 import sympy as sp
 from sympy.printing.str import StrPrinter
@@ -34,8 +35,35 @@ class AlgebraPrinter(StrPrinter):
 
     #: A name for 1 in the number type of the arguments, of which a fraction that stands by itself is made; without it none may.
     one = ""
+    #: Names for which something else is printed: a power, or another name.
+    inlined: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
     #: What functions are called in the language.
     functions: ClassVar[Mapping[str, str]] = {name: f"xp.{name}" for name in NAMES} | {"abs": "abs"}
+
+    @classmethod
+    def of(cls, body: Body) -> Self:
+        """A printer for the statements of a function."""
+        printer = cls({"order": None})
+        printer.inlined = body.inlined
+        return printer
+
+    def square(self, base: sp.Expr) -> str:
+        """A square."""
+        return f"{self._print(base)}*{self._print(base)}"
+
+    def parenthesize(self, item: Any, level: int, strict: bool = False) -> str:
+        text = str(super().parenthesize(item, level, strict))
+        return f"({text})" if item in self.inlined and "*" in text else text
+
+    def _print_Symbol(self, expression: sp.Symbol) -> str:
+        if expression not in self.inlined:
+            return self.name(expression)
+        value = self.inlined[expression]
+        return self.square(value.base) if value.is_Pow else str(self._print(value))
+
+    def name(self, symbol: sp.Symbol) -> str:
+        """What a symbol is called."""
+        return str(symbol.name)
 
     def call(self, name: str, *arguments: sp.Expr) -> str:
         """A function of these arguments."""
@@ -100,12 +128,8 @@ class DividingPrinter(AlgebraPrinter):
 
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
         if expression.exp == 2:  # of a name: straight_line() names what is squared
-            factor = self._print(expression.base)
-            return f"{factor}*{factor}"
+            return self.square(expression.base)
         return super()._print_Pow(expression, rational=rational)
-
-
-_PRINTER = AlgebraPrinter({"order": None})
 
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
@@ -161,11 +185,11 @@ def definition(function: Function) -> str:
 def _statements(function: Function, body: Body) -> list[str]:
     """Assignments and the return statement; where a fraction stands by itself, after a 1 of the arguments' number type."""
     try:
-        return _printed(body, _PRINTER)
+        return _printed(body, AlgebraPrinter.of(body))
     except RoundedError:
         if not function.accepted:
             raise
-    printer = AlgebraPrinter({"order": None})
+    printer = AlgebraPrinter.of(body)
     printer.one = "one"
     while printer.one in {str(symbol) for symbol in (*function.accepted, *(symbol for symbol, _ in body.assignments))}:
         printer.one += "_"
@@ -174,15 +198,14 @@ def _statements(function: Function, body: Body) -> list[str]:
 
 
 def _printed(body: Body, printer: AlgebraPrinter) -> list[str]:
-    assigned = [_wrap(f"    {symbol} = {_assigned(expression, printer)}") for symbol, expression in body.assignments]
+    assigned = [_wrap(f"    {symbol} = {_assigned(expression, printer)}") for symbol, expression in body.statements]
     return [*assigned, _return(body.results, printer)]
 
 
 def _assigned(expression: sp.Expr, printer: AlgebraPrinter) -> str:
     """The right side of an assignment; a square is always a whole right side, and is printed as a product."""
     if isinstance(expression, sp.Pow) and expression.exp == 2:
-        factor = printer.doprint(expression.base)
-        return f"{factor}*{factor}"
+        return printer.square(expression.base)
     return str(printer.doprint(expression))
 
 

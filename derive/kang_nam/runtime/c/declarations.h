@@ -29,14 +29,7 @@ typedef struct {
 
 /** Parameters that were checked, with the cosine and sine of theta0. Made by spragsym_prepare. */
 typedef struct {
-    double cos0;
-    double sin0;
-    double mu0;
-    double kappa;
-    double alpha;
-    double sigma;
-    double beta;
-    double theta0;
+    double cos0, sin0, mu0, kappa, alpha, sigma, beta, theta0;
 } spragsym_model;
 
 /** One equilibrium. */
@@ -89,8 +82,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * Worst case, for each block or part of one: @cost:spragsym_equilibria_batch@.
  */
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
-    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-    spragsym_status statuses[]);
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[], spragsym_status statuses[]);
 
 /**
  * One step of fixed length of the motion (8)-(11) by the classical Runge-Kutta method, of fourth order across the kinks.

@@ -48,54 +48,25 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
         return SPRAGSYM_BAD_INPUT;
     }
     const Direction undeformed = cosine_and_sine(parameters->theta0);
-    model->cos0 = undeformed.cosine;
-    model->sin0 = undeformed.sine;
-    model->mu0 = parameters->mu0;
-    model->kappa = parameters->kappa;
-    model->alpha = parameters->alpha;
-    model->sigma = parameters->sigma;
-    model->beta = parameters->beta;
-    model->theta0 = parameters->theta0;
+    const spragsym_model checked = {undeformed.cosine, undeformed.sine, parameters->mu0, parameters->kappa, parameters->alpha,
+        parameters->sigma, parameters->beta, parameters->theta0};
+    *model = checked;
     return SPRAGSYM_OK;
 }
 
 /* Columns: one array a quantity, so that many points or roots are worked on side by side. */
 typedef struct {
-    double theta0[BLOCK];
-    double cos0[BLOCK];
-    double sin0[BLOCK];
-    double mu0[BLOCK];
-    double kappa[BLOCK];
-    double alpha[BLOCK];
-    double sigma[BLOCK];
-    double beta[BLOCK];
+    double theta0[BLOCK], cos0[BLOCK], sin0[BLOCK], mu0[BLOCK], kappa[BLOCK], alpha[BLOCK], sigma[BLOCK], beta[BLOCK];
     double nbar[BLOCK]; /* the same for all; gcc makes vectors of a choice only where what decides is in a column */
-    double t[MAX_ROOTS][BLOCK];
-    double count[BLOCK];
-    int certain[BLOCK];
-    int representable[BLOCK];
+    double t[MAX_ROOTS][BLOCK], count[BLOCK];
+    int certain[BLOCK], representable[BLOCK];
 } point_columns;
 
 /* Guessed roots with their points, and what is there. */
 typedef struct {
-    double cos0[LANES];
-    double sin0[LANES];
-    double mu0[LANES];
-    double kappa[LANES];
-    double alpha[LANES];
-    double sigma[LANES];
-    double beta[LANES];
-    double t[LANES];
-    double theta[LANES];
-    double L[LANES];
-    double x[LANES];
-    double y[LANES];
-    double radius[LANES];
-    double error[LANES];
-    double code[LANES];
-    int member[LANES];
-    int outsider[LANES];
-    int known[LANES];
+    double cos0[LANES], sin0[LANES], mu0[LANES], kappa[LANES], alpha[LANES], sigma[LANES], beta[LANES];
+    double t[LANES], theta[LANES], L[LANES], x[LANES], y[LANES], radius[LANES], error[LANES], code[LANES];
+    int member[LANES], outsider[LANES], known[LANES];
 } root_columns;
 
 CLONED static void guess_columns(point_columns *p) {
@@ -139,9 +110,7 @@ typedef struct {
     double nbar;
     Wide t;        /* of the last root */
     double radius; /* of the interval in theta that holds it */
-    int roots;
-    int count;
-    int certain;
+    int roots, count, certain;
 } tally;
 
 static tally nothing_yet(double nbar, int certain) {
@@ -211,45 +180,25 @@ static void clear_from(int count, spragsym_equilibrium equilibria[SPRAGSYM_MAX_E
 
 /* Points that double precision leaves open. */
 typedef struct {
-    double theta0[WIDE_LANES];
-    double mu0[WIDE_LANES];
-    double kappa[WIDE_LANES];
-    double alpha[WIDE_LANES];
-    double sigma[WIDE_LANES];
-    double beta[WIDE_LANES];
+    double theta0[WIDE_LANES], mu0[WIDE_LANES], kappa[WIDE_LANES], alpha[WIDE_LANES], sigma[WIDE_LANES], beta[WIDE_LANES];
     double nbar[WIDE_LANES];
     SplitDirection undeformed[WIDE_LANES];
-    double t_high[MAX_ROOTS][WIDE_LANES];
-    double t_low[MAX_ROOTS][WIDE_LANES];
-    double count[WIDE_LANES];
+    double t_high[MAX_ROOTS][WIDE_LANES], t_low[MAX_ROOTS][WIDE_LANES], count[WIDE_LANES];
     int certain[WIDE_LANES];
 } wide_points;
 
 /* Guessed roots with their points, and what is there. */
 typedef struct {
     SplitDirection undeformed[WIDE_LANES];
-    double mu0[WIDE_LANES];
-    double kappa[WIDE_LANES];
-    double alpha[WIDE_LANES];
-    double sigma[WIDE_LANES];
-    double beta[WIDE_LANES];
-    double nbar[WIDE_LANES];
-    double t_high[WIDE_LANES];
-    double t_low[WIDE_LANES];
-    double theta[WIDE_LANES];
+    double mu0[WIDE_LANES], kappa[WIDE_LANES], alpha[WIDE_LANES], sigma[WIDE_LANES], beta[WIDE_LANES], nbar[WIDE_LANES];
+    double t_high[WIDE_LANES], t_low[WIDE_LANES], theta[WIDE_LANES];
     Root root[WIDE_LANES];
 } wide_roots;
 
 INLINE WidePoint widened(SplitDirection undeformed, double mu0, double kappa, double alpha, double sigma, double beta,
     double nbar) {
-    const WidePoint point = {paired(undeformed.cosine_high, undeformed.cosine_low),
-        paired(undeformed.sine_high, undeformed.sine_low),
-        paired(mu0, 0.0),
-        paired(kappa, 0.0),
-        paired(alpha, 0.0),
-        paired(sigma, 0.0),
-        paired(beta, 0.0),
-        paired(nbar, 0.0)};
+    const WidePoint point = {paired(undeformed.cosine_high, undeformed.cosine_low), paired(undeformed.sine_high, undeformed.sine_low),
+        paired(mu0, 0.0), paired(kappa, 0.0), paired(alpha, 0.0), paired(sigma, 0.0), paired(beta, 0.0), paired(nbar, 0.0)};
     return point;
 }
 
@@ -340,6 +289,20 @@ static void solve_widely(int points, wide_points *p, wide_roots groups[MAX_ROOTS
     }
 }
 
+/* Writes what was found, if it stands, and says whether. */
+static int settled(const tally *sum, spragsym_equilibrium found[SPRAGSYM_MAX_EQUILIBRIA], int *count,
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    if (!stands(sum)) {
+        return 0;
+    }
+    clear_from(sum->count, found);
+    for (int i = 0; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
+        equilibria[i] = found[i];
+    }
+    *count = sum->count;
+    return 1;
+}
+
 /* The equilibria of one lane of a group, whose roots begin at `next`; whether they are settled, or else nothing is written. */
 static int take_widely(const wide_points *p, const wide_roots groups[MAX_ROOTS], int lane, int next, int *count,
     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
@@ -353,15 +316,7 @@ static int take_widely(const wide_points *p, const wide_roots groups[MAX_ROOTS],
             add(r->theta[at], &r->root[at], &sum, found);
         }
     }
-    if (!stands(&sum)) {
-        return 0;
-    }
-    clear_from(sum.count, found);
-    for (int i = 0; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
-        equilibria[i] = found[i];
-    }
-    *count = sum.count;
-    return 1;
+    return settled(&sum, found, count, equilibria);
 }
 
 /* One point that double precision leaves open. */
@@ -382,15 +337,7 @@ static int settled_widely(const spragsym_model *model, double nbar, int *count,
             add(2.0 * arctangent(t[i].high), &root, &sum, found);
         }
     }
-    if (!stands(&sum)) {
-        return 0;
-    }
-    clear_from(sum.count, found);
-    for (int i = 0; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
-        equilibria[i] = found[i];
-    }
-    *count = sum.count;
-    return 1;
+    return settled(&sum, found, count, equilibria);
 }
 
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
@@ -496,8 +443,7 @@ static void refuse(int points, const point_columns *p, spragsym_status statuses[
 
 /* The answers back to their points; the largest status. */
 static spragsym_status unload(double nbar, int points, const point_columns *p, const root_columns groups[GROUPS],
-    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-    spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[], spragsym_status statuses[]) {
     spragsym_status worst = SPRAGSYM_OK;
     int next = 0;
     for (int i = 0; i < BLOCK; i++) {
@@ -527,8 +473,7 @@ static spragsym_status unload(double nbar, int points, const point_columns *p, c
 
 /* Points that double precision left open, a group at a time; the largest status. */
 static spragsym_status reconsider(double nbar, int points, const spragsym_parameters given[],
-    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-    spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[], spragsym_status statuses[]) {
     wide_points p;
     wide_roots groups[MAX_ROOTS];
     int place[BLOCK];
@@ -568,8 +513,7 @@ static spragsym_status reconsider(double nbar, int points, const spragsym_parame
 }
 
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
-    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-    spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[], spragsym_status statuses[]) {
     root_columns groups[GROUPS];
     point_columns p;
     int refused[BLOCK];

@@ -44,9 +44,7 @@ static double change(const double e[COEFFICIENTS], double low, double high, int 
 /* Roots in (0, 1), ascending: between two neighbouring roots of its derivative a polynomial has one at most. Whether no two can
  * have been lost to rounding. */
 static int roots_within(const double e[COEFFICIENTS], double roots[DEGREE], int *count) {
-    double derived[COEFFICIENTS][COEFFICIENTS];
-    double ends[COEFFICIENTS + 1];
-    double next[COEFFICIENTS + 1];
+    double derived[COEFFICIENTS][COEFFICIENTS], ends[COEFFICIENTS + 1], next[COEFFICIENTS + 1];
     int certain = 1;
     int found = 0;
     for (int i = 0; i < COEFFICIENTS; i++) {
@@ -83,8 +81,7 @@ static int roots_within(const double e[COEFFICIENTS], double roots[DEGREE], int 
 
 /* A candidate: a fold at which the lower two of three states meet, or a cusp. */
 typedef struct {
-    double mu0;
-    double theta0;
+    double mu0, theta0;
     double cosine; /* of the state's direction */
     double sine;
     spragsym_fold_kind kind;
@@ -93,8 +90,7 @@ typedef struct {
 /* One step of Newton's method in theta0 and mu0 for f = f' = 0, the direction fixed; how far it went, over what there was. At a cusp
  * both, and at a turn mu0, hardly depend on the direction, whose error therefore counts by its square. */
 static double sharpened(const spragsym_parameters *p, candidate *at) {
-    double line[4];
-    double rates[12];
+    double line[4], rates[12];
     const Direction leaning = cosine_and_sine(at->theta0);
     algebra_f_coefficients(leaning.cosine, leaning.sine, at->mu0, p->kappa, p->alpha, p->sigma, p->beta, 1.0, line);
     algebra_unfolding(at->cosine, at->sine, leaning.cosine, leaning.sine, at->mu0, p->kappa, p->alpha, p->sigma, p->beta, rates);
@@ -185,9 +181,7 @@ static int weigh_level(const spragsym_parameters *p, double t, double sign_of_co
 }
 
 static int weigh_level_folds(const spragsym_parameters *p, spragsym_lowest_fold *least) {
-    double line[4];
-    double rates[24];
-    double sextic[SEXTIC];
+    double line[4], rates[24], sextic[SEXTIC];
     double turned[2][COEFFICIENTS] = {{0.0}, {0.0}};
     double roots[DEGREE];
     int count;

@@ -6,10 +6,7 @@
 /* What the motion needs beside its state: the smooth regime it is in. */
 typedef struct {
     const spragsym_model *model;
-    double V;
-    double d;
-    double nbar;
-    double side;
+    double V, d, nbar, side;
 } motion;
 
 static void derivative(const motion *in, const double state[4], double rate[4]) {
@@ -34,11 +31,7 @@ static void advance(const double state[4], double h, const double rate[4], doubl
 
 /* One classical Runge-Kutta step in one smooth regime. */
 static void runge_kutta(const motion *in, double h, const double state[4], double next[4]) {
-    double k1[4];
-    double k2[4];
-    double k3[4];
-    double k4[4];
-    double middle[4];
+    double k1[4], k2[4], k3[4], k4[4], middle[4];
     derivative(in, state, k1);
     advance(state, 0.5 * h, k1, middle);
     derivative(in, middle, k2);
@@ -90,10 +83,7 @@ static int first_crossing(const double before[2], const double after[2], double 
 
 /* As far as the first kink, or to the end of h; what is left of h. */
 static double piece(motion *in, double h, double state[4], int last) {
-    double next[4];
-    double before[2];
-    double after[2];
-    double share;
+    double next[4], before[2], after[2], share;
     distances(in, state, before);
     runge_kutta(in, h, state, next);
     distances(in, next, after);

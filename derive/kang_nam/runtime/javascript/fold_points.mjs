@@ -44,12 +44,12 @@ function fold_at({ theta, value, settled }, vary, given) {
 
 /** Coefficients a, b, d, m of f at a point in contact. */
 function line_at({ theta0, mu0, kappa, alpha, sigma, beta }) {
-  return algebra_f_coefficients(...turned(theta0), mu0, kappa, alpha, sigma, beta, 1);
+  return algebra.f_coefficients(...turned(theta0), mu0, kappa, alpha, sigma, beta, 1);
 }
 
 /** Their derivatives by one of the parameters. */
 function change_at({ theta0, mu0, kappa, alpha, sigma, beta }, vary) {
-  return algebra_f_changes(...turned(theta0), mu0, kappa, alpha, sigma, beta)[NAMES.indexOf(vary)];
+  return algebra.f_changes(...turned(theta0), mu0, kappa, alpha, sigma, beta)[NAMES.indexOf(vary)];
 }
 
 /** Directions and values of all folds along a parameter that f is linear in. */
@@ -57,11 +57,11 @@ function folds_in(vary, given) {
   const without = { ...given, [vary]: 0 };
   const [line, change] = [line_at(without), change_at(without, vary)];
   if (symmetric(vary, given)) {
-    return [[0.5 * TURN, -algebra_f_slope(0, 1, ...line) / algebra_f_slope(0, 1, ...change)]];
+    return [[0.5 * TURN, -algebra.f_slope(0, 1, ...line) / algebra.f_slope(0, 1, ...change)]];
   }
-  return angles(scaled(algebra_fold_sextic(...line, ...change))).map((theta) => {
+  return angles(scaled(algebra.fold_sextic(...line, ...change))).map((theta) => {
     const [c, s] = turned(theta);
-    return [theta, -algebra_f(c, s, ...line) / algebra_f(c, s, ...change)];
+    return [theta, -algebra.f(c, s, ...line) / algebra.f(c, s, ...change)];
   });
 }
 
@@ -73,11 +73,11 @@ function symmetric(vary, { mu0, alpha }) {
 /** Directions and values of all folds along theta0, whose sine and cosine are known in a direction: where both squares add up to 1. */
 function folds_in_theta0(given) {
   const values = [given.mu0, ...fixed_of(given)];
-  const [sines, cosines] = algebra_fold_cubics(...values);
+  const [sines, cosines] = algebra.fold_cubics(...values);
   if (given.alpha === 0) {
     const directions = symmetric("theta0", given) ? [0.5 * TURN] : angles(scaled(cosines));
     return directions.flatMap((theta) => {
-      const theta0 = Math.asin(algebra_fold_sine(...turned(theta), ...values));
+      const theta0 = Math.asin(algebra.fold_sine(...turned(theta), ...values));
       return [[theta, theta0], [theta, TURN - theta0]];
     });
   }
@@ -94,7 +94,7 @@ function folds_in_theta0(given) {
     squares[2 * i] -= scale * scale * binomial;
   });
   return angles(scaled(squares)).map((theta) => {
-    const [sine, cosine] = algebra_fold_angles(...turned(theta), ...values);
+    const [sine, cosine] = algebra.fold_angles(...turned(theta), ...values);
     return [theta, Math.atan2(sine, cosine)];
   });
 }
@@ -121,8 +121,8 @@ function sharpened([theta, value], vary, given) {
     const [c, s] = turned(theta);
     const at = { ...given, [vary]: value };
     const line = line_at(at);
-    const turn = algebra_f_slope(c, s, ...line) / algebra_f_curvature(c, s, ...line);
-    const rise = algebra_f(c, s, ...line) / algebra_f(c, s, ...change_at(at, vary));
+    const turn = algebra.f_slope(c, s, ...line) / algebra.f_curvature(c, s, ...line);
+    const rise = algebra.f(c, s, ...line) / algebra.f(c, s, ...change_at(at, vary));
     if (!(Math.abs(turn) < 0.01 * s && Math.abs(rise) < 0.01 * Math.abs(value))) {
       break;
     }

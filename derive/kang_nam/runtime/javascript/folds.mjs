@@ -56,14 +56,14 @@ export function surface(parameters, theta, theta0) {
   checked("theta0", theta0);
   const [c, s] = turned(inside("theta", theta));
   const [c0, s0] = turned(theta0);
-  const mu0 = algebra_surface(c, s, c0, s0, ...fixed_of(given));
+  const mu0 = algebra.surface(c, s, c0, s0, ...fixed_of(given));
   const at = Number.isFinite(mu0) ? state_at(c, s, c0, s0, given) : null;
   if (!at) {
     return null;
   }
   const point = point_of({ ...given, theta0, mu0 }, 1);
-  const [a, b, d, m] = algebra_f_coefficients(c0, s0, mu0, ...fixed_of(given), 1);
-  const { code } = stability({ cosine: c, sine: s }, at.L, algebra_f_slope(c, s, a, b, d, m), 0, point);
+  const [a, b, d, m] = algebra.f_coefficients(c0, s0, mu0, ...fixed_of(given), 1);
+  const { code } = stability({ cosine: c, sine: s }, at.L, algebra.f_slope(c, s, a, b, d, m), 0, point);
   return { mu0, ...at, stability: STABILITIES[code] };
 }
 
@@ -80,7 +80,7 @@ function inside(name, value) {
 
 /** L, x and y of the state in contact in a direction; null where there is none. */
 function state_at(c, s, c0, s0, given) {
-  const [L, x, y] = algebra_state(c, s, c0, s0, given.kappa, given.sigma, given.beta, 1);
+  const [L, x, y] = algebra.state(c, s, c0, s0, given.kappa, given.sigma, given.beta, 1);
   return L > 0 && y < 0 ? { L, x, y } : null;
 }
 
@@ -114,16 +114,16 @@ function bends(curve, given) {
 
 /** f'' at a fold. */
 function bend({ theta, theta0, mu0 }, given) {
-  const [a, b, d, m] = algebra_f_coefficients(...turned(theta0), mu0, ...fixed_of(given), 1);
-  return algebra_f_curvature(...turned(theta), a, b, d, m);
+  const [a, b, d, m] = algebra.f_coefficients(...turned(theta0), mu0, ...fixed_of(given), 1);
+  return algebra.f_curvature(...turned(theta), a, b, d, m);
 }
 
 /** Without alpha the curves of theta0 and of pi - theta0 meet in their cusps, which a cubic in sin theta gives. */
 function cusps_without_alpha(given) {
   const { kappa, sigma, beta } = given;
   const found = [];
-  for (const s of [...roots_between(algebra_cusp_cubic(kappa, sigma, beta), 0, 1).filter((s) => s > 0 && s < 1), 1]) {
-    const [s0, over_cosine] = algebra_cusp_sine(s, ...fixed_of(given));
+  for (const s of [...roots_between(algebra.cusp_cubic(kappa, sigma, beta), 0, 1).filter((s) => s > 0 && s < 1), 1]) {
+    const [s0, over_cosine] = algebra.cusp_sine(s, ...fixed_of(given));
     const width = Math.sqrt((1 - s) * (1 + s));
     const away = Math.sqrt(larger((1 - s0) * (1 + s0), 0));
     for (const c of width > 0 ? [width, -width] : [0]) {
@@ -151,21 +151,21 @@ function scaled(coefficients) {
 
 /** All folds at a direction: a quartic in tan(theta0/2), from the conic that is left without friction. */
 function fold_polynomial(theta, fixed) {
-  const [e0, e1, e2, ec] = algebra_fold_conic(...turned(theta), ...fixed);
+  const [e0, e1, e2, ec] = algebra.fold_conic(...turned(theta), ...fixed);
   return scaled([e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec]);
 }
 
 /** The friction of the fold at (theta, theta0), from the relation that does not lose it: the first has the factor cos theta. */
 function fold_friction(theta, theta0, fixed) {
   const [c, s] = turned(theta);
-  const [u1, w1, u2, w2] = algebra_fold_lines_mu0(c, s, ...turned(theta0), ...fixed);
+  const [u1, w1, u2, w2] = algebra.fold_lines_mu0(c, s, ...turned(theta0), ...fixed);
   return Math.abs(c) > 0.3 ? -u1 / w1 : -u2 / w2;
 }
 
 /** A number that changes its sign where two roots of the fold polynomial meet: its discriminant over the terms of that. */
 function fold_indicator(theta, fixed) {
   if (fixed[1] === 0) {
-    const [e0, e1, e2] = algebra_fold_conic(...turned(theta), ...fixed);
+    const [e0, e1, e2] = algebra.fold_conic(...turned(theta), ...fixed);
     return (4 * e0 * e2 - e1 * e1) / (4 * Math.abs(e0 * e2) + e1 * e1);
   }
   const [e0, e1, e2, e3, e4] = fold_polynomial(theta, fixed);
@@ -176,7 +176,7 @@ function fold_indicator(theta, fixed) {
 
 /** All onsets of flutter at a direction: a sextic in tan(theta0/2). */
 function flutter_polynomial(theta, fixed) {
-  const [g0, g1, k0, k1, k2, k3] = algebra_flutter_cubic(...turned(theta), ...fixed);
+  const [g0, g1, k0, k1, k2, k3] = algebra.flutter_cubic(...turned(theta), ...fixed);
   const middle = 3 * k0 + 4 * k2;
   return scaled([g0 - k0, 2 * (g1 - k1), g0 - middle, -4 * k1 - 8 * k3, -g0 - middle, -2 * (g1 + k1), -g0 - k0]);
 }
@@ -184,8 +184,8 @@ function flutter_polynomial(theta, fixed) {
 function flutter_friction(theta, theta0, fixed) {
   const [c, s] = turned(theta);
   const [kappa, alpha, sigma, beta] = fixed;
-  const [L] = algebra_state(c, s, ...turned(theta0), kappa, sigma, beta, 1);
-  return algebra_flutter_friction(c, s, L, alpha, sigma, beta);
+  const [L] = algebra.state(c, s, ...turned(theta0), kappa, sigma, beta, 1);
+  return algebra.flutter_friction(c, s, L, alpha, sigma, beta);
 }
 
 /** What a curve is made of: its polynomial at a direction and the friction at one of the roots. */

@@ -23,5 +23,5 @@ export function critical_friction(parameters) {
 
 /** The derivative of f by theta0 at a fold. */
 function tilt({ theta, theta0, mu0 }, given) {
-  return algebra_f(...turned(theta), ...change_at({ ...given, theta0, mu0 }, "theta0"));
+  return algebra.f(...turned(theta), ...change_at({ ...given, theta0, mu0 }, "theta0"));
 }

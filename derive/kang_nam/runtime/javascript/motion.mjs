@@ -26,7 +26,7 @@ export function motion(parameters, drive) {
     energy: (state) => {
       const [x, y, vx, vy] = numbers("state", state, 4);
       const { cos0, sin0, kappa, alpha, sigma, beta } = run;
-      return algebra_energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, y < 0 ? 1 : 0);
+      return algebra.energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, y < 0 ? 1 : 0);
     },
     /**
      * One step of length h > 0 by the classical Runge-Kutta method, of fourth order across the kinks.
@@ -43,7 +43,7 @@ function rate(run, contact, side, state) {
   const [x, y, vx, vy] = state;
   const { cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d } = run;
   const nbar = contact ? 1 : 0;
-  const [ax, ay] = algebra_regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side);
+  const [ax, ay] = algebra.regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side);
   return [vx, vy, ax, ay];
 }
 

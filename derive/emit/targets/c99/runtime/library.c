@@ -70,4 +70,4 @@ static @library@_status deliver(int length, const double *values, double *result
 /* @primitives@ */
 /* @kernel@ */
 /* @definitions@ */
-/* @wrappers@ */
+/* @public@ */

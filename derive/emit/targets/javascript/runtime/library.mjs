@@ -22,15 +22,14 @@ export const NAMES = Object.freeze(@names@);
 /** Base values of the parameters that have one. */
 export const BASE = Object.freeze(@base@);
 
-/** Allowed values of all that the algebra takes, from low to high; an end that is not there is infinite. */
+/** Allowed values of what the algebra takes, from low to high; an end that is not there is infinite. */
 export const RANGES = Object.freeze(@ranges@);
 
 // ------------------------------------------------------------------------------------------------ generated algebra
 
 // @symbols@
-// @algebra@
 
 /** The generated algebra, by the names that it has in Python. */
 export const algebra = Object.freeze({
-// @table@
+// @algebra@
 });

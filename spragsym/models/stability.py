@@ -55,7 +55,8 @@ def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tu
         place = np.full(eq.stability.shape, -1)
         place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
         ends, alone = (boxes[:, :, place[states]] for boxes in around)
-    undamped = np.where(eq.marginal[states], 0, np.where(eq.stability[states] == Stability.STABLE, 1, -1)).astype(np.int8)
+    sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
+    undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     parts = [
         _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, alone, undamped)))
         for begin in range(0, max(1, undamped.size), TOGETHER)

@@ -38,10 +38,14 @@ class Mirror:
 
     def turns(self, line: Line) -> bool:
         """Whether a line is mirrored, and so upright for states on the mirror."""
+        return self.takes(line, line)
+
+    def takes(self, line: Line, other: Line) -> bool:
+        """Whether a line lies after the mirror where the mirrored image of another one does."""
         image = [
             part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True) for part in (line.dx, line.dy)
         ]
-        return bool(self.centres) and sp.expand(image[0] + line.dx) == 0 and sp.expand(image[1] - line.dy) == 0
+        return bool(self.centres) and sp.expand(image[0] + other.dx) == 0 and sp.expand(image[1] - other.dy) == 0
 
     def image(self, symbol: sp.Symbol) -> sp.Expr:
         """Where a coordinate comes to lie."""
@@ -59,18 +63,28 @@ def _subsets(symbols: tuple[sp.Symbol, ...]) -> Iterator[tuple[sp.Symbol, ...]]:
 
 
 def _about(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> Iterator[Mirror]:
-    """The mirror of these coordinates, whose centre lies where the first line that they move is upright."""
-    centres = dict.fromkeys(turned, sp.S.Zero)
+    """The mirrors of these coordinates: the first line that they move is upright at the centre, or another one's image there."""
+    for centre in _centres(model, turned):
+        centres = {**dict.fromkeys(turned, sp.S.Zero), turned[0]: centre}
+        sets = _zero(model, _remainders(model, Mirror(centres, ())))
+        if sets:
+            yield Mirror(centres, sets)
+
+
+def _centres(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> list[sp.Expr]:
+    """Doubled centres of the first coordinate that put the first line that it moves in the mirrored place of itself or another."""
+    others = [symbol for symbol in model.coordinates if symbol not in turned]
+    moved = []
     for line in model.lines:
-        upright = line.dx.subs(dict.fromkeys(turned[1:], 0))
-        others = (symbol for symbol in model.coordinates if symbol not in turned)
-        if upright.has(turned[0]) and sp.diff(upright, turned[0], 2) == 0 and not upright.has(*others):
-            centres[turned[0]] = 2 * sp.solve(upright, turned[0])[0]
-            break
-    one = Mirror(centres, ())
-    sets = _zero(model, _remainders(model, one))
-    if sets:
-        yield Mirror(centres, sets)
+        dx = line.dx.subs(dict.fromkeys(turned[1:], 0))
+        slope = sp.diff(dx, turned[0])
+        if slope != 0 and sp.diff(slope, turned[0]) == 0 and not dx.has(*others):
+            moved.append((slope, dx.subs(turned[0], 0)))
+    if not moved:
+        return [sp.S.Zero]
+    slope, at_zero = moved[0]
+    alike = [other for same, other in moved if sp.expand(same - slope) == 0]
+    return list(dict.fromkeys(sp.expand(-(at_zero + other) / slope) for other in alike))
 
 
 def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
@@ -79,8 +93,9 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
     changes: dict[sp.Expr, sp.Expr] = dict(images)
     unknown: list[sp.Symbol] = []
     for line in model.lines:
-        if one.turns(line):
-            changes[line.c] = -line.c
+        image_of = next((other for other in (line, *model.lines) if one.takes(line, other)), None)
+        if image_of is not None:
+            changes |= {line.c: -image_of.c, line.s: image_of.s, line.l: image_of.l}
         else:
             # A line that is not mirrored has another direction and length.
             others = sp.symbols(f"{line.c}_image {line.s}_image {line.l}_image", real=True)

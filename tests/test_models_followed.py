@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import spragsym as ss
 from spragsym.models.foremost import foremost
@@ -88,6 +89,62 @@ def test_a_stable_state_between_two_that_are_not_ends_where_they_meet(load: list
 
 
 @pytest.mark.thorough
+@pytest.mark.parametrize("start", ["small", "large", 0])
+def test_a_value_may_be_the_very_float_of_a_pitchfork(start: int | str, rod: Any) -> None:
+    """There the state in which three meet is known: F = sin φ (cos φ − P) = −φ³/2 at P = 1, and φ = π."""
+    path = rod.quasi_static_path(rod.Parameters(), "P", [0.5, 1.0, 1.5], start=start)
+    fork = 0.0 if start != "large" else np.pi
+    assert path.phi == pytest.approx([{0: -np.pi / 3}.get(start, fork), fork, np.pi], abs=1e-12)  # type: ignore[call-overload]
+    assert [jump.value for jump in path.jumps] == ([] if start == "large" else [1.0])
+    assert rod.quasi_static_path(rod.Parameters(), "P", [1.0]).phi.tolist() == [0.0]
+    begun = rod.quasi_static_path(rod.Parameters(), "P", [1.0, 0.5])
+    assert begun.phi == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+#: F = x/(1 + x²): a fold at F = 1/2, x = 1, both floats; the other state is at 1/F and leaves what is searched below F = 0.1.
+FADING = '''"""A mass on a spring that fades."""
+from spragsym.derive.model import Page, log
+
+page = Page("A mass on a spring that fades.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness at first")
+b = page.unit("b", "m", "length over which it fades")
+F = page.parameter("F", "N", "force", "real", 0.1)
+x = page.coordinate("x", "m", "displacement")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.potential(k * b**2 * log(1 + x**2 / b**2) / 2 - F * x)
+'''
+
+
+@pytest.fixture(scope="module")
+def fading(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    return model_of(FADING, "fading", tmp_path_factory.mktemp("fading"))
+
+
+@pytest.mark.thorough
+def test_a_value_may_be_the_very_float_of_a_fold(fading: Any) -> None:
+    """And another state may leave the region that is searched, without a fold, while the one that is followed goes on."""
+    force = np.array([0.0, 0.25, 0.5])
+    by_hand = 2 * force / (1 + np.sqrt(1 - 4 * force**2))
+    p = fading.Parameters()
+    assert fading.quasi_static_path(p, "F", force).x == pytest.approx(by_hand, abs=1e-12)
+    assert fading.quasi_static_path(p, "F", force[:0:-1]).x == pytest.approx(by_hand[:0:-1], abs=1e-12)
+    assert fading.quasi_static_path(p, "F", [0.5]).x == pytest.approx([1.0])
+    assert np.isnan(fading.jump_value(p, "F", begin=0.2, until=0.5))
+    with pytest.raises(ss.ConvergenceError, match="no other beyond it"):
+        fading.quasi_static_path(p, "F", [0.3, 0.5, 0.6], after_jump=lambda eq, before: 0)
+
+
+@pytest.mark.thorough
+def test_what_rises_may_be_the_only_parameter(fading: Any) -> None:
+    p = fading.Parameters(F=0.3)
+    found = fading.jump_margin(p, {"F": 0.1}, vary="F", begin=0.0)
+    assert found.distance == pytest.approx(2.0, rel=1e-9)
+    ends = fading.jump_value(p, "F", begin=0.2, until=[0.4, 0.6])
+    assert ends == pytest.approx([np.nan, 0.5], nan_ok=True)
+
+
+@pytest.mark.thorough
 def test_its_value_is_the_limit_of_that_of_imperfect_ones(rod: Any) -> None:
     e = np.array([1e-2, 1e-4, 1e-6, 0.0])
     found = rod.jump_value(rod.Parameters(e=e), "P", begin=0.5, until=1.5)
@@ -123,6 +180,29 @@ def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same
     y = min(np.roots([1.0, 0.0, -1.5, 2 / 27**0.5]).real)
     for after in (jump.after, {name: float(folds.after[name][0]) for name in ("x", "y")}):
         assert (after["x"], after["y"]) == pytest.approx((np.sqrt(-y), y), abs=1e-12)
+
+
+@pytest.mark.thorough
+def test_a_mirror_may_exchange_two_springs(tmp_path: Any) -> None:
+    """A steep arch buckles sideways where 1 − L/l + L/l³ = 0, with l² = 1 + y² and L² = 1 + h², and comes to rest upside down.
+
+    There all states have x = 0 but for rounding: no order in x tells one from the other.
+    """
+    arch = model_of(ARCH, "arch", tmp_path)
+    p, rest = arch.Parameters(h=3.0, alpha=0.0), np.sqrt(10)
+
+    def load(y: float) -> float:
+        return float(2 * (rest - np.hypot(1, y)) * y / np.hypot(1, y))
+
+    y = brentq(lambda y: 1 - rest / np.hypot(1, y) + rest / np.hypot(1, y) ** 3, 2.0, 3.0, xtol=1e-15)
+    found = arch.folds(p, "P", between={"P": (0.7, 0.8)})
+    assert found.complete
+    assert found.kind.tolist() == ["pitchfork"]
+    assert (found.P[0], found.x[0], found.y[0]) == pytest.approx((load(y), 0.0, y), abs=1e-12)
+    path = arch.quasi_static_path(p, "P", [0.78, 0.79])
+    below = brentq(lambda y: load(y) - 0.79, -4.0, -3.0, xtol=1e-15)
+    assert path.y[1] == pytest.approx(below, abs=1e-12)
+    assert path.stability.tolist() == [ss.Stability.STABLE] * 2
 
 
 @pytest.mark.thorough

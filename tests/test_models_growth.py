@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -13,6 +14,7 @@ import spragsym as ss
 from spragsym.claims.report import PARADOX
 from spragsym.cli import cli
 from spragsym.results.equilibria import Stability
+from tests.support import model_of
 
 
 def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:
@@ -74,6 +76,35 @@ def test_zieglers_paradox() -> None:
         assert row["undamped"] == word
         assert f"{row['growth']:+.1e}" == f"{growth:+.1e}"
         assert row["stability"] == ("stable" if growth < 0 else "flutter")
+
+
+#: Ziegler's column: det(K − κ M) = 2 κ² + (2 P − 7) κ + 1.
+COLUMN = '''"""A column of two links under a load that follows the upper one."""
+from spragsym.derive.model import Page, cos, sin
+
+page = Page("A column of two links under a load that follows the upper one.")
+m = page.unit("m", "kg", "mass at the tip, half of that of the joint")
+l = page.unit("l", "m", "length of a link")
+k = page.unit("k", "N m", "stiffness of the joints")
+P = page.parameter("P", "N", "load", ">= 0", 1.0, becomes="P")
+a = page.coordinate("a", "rad", "angle of the lower link")
+b = page.coordinate("b", "rad", "angle of the upper link")
+page.kinetic(m * l**2 * (3 * page.rate(a) ** 2 + page.rate(b) ** 2 + 2 * page.rate(a) * page.rate(b) * cos(a - b)) / 2)
+page.potential(k * (a**2 + (b - a) ** 2) / 2)
+page.force(-P * sin(b), -P * cos(b), at=(l * (sin(a) + sin(b)), l * (cos(a) + cos(b))))
+'''
+
+
+@pytest.mark.thorough
+def test_without_any_damper_flutter_grows(tmp_path: Path) -> None:
+    pytest.importorskip("sympy")
+    model = model_of(COLUMN, "ziegler", tmp_path)
+    load = np.array([1.0, 2.08, 2.09, 3.0, 4.0, 4.9, 5.0])
+    eq = model.equilibria(model.Parameters(P=load))
+    squares = np.array([np.roots([2, 2 * value - 7, 1]) for value in load])
+    by_hand = np.abs(np.emath.sqrt(-squares).real).max(axis=1)
+    assert eq.growth[:, 0] == pytest.approx(by_hand, abs=1e-9)
+    assert eq.kind[:, 0].tolist() == ["stable"] * 2 + ["flutter"] * 4 + ["divergent"]
 
 
 def test_the_sign_is_proved_where_floats_see_nothing() -> None:

@@ -74,13 +74,17 @@ class _States:
     sides: FloatArray
 
 
-def links(along: Along, stops: FloatArray, eq: Equilibria, most: int | None = None) -> list[dict[int, int]]:
+def links(
+    along: Along, stops: FloatArray, eq: Equilibria, most: int | None = None, only: int | None = None
+) -> list[dict[int, int]]:
     """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one.
 
     Parameters
     ----------
     most : int, optional
         Times that a step is halved at most; a step that is not known then has the pairs that tubes join, and no others.
+    only : int, optional
+        The one step that is asked for.
 
     Raises
     ------
@@ -89,7 +93,7 @@ def links(along: Along, stops: FloatArray, eq: Equilibria, most: int | None = No
     """
     turned = _turned(along, stops)
     states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
-    steps = list(itertools.pairwise(map(float, stops)))
+    steps = list(itertools.pairwise(map(float, stops)))[slice(only, None if only is None else only + 1)]
     proved: dict[Step, dict[int, int]] = {}
     halved: dict[Step, float] = {}
     pending = steps
@@ -112,7 +116,10 @@ def links(along: Along, stops: FloatArray, eq: Equilibria, most: int | None = No
         pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
     if not steps:
         return []
-    raise ConvergenceError(f"branches between {along.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart")
+    why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
+    raise ConvergenceError(
+        f"branches between {along.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart{why}"
+    )
 
 
 def _turned(along: Along, stops: FloatArray) -> list[int]:

@@ -135,9 +135,11 @@ class Followed:
             begin = allowed.reached(allowed.low)
         if begin is not None:
             p = p.replace(**{vary: as_number("begin", begin, allowed)})
-        self.shape = p.shape
+        # Where the parameter that moves is the only one of several values, its ends alone say of how many points it is.
+        self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
         self.balance = Balance(model, contact=True)
-        self.fixed = np.stack([column.reshape(-1) for column in p.broadcast(*self.balance.parameters)])
+        columns = p.broadcast(*self.balance.parameters)
+        self.fixed = np.stack([np.broadcast_to(column, self.shape).reshape(-1) for column in columns])
         self.begin = self.fixed[self.balance.parameters.index(vary)]
         self.until = self._until(allowed, until)
         self.tubes = Tubes(self.balance, vary)
@@ -149,7 +151,7 @@ class Followed:
             until = (
                 allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max(initial=0.0)))
             )
-        ends = np.broadcast_to(as_numbers("until", until, allowed).reshape(-1), self.begin.shape)
+        ends = np.broadcast_to(as_numbers("until", until, allowed), self.shape).reshape(-1)
         if ((ends - self.begin) * self.forward < 0).any():
             way = "below" if self.forward > 0 else "above"
             raise ParameterError(

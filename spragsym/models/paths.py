@@ -17,7 +17,7 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
-from ..results.equilibria import Equilibria, Stability, one_each
+from ..results.equilibria import Equilibria, Stability, as_decided, one_each, with_state
 from ..results.paths import Jump, Path, followed
 from ..results.points import Points
 from .balance import Balance
@@ -144,11 +144,35 @@ class _Way:
         self.within = (at >= along.min()) & (at <= along.max())
         self.at, self.kinds = at[self.within], self._column("kind")
         self.stops, self.wanted = self._stops(along)
-        self.eq = equilibria(model, p.replace(**{vary: self.stops}))
+        self.eq = self._with_meetings(equilibria(model, p.replace(**{vary: self.stops})))
         if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
-        self.links = links(Along(self.balance, p, vary, self.at, self.kinds), self.stops, self.eq)
+        self.along = Along(self.balance, p, vary, self.at, self.kinds)
+        self.every: dict[int, dict[int, int]] = {}
+        self.joined = links(self.along, self.stops, self.eq, most=0)
+
+    def _with_meetings(self, eq: Equilibria) -> Equilibria:
+        """The same; at values at which states meet, and which digits don't decide, with what is known of those.
+
+        Of a pitchfork it is the state in which three meet; the one in which two meet at a fold stands in no slot, see
+        :data:`MET`. That no other is there is known once all states beside the value are joined to those on it.
+        """
+        names = self.balance.coordinates
+        for stop in np.flatnonzero(~eq.decided).tolist():
+            here = np.flatnonzero(self.at == self.stops[stop])
+            states = np.array([self._column(name)[here] for name in names]).T
+            room = BESIDE * np.maximum(1.0, np.abs(states))
+            boxes = [box for box in eq.undecided if box.index == (stop,)]
+            around = np.array([((states - box.low <= room) & (box.high - states <= room)).all(axis=-1) for box in boxes])
+            if not around.any(axis=-1).all():
+                continue
+            eq = as_decided(eq, stop)
+            for number, state in zip(here.tolist(), states.tolist(), strict=True):
+                if self.kinds[number] == "pitchfork" and around[:, here == number].any():
+                    error = float(self._column("error")[number])
+                    eq = with_state(eq, stop, dict(zip(names, state, strict=True)), self._stability_met(number), error)
+        return eq
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
         """Where states vanish: folds, and where they leave the contact. Those on the ends are inside of what is searched."""
@@ -197,7 +221,7 @@ class _Way:
         beside = []
         for fold in self.at:
             others = np.abs(np.concatenate([along, self.at]) - fold)
-            room = min(BESIDE * max(1.0, abs(fold)), 0.25 * float(others[others > 0].min()))
+            room = min(BESIDE * max(1.0, abs(fold)), 0.25 * float(others[others > 0].min(initial=np.inf)))
             beside += [fold - room, fold + room]
         low, high = along.min(), along.max()
         extra = np.array([value for value in beside if low < value < high])
@@ -218,7 +242,7 @@ class _Way:
             raise ParameterError(f"start = {start!r}; give 'small', 'large' or the slot of an equilibrium")
         stable = [slot for slot in range(count) if self.eq.stability[0, slot] == Stability.STABLE] or list(range(count))
         met = self._met(0)
-        if met is not None and self.links and count == len(self.links[0]):
+        if met is not None and (self.stops.size == 1 or count == len(self._links(0))):
             # The float of the fold lies just beyond the states that meet there.
             stable = [MET, *stable] if self._stability_met(met) == Stability.STABLE else (stable or [MET])
         if not stable:
@@ -252,7 +276,9 @@ class _Way:
 
     def followed(self, stop: int, place: int) -> int | None:
         """The slot at a stop of the state that was in a slot at the one before; None if it vanishes on the way."""
-        links = self.links[stop - 1]
+        if place in self.joined[stop - 1]:
+            return self.joined[stop - 1][place]
+        links = self._links(stop - 1)
         if place == MET:
             begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
             stable = [slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE]
@@ -260,6 +286,12 @@ class _Way:
         if place in links:
             return links[place]
         return MET if self._met(stop) is not None else None
+
+    def _links(self, step: int) -> dict[int, int]:
+        """All pairs of slots of a step on one branch, not only those that tubes join at once."""
+        if step not in self.every:
+            (self.every[step],) = links(self.along, self.stops, self.eq, only=step)
+        return self.every[step]
 
     def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
         """Coordinates, stability, and a bound on the error."""
@@ -277,13 +309,16 @@ class _Way:
         before = end.before
         eq = equilibria(self.model, self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
+        how = "leaves the contact" if end.kind == "border" else f"ends in a {end.kind}"
+        ends = f"the state {how} at {self.vary} = {end.value!r}"
+        if not count:
+            raise ConvergenceError(f"{ends}, and there is no other beyond it: end the path before it")
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
-                how = "leaves the contact" if end.kind == "border" else f"ends in a {end.kind}"
                 raise ConvergenceError(
-                    f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path "
-                    "before it, or say in Python by after_jump where it goes"
+                    f"{ends}, and nothing stable in contact is left there: end the path before it, or say in Python by "
+                    "after_jump where it goes"
                 )
             states = np.array([eq.coordinates[name][stable] for name in before])
             apart = np.linalg.norm(states - np.array(list(before.values()))[:, None], axis=0)
@@ -298,7 +333,13 @@ class _Way:
         places = [np.array([before[name], after[name]]) for name in before]
         at = one_each(self.p.replace(**{self.vary: [end.value] * 2}), dict(zip(before, places, strict=True)), NONE, end.error)
         both = [{name: float(getattr(at, name)[row, 0]) for name in at.columns} for row in range(2)]
-        return slot, Jump(end.value, end.kind, both[0], both[1], kind, end.error)
+        return self._slot(stop, behind), Jump(end.value, end.kind, both[0], both[1], kind, end.error)
+
+    def _slot(self, stop: int, state: FloatArray) -> int:
+        """The slot at a stop of a state: another search may list those in another order whose first coordinates are alike."""
+        count = int(self.eq.count[stop])
+        known = np.array([self.eq.coordinates[name][stop, :count] for name in self.balance.coordinates])
+        return int(np.linalg.norm(known - state[:, None], axis=0).argmin())
 
     def _at_end(self, end: ModelEnd, behind: FloatArray) -> list[float]:
         """Coordinates at the end of a branch of the state that has these at the stop behind it."""

@@ -81,13 +81,13 @@ def _over(
 
 
 def decay(
-    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.bool_]
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
 ) -> NDArray[np.int8]:
     """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
 
     All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
     negative some λ has a positive real part, since without such all would be limits of positive ones. Arguments as for
-    :func:`classified`; ``undamped`` says which states are proved to be stable without C, which counts where C is 0.
+    :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there every second coefficient is 0.
     """
     shape = ends.shape[2:]
     with np.errstate(all="ignore"):
@@ -98,7 +98,7 @@ def decay(
         M = matrix(balance.mass(q, values), shape)
         signs = _signs(_routh(*(list(map(list, part)) for part in (M, C, K))), shape)
         without = C.magnitude.max(axis=(0, 1)) <= NOTHING
-    found = np.where(without & undamped, 1, _told_to_decay(signs)).astype(np.int8)
+    found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
     for row in np.flatnonzero(found == 0).tolist():
         again = _with_digits(
             balance, given[:, row], ends[:, :, row], alone[:, :, row], lambda M, K, damping: [_routh(M, damping(), K)]

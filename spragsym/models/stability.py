@@ -55,7 +55,8 @@ def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tu
         place = np.full(eq.stability.shape, -1)
         place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
         ends, alone = (boxes[:, :, place[states]] for boxes in around)
-    undamped = (eq.stability[states] == Stability.STABLE) & ~eq.marginal[states]
+    sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
+    undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     parts = [
         _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, alone, undamped)))
         for begin in range(0, max(1, undamped.size), TOGETHER)
@@ -64,7 +65,7 @@ def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tu
 
 
 def _linearized(
-    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.bool_]
+    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
 ) -> tuple[FloatArray, NDArray[np.str_]]:
     fastest = _fastest(balance, q, given)
     decay = spectrum.decay(balance, given, ends, alone, undamped)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, ClassVar, Protocol, Self
 
@@ -67,6 +67,28 @@ def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.i
     ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
     columns = {**places, "stability": stability, "error": np.broadcast_to(error, p.shape), "marginal": ~known}
     return Equilibria(p, True, ones, known, (), (), Held({name: column[..., None] for name, column in columns.items()}))
+
+
+def as_decided(eq: Equilibria, point: int) -> Equilibria:
+    """The same along one axis of points, one of them decided otherwise: it has the states that are known, and no others."""
+    left = tuple(box for box in eq.undecided if box.index != (point,))
+    return replace(eq, decided=eq.decided | (np.arange(eq.count.size) == point), undecided=left)
+
+
+def with_state(eq: Equilibria, point: int, state: Mapping[str, float], stability: int, error: float) -> Equilibria:
+    """The same along one axis of points, with one more state of one of them that is known otherwise: its coordinates."""
+    slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
+    new: dict[str, Any] = {**state, "stability": stability, "error": error, "marginal": True}
+
+    def placed(name: str) -> NDArray[Any]:
+        old = getattr(eq, name)
+        out = np.concatenate([old, np.full_like(old[:, :1], np.nan if old.dtype == float else 0)], axis=1)
+        out[point, slot + 1 :] = out[point, slot:-1]
+        out[point, slot] = new[name]
+        return out
+
+    more = (np.arange(eq.count.size) == point).astype(eq.count.dtype)
+    return replace(eq, count=eq.count + more, _source=Held({name: placed(name) for name in new}))
 
 
 def columns_of(model: Any) -> tuple[str, ...]:

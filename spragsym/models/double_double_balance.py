@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..exact.double_double import DoubleDouble
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.wide_balls import XP, WideBalls, cosine_and_sine
-from ..generated.double_double import Wide
 from .balance import Balance
 
 
@@ -47,7 +47,9 @@ class WideBalance(Balance):
     def wide_values(self, parameters: Intervals) -> dict[str, WideBalls]:
         """Arguments of generated functions by name, from what :meth:`prepared` has made."""
         rows = parameters.ends[1, len(self.codes) :].reshape(len(self.codes), 3, -1)
-        return {code: WideBalls(Wide(high, low), radius) for code, (high, low, radius) in zip(self.codes, rows, strict=True)}
+        return {
+            code: WideBalls(DoubleDouble(high, low), radius) for code, (high, low, radius) in zip(self.codes, rows, strict=True)
+        }
 
     def wide_forces(self, q: Sequence[Any], values: dict[str, WideBalls]) -> Any:
         """Forces of balls, or of jets of balls."""

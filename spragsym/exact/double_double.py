@@ -1,4 +1,4 @@
-"""Double-double numbers as NumPy sees them: the generated kernel and algebra run on arrays of them as on arrays of floats.
+"""Double-double numbers as NumPy sees them: generated algebra runs on arrays of them as on arrays of floats.
 
 The arithmetic itself is generated. What meets an ordinary array gives a double-double, and the array is taken as exact; what is
 no arithmetic, comparison or choice is refused, so that no digit is lost unseen.
@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...generated import double_double as dd
-from ...generated import kernel
+from ..generated import double_double as dd
 
 Array = NDArray[Any]
 
@@ -153,13 +152,7 @@ _UFUNCS: dict[Any, Callable[..., Any]] = {
 }
 
 
-def cosine_and_sine(angle: Array) -> kernel.Direction:
+def cosine_and_sine(angle: Array) -> tuple[DoubleDouble, DoubleDouble]:
     """cos and sin of doubles 0 < θ < π, exact to the last two bits or so."""
     both = dd.dd_cosine_and_sine(angle)
-    cosine = DoubleDouble(both.cosine_high, both.cosine_low)
-    return kernel.Direction(cosine, DoubleDouble(both.sine_high, both.sine_low))
-
-
-@kernel.rough.register
-def _leading(value: DoubleDouble) -> Array:
-    return value.high
+    return DoubleDouble(both.cosine_high, both.cosine_low), DoubleDouble(both.sine_high, both.sine_low)

@@ -109,7 +109,7 @@ class DoubleDouble:
     def __array_function__(self, function: Any, types: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
         if options or function is not np.where:
             return NotImplemented
-        return _chosen(*arguments)
+        return chosen_of(*arguments)
 
 
 def _of(pair: dd.Wide) -> DoubleDouble:
@@ -125,7 +125,8 @@ def _is_power_of_two(value: Any) -> bool:
     return isinstance(value, int | float) and math.frexp(abs(value))[0] == 0.5
 
 
-def _chosen(flag: Any, one: Any, other: Any) -> DoubleDouble:
+def chosen_of(flag: Any, one: Any, other: Any) -> DoubleDouble:
+    """The one where the flag is set, the other elsewhere."""
     return _of(dd.dd_where(flag, _wide(one), _wide(other)))
 
 

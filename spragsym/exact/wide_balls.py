@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import double_double
-from .double_double import DoubleDouble
+from .double_double import DoubleDouble, chosen_of
 from .interval_arrays import FloatArray, Intervals, exactly, raised
-from .jets import Jet, JetFunctions, argument, constant, turned
+from .jets import Jet, JetFunctions
 from .number_types import repeated_product
 
 #: Unit of relative errors of double-double operations.
@@ -73,7 +73,7 @@ class WideBalls:
     @classmethod
     def where(cls, chosen: NDArray[np.bool_], one: WideBalls, other: WideBalls) -> WideBalls:
         """Balls of the one where the flag is set, of the other elsewhere."""
-        return cls(np.where(chosen, one.middle, other.middle), np.where(chosen, one.radius, other.radius))
+        return cls(chosen_of(chosen, one.middle, other.middle), np.where(chosen, one.radius, other.radius))
 
     def taken(self, rows: NDArray[Any]) -> WideBalls:
         """Some of the balls."""
@@ -271,22 +271,8 @@ def _rounded(middle: DoubleDouble, radius: NDArray[np.float64], units: float) ->
 class Functions(JetFunctions):
     """``xp`` of generated functions for these balls."""
 
-    def __init__(self) -> None:
-        functions = {
-            "sqrt": WideBalls.sqrt, "exp": WideBalls.exp, "log": log, "tanh": tanh, "atan": atan,
-            "cos": lambda angle: _waves(angle)[0], "sin": lambda angle: _waves(angle)[1],
-        }  # fmt: skip
-        super().__init__(functions, _taken)
-
     #: π.
     pi = PI
-
-    @staticmethod
-    def atan2(sine: Any, cosine: Any) -> Any:
-        """Angle of the vector (cosine, sine)."""
-        if isinstance(sine, Jet) or isinstance(cosine, Jet):
-            return argument(*turned(sine, cosine)) + atan2(constant(sine), constant(cosine))
-        return atan2(sine, cosine)
 
     @staticmethod
     def sign(value: Any) -> Any:
@@ -300,4 +286,10 @@ class Functions(JetFunctions):
 
 
 #: The one that is needed.
-XP = Functions()
+XP = Functions(
+    {
+        "sqrt": WideBalls.sqrt, "exp": WideBalls.exp, "log": log, "tanh": tanh, "atan": atan, "atan2": atan2,
+        "cos": lambda angle: _waves(angle)[0], "sin": lambda angle: _waves(angle)[1],
+    },
+    _taken,
+)  # fmt: skip

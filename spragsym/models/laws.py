@@ -26,6 +26,7 @@ class LawFunctions(JetFunctions):
             "log": lambda value: _not_negative(value).log(),
             "tanh": lambda value: value.tanh(),
             "atan": lambda value: value.atan(),
+            "atan2": atan2,
             "cos": cos,
             "sin": sin,
         }
@@ -42,11 +43,6 @@ class LawFunctions(JetFunctions):
     def exp(self, value: Any) -> Any:
         """Exponential: 1 of the number 0."""
         return 1 if isinstance(value, int | float) and value == 0 else super().exp(value)
-
-    @staticmethod
-    def atan2(sine: Any, cosine: Any) -> Any:
-        """The angle in (−π, π]."""
-        return atan2(_enclosed(sine), _enclosed(cosine))
 
     @staticmethod
     def sign(value: Any) -> Any:

@@ -21,7 +21,7 @@ from ..exact.krawczyk import ball
 from ..exact.polynomials import Undecided
 from ..exact.reduction import Evaluate, Reduced, reduced_roots
 from .balance import Balance
-from .double_double_balance import Clusters, WideBalance
+from .double_double_balance import Clusters
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
@@ -179,12 +179,11 @@ def _by_double_double(
     balance: Balance, given: FloatArray, hulls: FloatArray, levels: int
 ) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_]]:
     """Ends of roots in clusters, of what each is alone in, the cluster of each; and the clusters that take more digits."""
-    wide = WideBalance(balance.model, balance.contact, balance.law)
     boxes = widened(hulls)
     with np.errstate(all="ignore"):
-        parameters = wide.prepared(Intervals.point(given))
-        slopes = wide.jacobian(Intervals.point(Intervals(boxes).middle), parameters).middle
-        found = many_reductions.reduced_roots(Clusters(wide, parameters), boxes, slopes, levels)
+        system = Clusters.at(balance, given)
+        slopes = balance.jacobian(Intervals.point(Intervals(boxes).middle), system.parameters).middle
+        found = many_reductions.reduced_roots(system, boxes, slopes, levels)
     error = certified_roots.relative_error(found.ends, Intervals(found.ends).middle)
     found.open[found.box[~(error <= TOLERANCE)]] = True
     kept = ~found.open[found.box]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -96,7 +97,7 @@ class Functions(JetFunctions):
     """``xp`` for balls."""
 
     def __init__(self) -> None:
-        functions = {
+        functions: dict[str, Callable[..., Any]] = {
             "sqrt": _BALLS.sqrt, "exp": exp, "log": log, "tanh": tanh, "atan": _BALLS.atan, "atan2": atan2,
             "cos": lambda angle: _BALLS.cos_sin(angle)[0], "sin": lambda angle: _BALLS.cos_sin(angle)[1],
         }  # fmt: skip

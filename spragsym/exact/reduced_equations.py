@@ -63,8 +63,8 @@ class ReducedEquations:
         return [[_picked(row, places, like) for places in self.unknowns[:, where]] for row in zip(*columns, strict=True)]
 
     def _coefficients(self, where: NDArray[np.int64], series: Sequence[Sequence[Any]], order: int) -> list[Any]:
-        """Coefficients of that order of F along series of u and the others, the equation that is left first."""
-        orders = [self.ordered(where, [part[k] for part in series], series[0][0]) for k in range(order + 1)]
+        """Coefficients of that order of F along series of u and the others to one order less, the equation that is left first."""
+        orders = [self.ordered(where, [part[k] for part in series], series[0][0]) for k in range(order)]
         jets = [
             Jet({(0,) * k: row[i] for k, row in enumerate(orders) if not _is_zero(row[i])}, order) for i in range(len(series))
         ]
@@ -93,13 +93,11 @@ class ReducedEquations:
         series: list[list[Any]] = [[u, 1], *([value, zero - step] for value, step in zip(others, steps, strict=True))]
         out = [less(slopes[0][0], slopes[0][1:], steps) + zero]
         for order in range(2, highest + 1):
-            for part in series:
-                part.append(0)
             rest, *rows = self._coefficients(where, series, order)
             steps = solved(matrix, rows, self.choose)
             out.append(less(rest, slopes[0][1:], steps) + zero)
-            for part, step in zip(series[1:], steps, strict=True):
-                part[order] = zero - step
+            for part, term in zip(series, [0, *(zero - step for step in steps)], strict=True):
+                part.append(term)
         return out, series[1:]
 
 

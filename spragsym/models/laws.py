@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,7 @@ class LawFunctions(JetFunctions):
     """
 
     def __init__(self) -> None:
-        functions = {
+        functions: dict[str, Callable[..., Any]] = {
             "sqrt": lambda value: _not_negative(value).sqrt(),
             "exp": lambda value: value.exp(),
             "log": lambda value: _not_negative(value).log(),

@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.exact.double_double import DoubleDouble
 from spragsym.generated import kernel
 from spragsym.kang_nam.statics import adaptive_precision, block, compiled, solver
-from spragsym.kang_nam.statics.double_double import DoubleDouble
 from spragsym.parameters import NAMES
 from spragsym.results import state_columns
 from tests.oracles import reference

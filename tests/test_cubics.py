@@ -9,9 +9,9 @@ import pytest
 
 from spragsym.exact import cubics as subject
 from spragsym.exact.cubics import Cubics
+from spragsym.exact.double_double import DoubleDouble
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.wide_balls import WideBalls
-from spragsym.generated.double_double import Wide
 
 
 def isolated(*given):
@@ -24,7 +24,7 @@ def wide(numbers):
     """Fractions in double-double, to 2⁻¹⁰⁴."""
     high = np.array([float(number) for number in numbers])
     low = np.array([float(number - Fraction(float(top))) for number, top in zip(numbers, high, strict=True)])
-    return WideBalls(Wide(high, low), np.abs(high) * 2.0**-104)
+    return WideBalls(DoubleDouble(high, low), np.abs(high) * 2.0**-104)
 
 
 def cubics(rows, spread=0.0):

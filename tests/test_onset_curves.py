@@ -279,7 +279,7 @@ def test_what_is_refused() -> None:
     for vary in (("mu0", "mu0"), "mu0", ("mu0",)):
         with pytest.raises(ss.ParameterError, match="give two different parameters"):
             ss.onset_curves(p, vary)
-    with pytest.raises(ss.ParameterError, match="is not a number of lines"):
+    with pytest.raises(ss.ParameterError, match="n = 1 is not an integer of 2 or more"):
         ss.onset_curves(p, n=1)
     with pytest.raises(ss.ParameterError, match="is not a parameter of damped"):
         ss.onset_curves(p, ("mu0", "nu"))

@@ -45,6 +45,15 @@ def test_three_close_roots(gap):
         assert box[1][0] <= root * root - root <= box[1][1]
 
 
+@pytest.mark.parametrize("gap", [Fraction(1, 2), Fraction(1, 2**30)])
+def test_one_unknown_is_all_there_is(gap):
+    found = reduced_roots(lambda q: [q[0] ** 2 - float(gap**2)], [(-2 * float(gap), 1.0)], np.array([[0.0]]), 200)
+    assert not found.left
+    for (side,), root in zip(sorted(found.roots), (-gap, gap), strict=True):
+        assert side[0] <= root <= side[1]
+        assert side[1] - side[0] < Fraction(1, 10**16)
+
+
 def test_two_complex_roots_are_none():
     def evaluate(q):
         x, y = q

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 from .intervals import GUARD_BITS, Ball, Balls
-from .jets import Jet, JetFunctions, argument, constant, turned
+from .jets import Jet, JetFunctions
 from .polynomials import Undecided
 
 _BALLS = Balls()
@@ -33,7 +34,7 @@ def exp(value: Ball) -> Ball:
 
 
 def atan2(sine: Ball, cosine: Ball) -> Ball:
-    """Angle of a vector of balls, from −π to π."""
+    """Angle of a vector of balls, from −π to π; :class:`Undecided` where they meet the ray on which it jumps."""
     up, right = (_BALLS.sign(part) for part in (sine, cosine))
     if right > 0 and (not up or _size(sine) <= _size(cosine)):
         return _BALLS.atan(sine / cosine)
@@ -96,8 +97,8 @@ class Functions(JetFunctions):
     """``xp`` for balls."""
 
     def __init__(self) -> None:
-        functions = {
-            "sqrt": _BALLS.sqrt, "exp": exp, "log": log, "tanh": tanh, "atan": _BALLS.atan,
+        functions: dict[str, Callable[..., Any]] = {
+            "sqrt": _BALLS.sqrt, "exp": exp, "log": log, "tanh": tanh, "atan": _BALLS.atan, "atan2": atan2,
             "cos": lambda angle: _BALLS.cos_sin(angle)[0], "sin": lambda angle: _BALLS.cos_sin(angle)[1],
         }  # fmt: skip
         super().__init__(functions, _taken)
@@ -106,13 +107,6 @@ class Functions(JetFunctions):
     def pi(self) -> Ball:
         """π."""
         return _BALLS.pi()
-
-    @staticmethod
-    def atan2(sine: Any, cosine: Any) -> Any:
-        """Angle of the vector (cosine, sine), from −π to π; :class:`Undecided` where the balls meet the ray on which it jumps."""
-        if isinstance(sine, Jet) or isinstance(cosine, Jet):
-            return argument(*turned(sine, cosine)) + atan2(constant(sine), constant(cosine))
-        return atan2(sine, cosine)
 
     @staticmethod
     def sign(value: Any) -> int:

@@ -62,7 +62,7 @@ def around(value: Any, error: Any, digits: int | None = None) -> Decimal:
     return enclosing(middle - half, middle + half, digits)
 
 
-def upward(bound: Any, digits: int = BOUND_DIGITS) -> str:
+def upward(bound: Any) -> str:
     """A bound ≥ 0 in few decimals, as ``f"{bound:.1e}"`` writes it, but never less than it is.
 
     >>> upward(1.6449e-14), upward(0.0), upward(float("inf")), upward(9.99)
@@ -72,10 +72,10 @@ def upward(bound: Any, digits: int = BOUND_DIGITS) -> str:
         return f"{bound:g}"
     exact = exactly(bound)
     power = _power(exact)
-    mantissa = math.ceil(exact / Fraction(10) ** (power - digits + 1))
-    if mantissa == 10**digits:
-        mantissa, power = 10 ** (digits - 1), power + 1
-    written = f"{mantissa:0{digits}d}"
+    mantissa = math.ceil(exact / Fraction(10) ** (power - BOUND_DIGITS + 1))
+    if mantissa == 10**BOUND_DIGITS:
+        mantissa, power = 10 ** (BOUND_DIGITS - 1), power + 1
+    written = f"{mantissa:0{BOUND_DIGITS}d}"
     return f"{written[0]}.{written[1:]}e{power:+03d}"
 
 

@@ -205,7 +205,7 @@ class JetFunctions:
         Makes a number of the type of what else may stand in an expression, an integer or a float.
     """
 
-    def __init__(self, functions: Mapping[str, Callable[[Any], Any]], taken: Callable[[Any], Any]) -> None:
+    def __init__(self, functions: Mapping[str, Callable[..., Any]], taken: Callable[[Any], Any]) -> None:
         self.functions, self.taken = functions, taken
 
     def sqrt(self, value: Any) -> Any:
@@ -239,6 +239,12 @@ class JetFunctions:
         if isinstance(value, Jet):
             return value.sin((self.cos(value.value), self.sin(value.value)))
         return self._of("sin", value)
+
+    def atan2(self, sine: Any, cosine: Any) -> Any:
+        """Angle of the vector (cosine, sine), from −π to π."""
+        if isinstance(sine, Jet) or isinstance(cosine, Jet):
+            return argument(*turned(sine, cosine)) + self.atan2(constant(sine), constant(cosine))
+        return self.functions["atan2"](self.taken(sine), self.taken(cosine))
 
     def _of(self, name: str, value: Any) -> Any:
         if isinstance(value, Jet):

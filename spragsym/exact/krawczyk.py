@@ -101,6 +101,10 @@ def _norm(values: Sequence[Ball]) -> Fraction:
 
 def as_intervals(values: Sequence[Ball]) -> Intervals:
     """Balls as intervals of floats, shape (numbers, 1)."""
-    bounds = [Balls().ends(value) for value in values]
-    ends = np.array([[-float(low) for low, _ in bounds], [float(high) for _, high in bounds]])
+    return outward([Balls().ends(value) for value in values])
+
+
+def outward(sides: Sequence[tuple[Fraction, Fraction]]) -> Intervals:
+    """Lower and upper ends as intervals of floats, shape (numbers, 1)."""
+    ends = np.array([[-float(low) for low, _ in sides], [float(high) for _, high in sides]])
     return Intervals(np.nextafter(ends, np.inf)[:, :, None])  # a float is the nearest to its end, or the next one

@@ -1,9 +1,9 @@
 """Roots in small boxes where Jacobians are nearly singular, of thousands of boxes at once: :mod:`reduction` on arrays.
 
-The same reduction to one unknown u and the same cubic g(h) = c₀ + c₁ h + c₂ h² + c₃ h³ with an enclosure of its last
-coefficient, about a point where g' is 0 or as near to it as it gets. There c₀ and c₁ say whether roots lie on both sides of it
-or nowhere: they are known in double-double, where floats would not tell; of c₂ and c₃, which are multiplied by small numbers,
-intervals of floats are enough. What this does not decide is left to the other, with any number of digits.
+The same function g(u) of :mod:`.reduced_equations` and the same cubic g(h) = c₀ + c₁ h + c₂ h² + c₃ h³ with an enclosure of
+its last coefficient, about a point where g' is 0 or as near to it as it gets. There c₀ and c₁ say whether roots lie on both sides
+of it or nowhere: they are known in double-double, where floats would not tell; of c₂ and c₃, which are multiplied by small
+numbers, intervals of floats are enough. What this does not decide is left to the other, with any number of digits.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,19 +19,8 @@ from numpy.typing import NDArray
 from .cubics import Cubics, isolated
 from .elimination import solved
 from .interval_arrays import FloatArray, Intervals, raised
-from .jets import Jet, constant
+from .reduced_equations import ReducedEquations, System, less
 from .wide_balls import WideBalls
-
-
-class System(Protocol):
-    """n equations in n unknowns, of some of the boxes, by their rows."""
-
-    def values(self, rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Any]:
-        """F of balls, of intervals, or of jets of intervals."""
-
-    def slopes(self, rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
-        """∂F/∂x of balls or of intervals, row by row."""
-
 
 #: Times the other unknowns are given more room, and times they are narrowed.
 WIDENINGS, NARROWINGS = 6, 5
@@ -139,14 +128,8 @@ class _Curve:
         return out
 
 
-@dataclass(frozen=True)
-class _Reduction:
-    """Boxes with their u and the equation that is left: the first of the ``unknowns`` and ``equations``, shape (n, N)."""
-
-    system: System
-    rows: NDArray[np.int64]
-    unknowns: NDArray[np.int64]
-    equations: NDArray[np.int64]
+class _Reduction(ReducedEquations):
+    """Boxes whose numbers are floats, and double-double where these do not tell."""
 
     def roots(self, boxes: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_], FloatArray]:
         """Boxes around roots and what they are alone in, the box of each; boxes that stay open, and where to cut them, or NaN."""
@@ -157,7 +140,7 @@ class _Reduction:
         if not proved.any():
             nothing = np.empty((2, len(self.unknowns), 0))
             return nothing, nothing, every[:0], ~proved, np.full((2, every.size), np.nan)
-        (*_, last), terms = self._expansion(every, u, others, 3)
+        (*_, last), terms = self.expansion(every, u, others, 3)
         curve, bend = self._centre(u, others, last, [row[-1] for row in terms])
         centre = curve.centre
         value, slope = self._precise(every, centre, [row[0] for row in curve.terms])
@@ -181,48 +164,9 @@ class _Reduction:
         kept = ~open_[box]
         return ends[:, :, kept], alone[:, :, kept], box[kept], open_, cuts
 
-    # ------------------------------------------------------------------------------------------------ the system
-
-    def _ordered(self, where: NDArray[np.int64], values: Sequence[Any], like: Any = None) -> list[Any]:
-        """Unknowns in their order, of u and the others."""
-        like = values[0] if like is None else like
-        place = np.argsort(self.unknowns[:, where], axis=0, kind="stable")
-        return [_picked(values, row, like) for row in place]
-
     def _boxed(self, where: NDArray[np.int64], values: Sequence[Intervals]) -> FloatArray:
         """Boxes of unknowns in their order, shape (2, n, N)."""
-        return np.stack([value.ends for value in self._ordered(where, values)], axis=1)
-
-    def _values(self, where: NDArray[np.int64], unknowns: Sequence[Any]) -> list[Any]:
-        """F, the equation that is left first."""
-        values = self.system.values(self.rows[where], self._ordered(where, unknowns))
-        return [_picked(values, row, unknowns[0]) for row in self.equations[:, where]]
-
-    def _slopes(self, where: NDArray[np.int64], unknowns: Sequence[Any]) -> list[list[Any]]:
-        """Slopes of F by u and the others, the equation that is left first."""
-        like = unknowns[0]
-        rows = self.system.slopes(self.rows[where], self._ordered(where, unknowns))
-        columns = [[_picked(column, places, like) for places in self.equations[:, where]] for column in zip(*rows, strict=True)]
-        return [[_picked(row, places, like) for places in self.unknowns[:, where]] for row in zip(*columns, strict=True)]
-
-    def _coefficients(self, where: NDArray[np.int64], series: Sequence[Sequence[Any]], order: int) -> list[Any]:
-        """Coefficients of that order of F along series of u and the others, the equation that is left first."""
-        orders = [self._ordered(where, [part[k] for part in series], series[0][0]) for k in range(order + 1)]
-        jets = [
-            Jet({(0,) * k: row[i] for k, row in enumerate(orders) if not _is_zero(row[i])}, order) for i in range(len(series))
-        ]
-        rows = self.system.values(self.rows[where], jets)
-        parts = [row.terms.get((0,) * order, 0) if isinstance(row, Jet) else 0 for row in rows]
-        return [_picked(parts, row, series[0][0]) for row in self.equations[:, where]]
-
-    # ------------------------------------------------------------------------------------------------ the others
-
-    def _newton(self, where: NDArray[np.int64], u: Intervals, others: Sequence[Intervals]) -> list[Intervals]:
-        """Interval Newton's operator for the other unknowns as functions of u."""
-        middle = [Intervals.point(value.middle) for value in others]
-        values = self._values(where, [u, *middle])[1:]
-        slopes = [row[1:] for row in self._slopes(where, [u, *others])[1:]]
-        return [m - step for m, step in zip(middle, solved(slopes, values), strict=True)]
+        return np.stack([value.ends for value in self.ordered(where, values)], axis=1)
 
     def _others(self, u: Intervals, given: list[Intervals]) -> tuple[list[Intervals], NDArray[np.bool_]]:
         """Intervals of the other unknowns that hold exactly one value each for every u, and where that is proved."""
@@ -233,7 +177,7 @@ class _Reduction:
         out = given
         for _ in range(WIDENINGS):
             wide = [Intervals(value.ends + 1.5 * value.width) for value in given]
-            image = self._newton(every, u, wide)
+            image = self.newton(every, u, wide)
             inside = np.logical_and.reduce([(one.ends < other.ends).all(axis=0) for one, other in zip(image, wide, strict=True)])
             new = inside & ~proved
             out = [Intervals(np.where(new, one.ends, other.ends)) for one, other in zip(image, out, strict=True)]
@@ -250,7 +194,7 @@ class _Reduction:
         rows = np.arange(where.size)
         for _ in range(NARROWINGS):
             now = ends[:, :, rows]
-            new = np.stack([value.ends for value in self._newton(where[rows], u[rows], list(Intervals(now)))], axis=1)
+            new = np.stack([value.ends for value in self.newton(where[rows], u[rows], list(Intervals(now)))], axis=1)
             new = np.fmin(new, now)
             ends[:, :, rows] = new
             widths, before = new[0] + new[1], now[0] + now[1]
@@ -260,31 +204,6 @@ class _Reduction:
                 break
         return list(Intervals(ends))
 
-    # ------------------------------------------------------------------------------------------- the one function
-
-    def _expansion(
-        self, where: NDArray[np.int64], u: Intervals, others: Sequence[Intervals], highest: int
-    ) -> tuple[list[Intervals], list[list[Intervals]]]:
-        """Taylor coefficients of g from the first on, and of the others as functions of u, from their values on.
-
-        Coefficients of F are linear in the last ones of the others.
-        """
-        slopes = self._slopes(where, [u, *others])
-        matrix = [row[1:] for row in slopes[1:]]
-        steps = solved(matrix, [row[0] for row in slopes[1:]])
-        zero = Intervals(np.zeros((2, where.size)))
-        series: list[list[Any]] = [[u, 1], *([value, zero - step] for value, step in zip(others, steps, strict=True))]
-        out = [_less(slopes[0][0], slopes[0][1:], steps) + zero]
-        for order in range(2, highest + 1):
-            for part in series:
-                part.append(0)
-            rest, *rows = self._coefficients(where, series, order)
-            steps = solved(matrix, rows)
-            out.append(_less(rest, slopes[0][1:], steps) + zero)
-            for part, step in zip(series[1:], steps, strict=True):
-                part[order] = zero - step
-        return out, series[1:]
-
     def _centre(self, u: Intervals, others: list[Intervals], last: Intervals, lasts: list[Intervals]) -> tuple[_Curve, Intervals]:
         """The others about a point where g' is 0 or nearest to 0, roughly, and g''/2 there."""
         rows = np.arange(self.rows.size)
@@ -293,7 +212,7 @@ class _Reduction:
         centre, near = curve.centre[rows], others
         for step in range(STEPS + 1):
             at = Intervals.point(centre)
-            (slope, second), terms = self._expansion(rows, at, self._narrowed(rows, at, near), 2)
+            (slope, second), terms = self.expansion(rows, at, self._narrowed(rows, at, near), 2)
             curve.centre[rows], bend.ends[:, rows] = centre, second.ends
             for old, new in zip(curve.terms, terms, strict=True):
                 for one, other in zip(old, new, strict=False):
@@ -313,14 +232,14 @@ class _Reduction:
         """g and g' at floats, in double-double; the others are known to hold their values there."""
         at = WideBalls.exact(u)
         middle = [WideBalls.exact(value.middle) for value in others]
-        values = self._values(where, [at, *middle])[1:]
-        slopes = self._slopes(where, [Intervals.point(u), *others])[1:]
+        values = self.values(where, [at, *middle])[1:]
+        slopes = self.slopes(where, [Intervals.point(u), *others])[1:]
         steps = solved([[_wide(entry) for entry in row[1:]] for row in slopes], values)
         sharp = [at, *(m - step for m, step in zip(middle, steps, strict=True))]
-        slopes = self._slopes(where, sharp)
+        slopes = self.slopes(where, sharp)
         steps = solved([row[1:] for row in slopes[1:]], [row[0] for row in slopes[1:]])
         zero = WideBalls.exact(np.zeros(where.size))
-        return zero + self._values(where, sharp)[0], zero + _less(slopes[0][0], slopes[0][1:], steps)
+        return zero + self.values(where, sharp)[0], zero + less(slopes[0][0], slopes[0][1:], steps)
 
     def _polished(self, where: NDArray[np.int64], spans: Intervals, guess: FloatArray, curve: _Curve) -> FloatArray:
         """Small boxes around the only root in each span of u, near a guess; NaN where that is not shown."""
@@ -347,7 +266,7 @@ class _Reduction:
         around = Intervals(raised(np.stack([reach - u, reach + u])))
         inside = (around.ends <= spans.ends).all(axis=0)
         others = self._narrowed(where, around, curve.at(around))
-        bend = self._expansion(where, around, others, 2)[0][1]
+        bend = self.expansion(where, around, others, 2)[0][1]
         room = Intervals(np.stack([reach, reach]))
         h = -(value.intervals() / (slope.intervals() + bend * room))
         proved = inside & (h.ends < room.ends).all(axis=0)
@@ -362,33 +281,5 @@ def _flattest(first: FloatArray, second: FloatArray, third: FloatArray) -> Float
     return np.where(np.isfinite(root), root, 0.0)
 
 
-def _is_zero(value: Any) -> bool:
-    return isinstance(value, int) and value == 0
-
-
-def _less(value: Any, factors: Sequence[Any], steps: Sequence[Any]) -> Any:
-    """value − Σ factor step."""
-    for factor, step in zip(factors, steps, strict=True):
-        value = value - factor * step
-    return value
-
-
 def _wide(value: Any) -> Any:
     return WideBalls.around(value) if isinstance(value, Intervals) else value
-
-
-def _picked(values: Sequence[Any], places: NDArray[np.int64], like: Any) -> Any:
-    """Of several arrays of numbers, or numbers, that of the given place, element by element, as numbers like another."""
-    if all(value is values[0] or (isinstance(value, int) and value == values[0]) for value in values[1:]):
-        return values[0]
-    kind = type(constant(like))
-    out = None
-    for number, value in enumerate(values):
-        array = value if isinstance(value, kind) else _constant(kind, float(value), places.size)
-        out = array if out is None else kind.where(places == number, array, out)
-    return out
-
-
-def _constant(kind: type, value: float, count: int) -> Any:
-    numbers = np.full(count, value)
-    return WideBalls.exact(numbers) if kind is WideBalls else Intervals.point(numbers)

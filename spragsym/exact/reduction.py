@@ -1,11 +1,10 @@
 """Roots of a system in a small box where its Jacobian is nearly singular: reduced to one unknown, with many digits.
 
-Near a fold or a cusp the Jacobian has rank n − 1. So n − 1 of the equations determine all unknowns but one, u, uniquely in the
-box, and the last equation becomes one function g(u), whose Taylor polynomial of degree 3 with an enclosure of the last
-coefficient holds all roots: a cubic with one coefficient that is an interval. Its roots are isolated by halving, in balls of
-many digits.
+The function g(u) of :mod:`.reduced_equations` has a Taylor polynomial of degree 3 with an enclosure of the last coefficient,
+which holds all roots: a cubic with one coefficient that is an interval. Its roots are isolated by halving, in balls of many
+digits.
 
-What is proved of the box: the other unknowns stay in it, as functions of u, by Krawczyk's operator on the n − 1 equations; a
+What is proved of the box: the other unknowns stay in it, as functions of u, by interval Newton on the n − 1 equations; a
 piece of u holds no root if the polynomial is not 0 on it, and exactly one if its slope is not 0 on it and its signs at both
 ends differ.
 """
@@ -21,10 +20,10 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from .elimination import solved
 from .intervals import Ball, Balls
-from .jets import Jet
+from .jets import gradient, variables
 from .polynomials import Undecided
+from .reduced_equations import ReducedEquations
 
 #: F of balls or of jets of balls.
 Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
@@ -32,6 +31,8 @@ Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
 Box: TypeAlias = list[tuple[Fraction, Fraction]]
 
 _BALLS = Balls()
+#: The row of the only box.
+_ONE = np.zeros(1, dtype=np.int64)
 #: Times a piece of u is halved before the expansion is made anew for its halves.
 HALVINGS = 60
 #: Pieces of one expansion after which it counts as too wide.
@@ -69,9 +70,7 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobi
     bits : int
         Of the balls.
     """
-    left_vectors, _, right_vectors = np.linalg.svd(jacobian)
-    task = _Task(evaluate, int(np.abs(right_vectors[-1]).argmax()), int(np.abs(left_vectors[:, -1]).argmax()), len(box))
-    found = Reduced([], [], [])
+    task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
     with _BALLS.precision(bits):
         task.search([(Fraction(low), Fraction(high)) for low, high in box], found)
     return found
@@ -85,24 +84,56 @@ def third_derivative(evaluate: Evaluate, box: Box, jacobian: NDArray[np.float64]
     Undecided
         Where the other unknowns are not proved to be functions of u that stay in a box slightly larger.
     """
-    left_vectors, _, right_vectors = np.linalg.svd(jacobian)
-    along = max(among, key=lambda i: abs(float(right_vectors[-1, i])))
-    equation = max(among, key=lambda i: abs(float(left_vectors[i, -1])))
     with _BALLS.precision(bits):
-        return _Task(evaluate, along, equation, len(box)).third(box)
+        task = _task(evaluate, jacobian, among)
+        return task.third(box[task.along], task.others(box[task.along], box))
 
 
 @dataclass(frozen=True)
-class _Task:
-    evaluate: Evaluate
-    along: int  #: number of u
-    equation: int  #: number of the equation that is left
-    n: int
+class _OneBox:
+    """A system with slopes from jets."""
 
-    def third(self, box: Box) -> Ball:
-        """The third coefficient of the expansion about any point of a box."""
-        last: Ball = self._expansion(_BALLS.between(*box[self.along]), self._others(box[self.along], box))[3]
+    evaluate: Evaluate
+
+    def values(self, _rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Any]:
+        """F of balls or of jets of balls."""
+        return self.evaluate(unknowns)
+
+    def slopes(self, _rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
+        """Its slopes."""
+        return [gradient(row, len(unknowns)) for row in self.evaluate(variables(unknowns, 1))]
+
+
+def _task(evaluate: Evaluate, jacobian: NDArray[np.float64], among: Sequence[int]) -> _Task:
+    """With u and the equation that is left among the given ones."""
+    left, _, right = np.linalg.svd(jacobian)
+    unknowns, equations = (_first(max(among, key=lambda i: abs(float(part[i]))), part.size) for part in (right[-1], left[:, -1]))
+    return _Task(_OneBox(evaluate), _ONE, unknowns, equations, _largest_pivot)
+
+
+def _first(number: int, n: int) -> NDArray[np.int64]:
+    """Numbers in their order, but one of them first, as a column."""
+    return np.array([number, *(i for i in range(n) if i != number)])[:, None]
+
+
+class _Task(ReducedEquations):
+    """One box, of balls."""
+
+    @property
+    def along(self) -> int:
+        """Number of u."""
+        return int(self.unknowns[0, 0])
+
+    def third(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Ball:
+        """The third coefficient of the expansion about any point of a span."""
+        last: Ball = self.expansion(_ONE, _BALLS.between(*span), others, 3)[0][2]
         return last
+
+    def at(self, u: Fraction, others: Sequence[Ball]) -> list[Any]:
+        """The other coefficients of the expansion about a point."""
+        at = _BALLS.exact(u)
+        sharp = self._narrowed(at, others)
+        return [self.values(_ONE, [at, *sharp])[0], *self.expansion(_ONE, at, sharp, 2)[0]]
 
     def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> None:
         """All roots of a box: of the whole if it can be settled, else of its halves in u, and of theirs."""
@@ -130,32 +161,27 @@ class _Task:
         low, high = box[self.along]
         middle = (low + high) / 2
         try:
-            others = self._others(box[self.along], box)
-            whole = self._expansion(_BALLS.between(low, high), others)
-            at = _BALLS.exact(middle)
-            point = self._expansion(at, self._narrowed(at, others))
-            pieces = _isolated([*point[:3], whole[3]], low - middle, high - middle)
+            others = self.others(box[self.along], box)
+            last = self.third(box[self.along], others)
+            pieces = _isolated([*self.at(middle, others), last], low - middle, high - middle)
         except Undecided:
-            return False
-        if pieces is None:
             return False
         for piece in pieces:
             where = (middle + piece[0], middle + piece[1])
-            found.roots.append(self._polished(where, others, whole[3]))
+            found.roots.append(self._polished(where, others, last))
             found.alone.append(self._boxed(where, others))
         return True
 
     def _boxed(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Box:
         """A span of u, and the other unknowns."""
-        ends = iter([_BALLS.ends(value) for value in others])
-        return [span if i == self.along else next(ends) for i in range(self.n)]
+        sides = [span, *map(_BALLS.ends, others)]
+        return [sides[place] for place in np.argsort(self.unknowns[:, 0])]
 
     def _polished(self, span: tuple[Fraction, Fraction], others: list[Ball], last: Any) -> Box:
         """A small box around the only root in a span, by interval Newton on g; ``last`` is its third coefficient."""
         for _ in range(STEPS):
             middle = _short((span[0] + span[1]) / 2)
-            at = _BALLS.exact(middle)
-            point = [*self._expansion(at, self._narrowed(at, others), 2), last]
+            point = [*self.at(middle, others), last]
             slope = _taylor_slope(point, _BALLS.between(span[0] - middle, span[1] - middle))
             if not _sign(slope):
                 break
@@ -169,25 +195,14 @@ class _Task:
                 break
         return self._boxed(span, self._narrowed(_BALLS.between(*span), others))
 
-    def _all(self, u: Any, others: Sequence[Any]) -> list[Any]:
-        """All unknowns in their order."""
-        rest = iter(others)
-        return [u if i == self.along else next(rest) for i in range(self.n)]
-
-    def _jets(self, u: Any, others: Sequence[Any]) -> tuple[list[Any], list[list[Any]]]:
-        """The n − 1 equations and their slopes by the other unknowns."""
-        values = self.evaluate(self._all(u, [Jet.variable(value, number, 1) for number, value in enumerate(others)]))
-        rows = [value for number, value in enumerate(values) if number != self.equation]
-        return [_value(row) for row in rows], [[_slope(row, number) for number in range(self.n - 1)] for row in rows]
-
-    def _others(self, span: tuple[Fraction, Fraction], box: list[tuple[Fraction, Fraction]]) -> list[Ball]:
+    def others(self, span: tuple[Fraction, Fraction], box: list[tuple[Fraction, Fraction]]) -> list[Ball]:
         """Balls that hold the other unknowns for all u of the span: exactly one value for each u, in the box."""
         u = _BALLS.between(*span)
         given = [_BALLS.between(*side) for number, side in enumerate(box) if number != self.along]
         # Widened, until the unknowns as functions of u stay inside; where they leave the box itself no harm is done.
         for _ in range(WIDENINGS):
             wide = [value + (value - _BALLS.middle(value)) * 3 for value in given]
-            image = self._newton(u, wide)
+            image = self.newton(_ONE, u, wide)
             if all(_inside(one, other) for one, other in zip(image, wide, strict=True)):
                 return self._narrowed(u, image)
             given = [_BALLS.union(one, other) for one, other in zip(image, given, strict=True)]
@@ -197,30 +212,11 @@ class _Task:
         """Balls of the other unknowns contracted until they are not narrower by much."""
         current = list(others)
         for _ in range(12):
-            image = self._newton(u, current)
+            image = self.newton(_ONE, u, current)
             if any(_width(one) * 2 > _width(other) for one, other in zip(image, current, strict=True)):
                 return [min(one, other, key=_width) for one, other in zip(image, current, strict=True)]
             current = image
         return current
-
-    def _newton(self, u: Ball, others: Sequence[Ball]) -> list[Ball]:
-        """Interval Newton's operator m − J⁻¹ S(u, m) on the n − 1 equations S."""
-        middle = [_BALLS.middle(value) for value in others]
-        values = [row for number, row in enumerate(self.evaluate(self._all(u, middle))) if number != self.equation]
-        slopes = self._jets(u, others)[1]
-        return [m - step for m, step in zip(middle, solved(slopes, values, _largest_pivot), strict=True)]
-
-    def _expansion(self, u: Ball, others: Sequence[Ball], highest: int = 3) -> list[Any]:
-        """Taylor coefficients of g to the third or less, at any point of u."""
-        slopes = self._jets(u, others)[1]
-        jets = [Jet({(): value}, highest) for value in others]
-        variable = Jet.variable(u, 0, highest)
-        for order in range(1, highest + 1):
-            rows = [row for number, row in enumerate(self.evaluate(self._all(variable, jets))) if number != self.equation]
-            steps = solved(slopes, [_coefficient(row, order) for row in rows], _largest_pivot)
-            jets = [Jet({**jet.terms, (0,) * order: -step}, highest) for jet, step in zip(jets, steps, strict=True)]
-        last = self.evaluate(self._all(variable, jets))[self.equation]
-        return [_coefficient(last, order) for order in range(highest + 1)]
 
 
 def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
@@ -272,18 +268,6 @@ def _sign(value: Any) -> int:
 def _short(value: Fraction) -> Fraction:
     """A rational of few digits, much nearer than what is asked for here."""
     return Fraction(round(value * 2**100), 2**100)
-
-
-def _value(row: Any) -> Any:
-    return row.value if isinstance(row, Jet) else row
-
-
-def _slope(row: Any, number: int) -> Any:
-    return row.derivative(number) if isinstance(row, Jet) else 0
-
-
-def _coefficient(row: Any, order: int) -> Any:
-    return row.terms.get((0,) * order, 0) if isinstance(row, Jet) else (row if order == 0 else 0)
 
 
 def _width(value: Any) -> Fraction:

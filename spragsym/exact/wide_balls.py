@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..generated import double_double as dd
-from ..generated.double_double import Wide
+from . import double_double
+from .double_double import DoubleDouble, chosen_of
 from .interval_arrays import FloatArray, Intervals, exactly, raised
-from .jets import Jet, JetFunctions, argument, constant, turned
+from .jets import Jet, JetFunctions
 from .number_types import repeated_product
 
 #: Unit of relative errors of double-double operations.
@@ -50,20 +50,20 @@ class WideBalls:
     __slots__ = ("middle", "radius")
     __array_ufunc__ = None
 
-    def __init__(self, middle: Wide, radius: FloatArray) -> None:
+    def __init__(self, middle: DoubleDouble, radius: FloatArray) -> None:
         self.middle, self.radius = middle, radius
 
     @classmethod
     def exact(cls, values: FloatArray) -> WideBalls:
         """Floats, without width."""
-        return cls(Wide(values, np.zeros_like(values)), np.zeros_like(values))
+        return cls(DoubleDouble(values, np.zeros_like(values)), np.zeros_like(values))
 
     @classmethod
     def around(cls, intervals: Intervals) -> WideBalls:
         """Balls that hold intervals."""
         middle = intervals.middle
         radius = raised(np.maximum(*raised(intervals.ends + np.stack([middle, -middle]))))
-        return cls(Wide(middle, np.zeros_like(middle)), radius)
+        return cls(DoubleDouble(middle, np.zeros_like(middle)), radius)
 
     def intervals(self) -> Intervals:
         """Intervals that hold the balls."""
@@ -73,11 +73,11 @@ class WideBalls:
     @classmethod
     def where(cls, chosen: NDArray[np.bool_], one: WideBalls, other: WideBalls) -> WideBalls:
         """Balls of the one where the flag is set, of the other elsewhere."""
-        return cls(dd.dd_where(chosen, one.middle, other.middle), np.where(chosen, one.radius, other.radius))
+        return cls(chosen_of(chosen, one.middle, other.middle), np.where(chosen, one.radius, other.radius))
 
     def taken(self, rows: NDArray[Any]) -> WideBalls:
         """Some of the balls."""
-        return WideBalls(Wide(self.middle.high[rows], self.middle.low[rows]), self.radius[rows])
+        return WideBalls(self.middle[rows], self.radius[rows])
 
     def signs(self) -> NDArray[np.int64]:
         """−1 or 1, and 0 where a ball holds 0 or nothing is known."""
@@ -91,7 +91,7 @@ class WideBalls:
         return out
 
     def __neg__(self) -> WideBalls:
-        return WideBalls(dd.dd_negative(self.middle), self.radius)
+        return WideBalls(-self.middle, self.radius)
 
     def __pos__(self) -> WideBalls:
         return self
@@ -102,8 +102,7 @@ class WideBalls:
         if isinstance(other, int | float) and other == 0:
             return self
         two = _ball(other, self)
-        middle = dd.dd_add(self.middle, two.middle)
-        return _rounded(middle, self.radius + two.radius, SUM)
+        return _rounded(self.middle + two.middle, self.radius + two.radius, SUM)
 
     __radd__ = __add__
 
@@ -119,10 +118,10 @@ class WideBalls:
         if isinstance(other, int | float):
             if other in (1, -1):
                 return self if other == 1 else -self
-            return _rounded(dd.dd_multiply_double(self.middle, exactly(other)), self.radius * abs(other), PRODUCT)
+            return _rounded(self.middle * exactly(other), self.radius * abs(other), PRODUCT)
         two = _ball(other, self)
         radius = np.abs(self.middle.high) * ROOM * two.radius + two.size * self.radius
-        return _rounded(dd.dd_multiply(self.middle, two.middle), radius, PRODUCT)
+        return _rounded(self.middle * two.middle, radius, PRODUCT)
 
     __rmul__ = __mul__
 
@@ -131,7 +130,7 @@ class WideBalls:
             return NotImplemented
         two = _ball(other, self)
         least = np.abs(two.middle.high) / ROOM - two.radius
-        middle = dd.dd_divide(self.middle, two.middle)
+        middle = self.middle / two.middle
         radius = (self.radius + np.abs(middle.high) * ROOM * two.radius) / np.where(least > 0, least, np.nan)
         return _rounded(middle, radius, QUOTIENT)
 
@@ -154,7 +153,7 @@ class WideBalls:
 
     def sqrt(self) -> WideBalls:
         """Square root; NaN where a ball holds negative numbers. The error is that of its square over twice the root."""
-        root = dd.dd_sqrt(self.middle)
+        root = np.sqrt(self.middle)
         off = self - WideBalls(root, np.zeros_like(root.high)) ** 2
         radius = np.where(root.high > 0, off.size / (root.high / ROOM), np.where(self.size == 0, 0.0, np.nan))
         negative = self.middle.high / ROOM < self.radius
@@ -176,14 +175,14 @@ class WideBalls:
 
 
 #: π, as two floats and what these leave.
-PI = WideBalls(Wide(np.array(np.pi), np.array(1.2246467991473532e-16)), np.array(4e-33))
+PI = WideBalls(DoubleDouble(np.array(np.pi), np.array(1.2246467991473532e-16)), np.array(4e-33))
 
 
 def cosine_and_sine(angles: FloatArray) -> tuple[WideBalls, WideBalls]:
     """Of floats between 0 and π, both exclusive; NaN beyond."""
-    found = dd.dd_cosine_and_sine(angles)
     radius = np.where((angles > 0) & (angles < np.pi), TURN, np.nan)
-    return WideBalls(Wide(*found[:2]), radius), WideBalls(Wide(*found[2:]), radius)
+    cosine, sine = double_double.cosine_and_sine(angles)
+    return WideBalls(cosine, radius), WideBalls(sine, radius)
 
 
 def atan2(sine: WideBalls, cosine: WideBalls) -> WideBalls:
@@ -228,7 +227,7 @@ def tanh(value: WideBalls) -> WideBalls:
     found = 1 - 2 / ((near * 2).exp() + 1)
     sign = np.sign(value.middle.high)
     return WideBalls.where(
-        far, WideBalls(Wide(sign, np.zeros_like(sign)), np.full_like(sign, 2 * np.exp(-2 * FLAT) * ROOM)), found
+        far, WideBalls(DoubleDouble(sign, np.zeros_like(sign)), np.full_like(sign, 2 * np.exp(-2 * FLAT) * ROOM)), found
     )
 
 
@@ -264,7 +263,7 @@ def _ball(value: Any, like: WideBalls) -> WideBalls:
     return WideBalls.exact(np.broadcast_to(np.asarray(value, dtype=float), like.radius.shape))
 
 
-def _rounded(middle: Wide, radius: NDArray[np.float64], units: float) -> WideBalls:
+def _rounded(middle: DoubleDouble, radius: NDArray[np.float64], units: float) -> WideBalls:
     """With the rounding of one operation; overflow makes NaN of the middle, and so of all that follows."""
     return WideBalls(middle, (radius + np.abs(middle.high) * (units * UNIT)) * ROOM + TINY)
 
@@ -272,22 +271,8 @@ def _rounded(middle: Wide, radius: NDArray[np.float64], units: float) -> WideBal
 class Functions(JetFunctions):
     """``xp`` of generated functions for these balls."""
 
-    def __init__(self) -> None:
-        functions = {
-            "sqrt": WideBalls.sqrt, "exp": WideBalls.exp, "log": log, "tanh": tanh, "atan": atan,
-            "cos": lambda angle: _waves(angle)[0], "sin": lambda angle: _waves(angle)[1],
-        }  # fmt: skip
-        super().__init__(functions, _taken)
-
     #: π.
     pi = PI
-
-    @staticmethod
-    def atan2(sine: Any, cosine: Any) -> Any:
-        """Angle of the vector (cosine, sine)."""
-        if isinstance(sine, Jet) or isinstance(cosine, Jet):
-            return argument(*turned(sine, cosine)) + atan2(constant(sine), constant(cosine))
-        return atan2(sine, cosine)
 
     @staticmethod
     def sign(value: Any) -> Any:
@@ -301,4 +286,10 @@ class Functions(JetFunctions):
 
 
 #: The one that is needed.
-XP = Functions()
+XP = Functions(
+    {
+        "sqrt": WideBalls.sqrt, "exp": WideBalls.exp, "log": log, "tanh": tanh, "atan": atan, "atan2": atan2,
+        "cos": lambda angle: _waves(angle)[0], "sin": lambda angle: _waves(angle)[1],
+    },
+    _taken,
+)  # fmt: skip

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray, Intervals
+from ..parameters import as_count
 from ..progress import doing
 from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
@@ -67,7 +67,7 @@ def bifurcation_set(
     between these by :mod:`spragsym.models.fold_curves`. Two points are neighbours only if no line separates them on which all
     folds are known. A curve that closes between two lines without a cusp is not seen.
     """
-    require_lines(n)
+    as_count("n", n, 2)
     found_cusps = cusps(model, p, vary, between=between, within=within)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
@@ -90,12 +90,6 @@ class OnLines:
     undecided: FloatArray
     whole: bool
     remarks: tuple[str, ...]
-
-
-def require_lines(n: Any) -> None:
-    """An error unless it is a number of lines."""
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
-        raise ParameterError(f"n = {n!r} is not a number of lines; give an integer of 2 or more")
 
 
 def on_lines(

@@ -18,7 +18,7 @@ from ..results.equilibria import Stability
 from .equilibria import equilibria
 from .foremost import foremost
 from .state_certificates import STATES, certify_states, corner_values
-from .tube_regions import ByColumn, Flags, Parts, Place
+from .tube_regions import ByColumn, Flags, Parts, Place, halves
 from .tubes import SMALL, Tubes
 from .varying_units import BalanceInUnits
 
@@ -74,13 +74,9 @@ class Pieces(ByColumn):
         return pieces
 
     def _halved(self, weight: FloatArray) -> tuple[Pieces, FloatArray]:
-        column = np.arange(len(self))
-        side = np.where(self.divisible(), weight, -1.0).argmax(axis=0)
-        middle = 0.5 * (self.low[side, column] + self.high[side, column])
-        low, high = self.low.copy(), self.high.copy()
-        low[side, column], high[side, column] = middle, middle
+        side, high, low = halves(self.low, self.high, weight)
         weight = weight.copy()
-        weight[side, column] *= 0.5
+        weight[side, np.arange(side.size)] *= 0.5
         return replace(self, high=high).then(replace(self, low=low)), np.concatenate([weight, weight], axis=1)
 
 

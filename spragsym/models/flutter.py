@@ -181,10 +181,8 @@ def _part(balance: Balance, vary: str, given: FloatArray, found: Found, kind: st
 
 def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are real."""
-    roots = stability.roots(M, C, K)
-    sums = np.abs(roots[:, None] + roots[None]) + np.where(np.eye(roots.size), np.inf, 0.0)
-    one = roots[np.unravel_index(sums.argmin(), sums.shape)[0]]
-    return [abs(one.imag)] if abs(one.imag) > abs(one.real) else []
+    omega = stability.frequency(stability.roots(M, C, K))
+    return [omega] if omega else []
 
 
 def _meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:

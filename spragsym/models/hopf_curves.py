@@ -15,12 +15,13 @@ from ..exact import contractors
 from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.polynomials import Undecided
+from ..parameters import as_count
 from ..results.named_columns import Columns
 from ..results.onsets import criticality
 from ..results.points import Points
 from . import stability
 from .balance import Balance
-from .bifurcation import on_lines, require_lines, rows_of
+from .bifurcation import on_lines, rows_of
 from .bifurcation_conditions import (
     BogdanovTakens,
     Damped,
@@ -138,7 +139,7 @@ def onset_curves(
     coordinate that is damped has no damping, by a falling friction law against a damper, every pair crosses, and each is a
     curve without l₁.
     """
-    require_lines(n)
+    as_count("n", n, 2)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
@@ -279,10 +280,7 @@ class _Lines:
 
     def omega(self, state: FloatArray) -> float:
         """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
-        roots = _roots(self.balance, self.given, self.vary, state)
-        sums = np.abs(roots[:, None] + roots[None]) + np.where(np.eye(roots.size), np.inf, 0.0)
-        one = roots[np.unravel_index(sums.argmin(), sums.shape)[0]]
-        return float(abs(one.imag)) if abs(one.imag) > abs(one.real) else 0.0
+        return stability.frequency(_roots(self.balance, self.given, self.vary, state))
 
     def forms(self, states: FloatArray) -> list[NormalForm | None]:
         """The normal form at each point, over a box that is proved to hold one."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -20,12 +21,13 @@ class LawFunctions(JetFunctions):
     """
 
     def __init__(self) -> None:
-        functions = {
+        functions: dict[str, Callable[..., Any]] = {
             "sqrt": lambda value: _not_negative(value).sqrt(),
             "exp": lambda value: value.exp(),
             "log": lambda value: _not_negative(value).log(),
             "tanh": lambda value: value.tanh(),
             "atan": lambda value: value.atan(),
+            "atan2": atan2,
             "cos": cos,
             "sin": sin,
         }
@@ -42,11 +44,6 @@ class LawFunctions(JetFunctions):
     def exp(self, value: Any) -> Any:
         """Exponential: 1 of the number 0."""
         return 1 if isinstance(value, int | float) and value == 0 else super().exp(value)
-
-    @staticmethod
-    def atan2(sine: Any, cosine: Any) -> Any:
-        """The angle in (−π, π]."""
-        return atan2(_enclosed(sine), _enclosed(cosine))
 
     @staticmethod
     def sign(value: Any) -> Any:

@@ -28,6 +28,7 @@ from ..exact.elimination import solved
 from ..exact.interval_arrays import FloatArray
 from ..exact.intervals import Ball, Balls
 from ..exact.jets import Jet, constant
+from ..exact.krawczyk import ball
 from ..exact.polynomials import Undecided
 from .balance import Balance
 from .forces import undecorated
@@ -328,10 +329,7 @@ def _around(radius: float) -> Ball:
 
 def _ball(value: Any) -> Ball:
     """A number that is exactly a ball."""
-    if isinstance(value, Ball):
-        return value
-    numerator, denominator = value.as_integer_ratio()
-    return Ball(numerator, 0, 1 - denominator.bit_length(), BITS)
+    return value if isinstance(value, Ball) else ball(value, BITS)
 
 
 def _number(value: Any) -> Any:

@@ -17,11 +17,11 @@ from ..exact.boxes import POLE, System
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Balls
-from ..exact.krawczyk import ball
+from ..exact.krawczyk import ball, outward
 from ..exact.polynomials import Undecided
 from ..exact.reduction import Evaluate, Reduced, reduced_roots
 from .balance import Balance
-from .double_double_balance import Clusters, WideBalance
+from .double_double_balance import Clusters
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
@@ -179,12 +179,11 @@ def _by_double_double(
     balance: Balance, given: FloatArray, hulls: FloatArray, levels: int
 ) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_]]:
     """Ends of roots in clusters, of what each is alone in, the cluster of each; and the clusters that take more digits."""
-    wide = WideBalance(balance.model, balance.contact, balance.law)
     boxes = widened(hulls)
     with np.errstate(all="ignore"):
-        parameters = wide.prepared(Intervals.point(given))
-        slopes = wide.jacobian(Intervals.point(Intervals(boxes).middle), parameters).middle
-        found = many_reductions.reduced_roots(Clusters(wide, parameters), boxes, slopes, levels)
+        system = Clusters.at(balance, given)
+        slopes = balance.jacobian(Intervals.point(Intervals(boxes).middle), system.parameters).middle
+        found = many_reductions.reduced_roots(system, boxes, slopes, levels)
     error = certified_roots.relative_error(found.ends, Intervals(found.ends).middle)
     found.open[found.box[~(error <= TOLERANCE)]] = True
     kept = ~found.open[found.box]
@@ -200,7 +199,7 @@ def widened(hull: FloatArray) -> FloatArray:
 def with_digits(point: int, n: int, by_digits: Reduced) -> Roots:
     """What a reduction with many digits has found of a point, of n unknowns."""
     ends, alone, left = (
-        np.concatenate([np.empty((2, n, 0)), *map(_outward, boxes)], axis=2)
+        np.concatenate([np.empty((2, n, 0)), *(outward(box).ends for box in boxes)], axis=2)
         for boxes in (by_digits.roots, by_digits.alone, by_digits.left)
     )
     return Roots(ends, alone, np.full(ends.shape[2], point), left, np.full(left.shape[2], point))
@@ -260,13 +259,6 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Cal
             continue
         if not out.left or len(out.left) > ALL_OVER:
             break
-    return out
-
-
-def _outward(box: Sequence[tuple[Fraction, Fraction]]) -> FloatArray:
-    """Floats that lie outside of the ends or on them, shape (2, n, 1)."""
-    ends = np.array([[-float(low) for low, _ in box], [float(high) for _, high in box]])
-    out: FloatArray = np.nextafter(ends, np.inf)[:, :, None]
     return out
 
 

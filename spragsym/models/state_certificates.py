@@ -28,7 +28,7 @@ from .border import on_side
 from .equilibria import equilibria
 from .periodic_coordinates import once_around
 from .regions import region
-from .tube_regions import ByColumn, Flags
+from .tube_regions import ByColumn, Flags, halves
 
 #: Parts that are searched at once, and boxes of coordinates of one of them: what needs more is halved sooner.
 BATCH, BUDGET = 64, 600
@@ -184,11 +184,7 @@ class _Box:
     def halved(self, parts: Parts, states: Roots, which: NDArray[np.int64]) -> Parts:
         """Some parts, each cut across the side that matters most."""
         some, weight = parts[which], self._weights(parts, states)[:, which]
-        column = np.arange(which.size)
-        side = np.where(np.nextafter(some.low, np.inf) < some.high, weight, -1.0).argmax(axis=0)
-        middle = 0.5 * (some.low[side, column] + some.high[side, column])
-        low, high = some.low.copy(), some.high.copy()
-        low[side, column], high[side, column] = middle, middle
+        _, high, low = halves(some.low, some.high, weight)
         half = replace(some, share=0.5 * some.share)
         return replace(half, high=high).then(replace(half, low=low))
 

@@ -37,6 +37,21 @@ class ByColumn:
         })  # fmt: skip
 
 
+def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
+    """Boxes, one a column, cut in the middle of their side of most weight: its number, and the
+    upper ends of one half and the lower ones of the other.
+
+    A side between whose ends there is no float is cut last.
+    """
+    column = np.arange(low.shape[1])
+    some = slice(len(weight))
+    side = np.where(np.nextafter(low[some], np.inf) < high[some], weight, -1.0).argmax(axis=0)
+    middle = 0.5 * (low[side, column] + high[side, column])
+    top, bottom = high.copy(), low.copy()
+    top[side, column], bottom[side, column] = middle, middle
+    return side, top, bottom
+
+
 @dataclass(frozen=True)
 class Region(ByColumn):
     """States z = m + a s + D (p − c) + u of boxes of parameters p, |s| ≤ moved and |u| ≤ off; ``box`` holds all of them.

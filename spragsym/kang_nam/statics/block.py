@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...exact.double_double import DoubleDouble, cosine_and_sine
 from ...generated import kernel
 from ...generated._where import where
 from ...results.state_columns import Slots, gathered
-from .double_double import DoubleDouble, cosine_and_sine
 
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
 TOLERANCE = 1e-12
@@ -76,6 +76,11 @@ def solve_widely(values: list[NDArray[np.float64]], contact: bool, out: Slots, b
             t = _stacked([value[rows] for value in found[:roots]])
             settled[rows] = _some(t, rows_of(point, rows), rows_of(line, rows), out, begin + rows, u)
     return np.flatnonzero(~settled)
+
+
+@kernel.rough.register
+def _leading(value: DoubleDouble) -> NDArray[np.float64]:
+    return value.high
 
 
 def _stacked(values: list[DoubleDouble]) -> DoubleDouble:

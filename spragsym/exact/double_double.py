@@ -1,4 +1,4 @@
-"""Double-double numbers as NumPy sees them: the generated kernel and algebra run on arrays of them as on arrays of floats.
+"""Double-double numbers as NumPy sees them: generated algebra runs on arrays of them as on arrays of floats.
 
 The arithmetic itself is generated. What meets an ordinary array gives a double-double, and the array is taken as exact; what is
 no arithmetic, comparison or choice is refused, so that no digit is lost unseen.
@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...generated import double_double as dd
-from ...generated import kernel
+from ..generated import double_double
 
 Array = NDArray[Any]
+#: Its functions take whatever has a high and a low part.
+dd: Any = double_double
 
 
 class DoubleDouble:
@@ -57,15 +58,12 @@ class DoubleDouble:
         return DoubleDouble(-self.high, -self.low)
 
     def __abs__(self) -> DoubleDouble:
-        return _of(dd.dd_absolute(self._pair()))
-
-    def _pair(self) -> dd.Wide:
-        return dd.Wide(self.high, self.low)
+        return _of(dd.dd_absolute(self))
 
     def __add__(self, other: Any) -> DoubleDouble:
         if isinstance(other, DoubleDouble):
-            return _of(dd.dd_add(self._pair(), other._pair()))
-        return _of(dd.dd_add_double(self._pair(), other))
+            return _of(dd.dd_add(self, other))
+        return _of(dd.dd_add_double(self, other))
 
     __radd__ = __add__
 
@@ -77,30 +75,30 @@ class DoubleDouble:
 
     def __mul__(self, other: Any) -> DoubleDouble:
         if isinstance(other, DoubleDouble):
-            return _of(dd.dd_multiply(self._pair(), other._pair()))
+            return _of(dd.dd_multiply(self, other))
         if _is_power_of_two(other):
-            return _of(dd.dd_scaled(self._pair(), float(other)))
-        return _of(dd.dd_multiply_double(self._pair(), other))
+            return _of(dd.dd_scaled(self, float(other)))
+        return _of(dd.dd_multiply_double(self, other))
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> DoubleDouble:
         if _is_power_of_two(other):
-            return _of(dd.dd_scaled(self._pair(), 1.0 / other))
-        return _of(dd.dd_divide(self._pair(), _wide(other)))
+            return _of(dd.dd_scaled(self, 1.0 / other))
+        return _of(dd.dd_divide(self, _wide(other)))
 
     def __rtruediv__(self, other: Any) -> DoubleDouble:
-        return _of(dd.dd_divide(_wide(other), self._pair()))
+        return _of(dd.dd_divide(_wide(other), self))
 
     def __lt__(self, other: Any) -> Array:
-        return np.asarray(dd.dd_less(self._pair(), _wide(other)))
+        return np.asarray(dd.dd_less(self, _wide(other)))
 
     def __gt__(self, other: Any) -> Array:
-        return np.asarray(dd.dd_less(_wide(other), self._pair()))
+        return np.asarray(dd.dd_less(_wide(other), self))
 
     def __ge__(self, other: Any) -> Array:
         least = _wide(other)
-        return np.asarray(dd.dd_less(least, self._pair()) | ((self.high == least.high) & (self.low == least.low)))
+        return np.asarray(dd.dd_less(least, self) | ((self.high == least.high) & (self.low == least.low)))
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
         if method != "__call__" or options or ufunc not in _UFUNCS:
@@ -110,23 +108,27 @@ class DoubleDouble:
     def __array_function__(self, function: Any, types: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
         if options or function is not np.where:
             return NotImplemented
-        return _chosen(*arguments)
+        return chosen_of(*arguments)
 
 
-def _of(pair: dd.Wide) -> DoubleDouble:
-    return DoubleDouble(pair.high, pair.low)
+def _of(pair: double_double.Wide) -> DoubleDouble:
+    """What an operation has made, as it is: its parts are floats already."""
+    out = object.__new__(DoubleDouble)
+    out.high, out.low = pair
+    return out
 
 
-def _wide(value: Any) -> dd.Wide:
+def _wide(value: Any) -> DoubleDouble:
     """A double-double as it is, anything else as an exact number."""
-    return value._pair() if isinstance(value, DoubleDouble) else dd.Wide(np.asarray(value, dtype=np.float64), np.float64(0.0))
+    return value if isinstance(value, DoubleDouble) else DoubleDouble(value)
 
 
 def _is_power_of_two(value: Any) -> bool:
     return isinstance(value, int | float) and math.frexp(abs(value))[0] == 0.5
 
 
-def _chosen(flag: Any, one: Any, other: Any) -> DoubleDouble:
+def chosen_of(flag: Any, one: Any, other: Any) -> DoubleDouble:
+    """The one where the flag is set, the other elsewhere."""
     return _of(dd.dd_where(flag, _wide(one), _wide(other)))
 
 
@@ -135,7 +137,7 @@ def _or_reversed(plain: Callable[[Any, Any], Any], reverse: Callable[[Any, Any],
 
 
 def _square_root(value: DoubleDouble) -> DoubleDouble:
-    return _of(dd.dd_sqrt(value._pair()))
+    return _of(dd.dd_sqrt(value))
 
 
 _UFUNCS: dict[Any, Callable[..., Any]] = {
@@ -153,13 +155,7 @@ _UFUNCS: dict[Any, Callable[..., Any]] = {
 }
 
 
-def cosine_and_sine(angle: Array) -> kernel.Direction:
+def cosine_and_sine(angle: Array) -> tuple[DoubleDouble, DoubleDouble]:
     """cos and sin of doubles 0 < θ < π, exact to the last two bits or so."""
     both = dd.dd_cosine_and_sine(angle)
-    cosine = DoubleDouble(both.cosine_high, both.cosine_low)
-    return kernel.Direction(cosine, DoubleDouble(both.sine_high, both.sine_low))
-
-
-@kernel.rough.register
-def _leading(value: DoubleDouble) -> Array:
-    return value.high
+    return DoubleDouble(both.cosine_high, both.cosine_low), DoubleDouble(both.sine_high, both.sine_low)

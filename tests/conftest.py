@@ -20,6 +20,7 @@ from spragsym.exact.intervals import Arithmetic, Balls
 
 Once: TypeAlias = Callable[[str, Callable[[], Any]], Any]
 Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
+Run: TypeAlias = Callable[..., str]
 
 # The same numbers in every run, so that a failure is one everywhere: a few in `make test`, ten times as many in `make check`,
 # which sets HYPOTHESIS_PROFILE=all. HYPOTHESIS_PROFILE=search looks for new ones.
@@ -94,6 +95,21 @@ def c_library(once: Once) -> ctypes.CDLL:
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics: the package's and Arb's."""
     return Balls() if request.param == "integers" else pytest.importorskip("tests.oracles.arb").Arb()
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    """``run(*words, code=0)``: what a command prints on stdout; on stderr, if it fails."""
+    from spragsym.cli import main
+
+    def printed(*words: str, code: int = 0) -> str:
+        with pytest.raises(SystemExit) as stop:
+            main(list(words))
+        told = capsys.readouterr()
+        assert stop.value.code == code, told.err
+        return told.err if code else told.out
+
+    return printed
 
 
 # ----------------------------------------------------------------------------------------- processes that tests start

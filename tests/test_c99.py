@@ -25,7 +25,7 @@ from spragsym.derive.emit.targets.c99 import cost
 from spragsym.kang_nam.statics import adaptive_precision, kernel
 from tests.oracles import languages
 from tests.oracles.families import EXTREMES, FAMILIES
-from tests.support import in_python, lowest_sets
+from tests.support import in_python, leaves, lowest_sets
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "driver.c"
@@ -371,15 +371,11 @@ def test_algebra_is_that_of_python(library: ctypes.CDLL, name: str) -> None:
     getattr(library, f"call_{name}")(ctypes.c_long(500), _pointer(arguments), _pointer(ours), _pointer(status))
     assert not status.any()
     function = in_python(name, names)
-    theirs = np.column_stack([np.ravel(np.broadcast_to(value, 500)) for value in _leaves(function(*arguments.T))])
+    theirs = np.column_stack([np.ravel(np.broadcast_to(value, 500)) for value in leaves(function(*arguments.T))])
     if names[0] in ("x", "vx") or name == "damping":  # with an exponential
         np.testing.assert_allclose(ours, theirs, rtol=1e-13, atol=1e-14)
     else:
         np.testing.assert_array_equal(ours, theirs)
-
-
-def _leaves(value: Any) -> list[Any]:
-    return [leaf for item in value for leaf in _leaves(item)] if isinstance(value, tuple) else [value]
 
 
 def test_everything_that_was_asked_for_is_there() -> None:

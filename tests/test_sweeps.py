@@ -361,16 +361,6 @@ def test_bad_types_and_missing_parameters() -> None:
         basin(P.replace(theta0=0.5), 0.5, 10.0, x=[[0.0]], vx=0.0)
 
 
-def test_command(tmp_path: Path) -> None:
-    path = tmp_path / "rms.csv"
-    options = ["--theta0", "35,40", "-V", "0.2:0.4:3", "--t-end", "60", "--transient", "20", "-q", "-o", str(path)]
-    CliRunner().invoke(sweep_command, options, catch_exceptions=False)
-    columns, _ = storage.read(path)
-    p = ss.Parameters.article(theta0=np.radians([[35.0], [40.0]]))
-    expected = rms_sweep(p, np.linspace(0.2, 0.4, 3), 10.0, t_end=60.0, transient=20.0)
-    np.testing.assert_array_equal(columns["rms"].astype(float), expected.rms.ravel())
-
-
 def test_progress_goes_to_stderr_only_when_asked(capsys: pytest.CaptureFixture[str]) -> None:
     rms_sweep(P, **SHORT)
     assert capsys.readouterr() == ("", "")

@@ -21,6 +21,7 @@ from spragsym.exact.intervals import Arithmetic, Balls
 
 Once: TypeAlias = Callable[[str, Callable[[], Any]], Any]
 Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
+Run: TypeAlias = Callable[..., str]
 
 # The same numbers in every run, so that a failure is one everywhere: a few in `make test`, ten times as many in `make check`,
 # which sets HYPOTHESIS_PROFILE=all. HYPOTHESIS_PROFILE=search looks for new ones.
@@ -102,6 +103,21 @@ def silent() -> Iterator[None]:
     """Arrays may hold NaN and infinities, of which NumPy says nothing."""
     with np.errstate(all="ignore"):
         yield
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    """``run(*words, code=0)``: what a command prints on stdout; on stderr, if it fails."""
+    from spragsym.cli import main
+
+    def printed(*words: str, code: int = 0) -> str:
+        with pytest.raises(SystemExit) as stop:
+            main(list(words))
+        told = capsys.readouterr()
+        assert stop.value.code == code, told.err
+        return told.err if code else told.out
+
+    return printed
 
 
 # ----------------------------------------------------------------------------------------- processes that tests start

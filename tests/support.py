@@ -96,6 +96,11 @@ def in_python(name: str, names: Sequence[str]) -> Callable[..., Any]:
     return lambda *values: function(**{**dict.fromkeys(taken, 1.0), **dict(zip(given, values, strict=True))})
 
 
+def leaves(result: Any) -> list[Any]:
+    """Numbers or arrays of nested lists and tuples, in their order."""
+    return [leaf for part in result for leaf in leaves(part)] if isinstance(result, list | tuple) else [result]
+
+
 def _function(name: str) -> Callable[..., Any]:
     modules = map(
         generated, ("catastrophe", "equilibrium", "laws", "linear_sprag", "scales", "stability", "models.kang_nam.algebra")

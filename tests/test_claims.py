@@ -26,6 +26,7 @@ from spragsym.claims.report import page
 from spragsym.cli import cli
 from spragsym.cli.check import check as check_command
 from spragsym.dynamics import simulate
+from tests.oracles import article_motion
 from tests.support import LONG_MOTIONS_TAKE_MINUTES
 
 ROOT = Path(__file__).parents[1]
@@ -54,12 +55,16 @@ def forces(x: Any, y: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma:
     return pull * (c0 - x) + alpha * x - mu0 * n, pull * (s0 - y) + beta * y - n + kappa
 
 
-def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
-    """Eigenvalues of the forces' Jacobian by central differences: λ² less the sign."""
+def stiffness(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
+    """The forces' Jacobian by central differences; friction on both sides of y = 0 as in contact, if it is."""
     h = 1e-6
     at = lambda dx, dy: np.array(forces(x + dx, y + dy, theta0, **p, contact=contact))  # noqa: E731  # one line of two
-    K = np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
-    return np.linalg.eigvals(K)
+    return np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
+
+
+def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
+    """λ² less the sign."""
+    return np.linalg.eigvals(stiffness(x, y, theta0, contact, **p))
 
 
 def kind(eigenvalues: Any) -> int:
@@ -85,7 +90,7 @@ def sign_changes(theta0: float, n: int = 200_001, **p: float) -> int:
     return int((np.sign(g[:-1]) * np.sign(g[1:]) < 0)[(y < 0)[:-1]].sum())
 
 
-def refined(unknowns: dict[str, float], orders: int, **fixed: str) -> dict[str, mpmath.mpf]:
+def refined(unknowns: dict[str, float], orders: int, **fixed: Any) -> dict[str, mpmath.mpf]:
     """The point near ``unknowns`` where the residual and its first derivatives by θ are zero, to 30 digits."""
     with mpmath.workdps(40):
         exact = {name: mpmath.mpf(number) for name, number in (EXACT | fixed).items()}
@@ -204,23 +209,10 @@ def test_jumps_of_figure_13(id: str, name: str, theta0_deg: float, step: float) 
     assert (int(inside.count), int(beyond.count)) == (3, 1)
     start = near(theta0_deg, mu0=mu0 - 1e4 * step)
     with mpmath.workdps(40):
-        found = refined_friction(start, mu0, theta0_deg)
+        found = refined({"theta": start, "mu0": mu0}, 2, theta0=mpmath.radians(theta0_deg))["mu0"]
     assert float(found) == pytest.approx(mu0, rel=1e-11)
-    rising = step > 0
-    left, right = np.linspace(0.0, mu0, 50)[1:-1], np.linspace(mu0, 1.0, 50)[1:]
-    alone = right if rising else left
+    alone = np.linspace(mu0, 1.0, 50)[1:] if step > 0 else np.linspace(0.0, mu0, 50)[1:-1]
     assert (ss.equilibria(p.replace(mu0=alone)).count == 1).all()
-
-
-def refined_friction(theta: float, mu0: float, theta0_deg: float) -> mpmath.mpf:
-    """The fold near (θ, μ₀) at a given θ₀."""
-    p = {name: mpmath.mpf(number) for name, number in EXACT.items()}
-    theta0 = mpmath.radians(theta0_deg)
-
-    def equations(t: Any, friction: Any) -> list[Any]:
-        return [mpmath.diff(lambda t: residual(t, theta0, **p | {"mu0": friction}), t, k) for k in (0, 1)]
-
-    return mpmath.findroot(equations, (theta, mu0), tol=1e-50)[1]
 
 
 # --------------------------------------------------------------------------------------------------- stability
@@ -280,13 +272,8 @@ def test_one_or_three_by_signs() -> None:
     rng, seen = np.random.default_rng(5), set()
     for _ in range(150):
         theta0, mu0, sigma = rng.uniform(0.05, 3.09), rng.uniform(0, 2), 10 ** rng.uniform(-2, 0)
-        p = {
-            "mu0": mu0,
-            "kappa": 10 ** rng.uniform(-3, -1),
-            "alpha": 10 ** rng.uniform(-3, 0),
-            "sigma": sigma,
-            "beta": rng.uniform(0, 2),
-        }
+        kappa, alpha, beta = 10 ** rng.uniform(-3, -1), 10 ** rng.uniform(-3, 0), rng.uniform(0, 2)
+        p = {"mu0": mu0, "kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
         count = int(ss.equilibria(ss.Parameters(theta0=theta0, **p)).count)
         assert sign_changes(theta0, 50_001, **p) == count
         seen.add(count)
@@ -330,11 +317,8 @@ def test_contact_force_is_bounded() -> None:
 
 
 def linear_stiffness(theta0: float, mu0: float) -> Any:
-    """K at the undeformed state, by differences; friction as in contact on both sides of y = 0."""
-    h = 1e-6
-    p = BASE | {"mu0": mu0}
-    at = lambda x, y: np.array(forces(x, y, theta0, **p))  # noqa: E731  # one line of two
-    return np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
+    """K at the undeformed state."""
+    return stiffness(0.0, 0.0, theta0, **BASE | {"mu0": mu0})
 
 
 def linear_state(theta0: float, mu0: float) -> Any:
@@ -360,12 +344,8 @@ def test_poles_of_the_linear_model() -> None:
         crossing = brentq(lambda angle: np.linalg.det(linear_stiffness(np.radians(angle), 0.7)), *guess)
         assert crossing == pytest.approx(pole, abs=1e-6)
     assert [value("fig-6-linear", name) for name in ("from_deg", "to_deg")] == poles
-    assert [linear_state(np.radians(angle), 0.7)[1] < 0 for angle in (50, poles[0] - 0.1, 70, poles[1] + 0.1)] == [
-        True,
-        True,
-        False,
-        True,
-    ]
+    pressed = [linear_state(np.radians(angle), 0.7)[1] < 0 for angle in (50, poles[0] - 0.1, 70, poles[1] + 0.1)]
+    assert pressed == [True, True, False, True]
 
 
 @pytest.mark.parametrize("mu0", [0.5, 0.7])
@@ -383,18 +363,10 @@ def test_where_the_linear_model_is_good(mu0: float) -> None:
 
 def motion(theta0_deg: float, start: Any, t_end: float, rtol: float = 1e-8, d: float = 10.0, V: float = 0.5) -> Any:
     """(8) to (11) with SciPy, kinks and all."""
-    theta0 = np.radians(theta0_deg)
-    _, kappa, alpha, sigma, beta = BASE.values()
-    c0, s0 = np.cos(theta0), np.sin(theta0)
+    constants = (np.cos(np.radians(theta0_deg)), np.sin(np.radians(theta0_deg)), *BASE.values(), V, d)
 
     def rhs(t: float, z: Any) -> list[float]:
-        x, y, vx, vy = z
-        n = max(-y, 0.0)
-        slip = V - vx
-        mu = 0.5 * (1 - np.exp(-d * abs(slip))) * np.sign(slip)
-        L = ((c0 - x) ** 2 + (s0 - y) ** 2) ** 0.5
-        pull = sigma * (1 - L) / L
-        return [vx, vy, mu * n - alpha * x - pull * (c0 - x), n - beta * y - kappa - pull * (s0 - y)]
+        return [*z[2:], *article_motion.everywhere(z, constants)]
 
     return solve_ivp(rhs, (0, t_end), start, method="RK45", rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0)
 
@@ -513,13 +485,8 @@ def test_statuses() -> None:
     assert by_status[Status.NOT_STATED] == {"fig-3", "fig-7a", "fig-7b"}
     # A wrong number of an equation or a figure is another matter than a wrong statement.
     assert by_status[Status.MISPRINT] == {"claim-reference-10", "claim-reference-12", "claim-reference-22"}
-    assert by_status[Status.CORRECTED] == {
-        "claim-mu-cr",
-        "claim-must-jump",
-        "claim-roots-of-21",
-        "fig-7b-fate",
-        "fig-7-oscillation",
-    }
+    corrected = {"claim-mu-cr", "claim-must-jump", "claim-roots-of-21", "fig-7b-fate", "fig-7-oscillation"}
+    assert by_status[Status.CORRECTED] == corrected
     assert all(row["consequence"] for id, row in record().items() if id.startswith("fig-7"))
     assert len(by_status[Status.REPRODUCED]) == 28
 
@@ -530,31 +497,18 @@ LONG_MOTIONS = ("fig-7b", "fig-7b-fate")
 
 @pytest.mark.thorough
 def test_nothing_has_drifted() -> None:
-    assert drift_without(LONG_MOTIONS if LONG_MOTIONS_TAKE_MINUTES else ()) == []
-
-
-@pytest.mark.thorough
-def test_nothing_has_drifted_but_what_takes_long_motions() -> None:
-    """The fate of rest is bisected motion by motion."""
-    assert drift_without(LONG_MOTIONS if LONG_MOTIONS_TAKE_MINUTES else ("fig-7b-fate",)) == []
-
-
-def drift_without(left_out: tuple[str, ...]) -> list[str]:
-    """What differs from the record, of the statements that are not left out."""
+    left_out = LONG_MOTIONS if LONG_MOTIONS_TAKE_MINUTES else ()
     recorded = [row for row in claims.recorded() if row["id"] not in left_out]
     assert len(recorded) > 30
-    return claims.drifted(claims.run([one for one in claims.STATEMENTS if one.id not in left_out]), recorded)
+    assert claims.drifted(claims.run([one for one in claims.STATEMENTS if one.id not in left_out]), recorded) == []
 
 
 @pytest.mark.parametrize(
     ("change", "line"),
     [
         ({"status": "reproduced"}, "claim-mu-cr: status is 'corrected', not 'reproduced'"),
-        (
-            {"values": {"mu_cr": 0.574073166169, "0.58 - mu_cr": 0.00592683393142}},
-            "claim-mu-cr: mu_cr = 0.574073166069, not 0.574073166169",
-        ),
-        ({"values": {"0.58 - mu_cr": 0.00592683393142}}, "claim-mu-cr: mu_cr = 0.574073166069, not None"),
+        ({"values": {"mu_cr": 0.574073166169, "0.58 - mu_cr": 0.00592683393142}}, "mu_cr = 0.574073166069, not 0.574073166169"),
+        ({"values": {"0.58 - mu_cr": 0.00592683393142}}, "mu_cr = 0.574073166069, not None"),
         ({"id": "claim-other"}, "claim-other: is in the record, but is no longer computed"),
     ],
 )
@@ -563,7 +517,7 @@ def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:
     rows = claims.run([statement])
     (row,) = (row for row in claims.recorded() if row["id"] == "claim-mu-cr")
     assert claims.drifted(rows, [row]) == []
-    assert line in claims.drifted(rows, [row | change])
+    assert any(line in told for told in claims.drifted(rows, [row | change]))
 
 
 def test_a_unit_of_the_last_recorded_digit_is_no_drift() -> None:

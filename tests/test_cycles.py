@@ -4,32 +4,36 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
-import importlib.util
+import importlib
 import itertools
 import json
 import math
 import time
 import types
+from collections.abc import Callable
 from fractions import Fraction
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import spragsym as ss
 from benchmarks import bench_auto
-from spragsym.cli import cli
-from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
 from spragsym.cycles import branch as branches
 from spragsym.cycles.jets import Jet
+from spragsym.cycles.orbit import cycle_of
 from spragsym.dynamics import bifurcation_functions, multipliers, shooting
 from spragsym.dynamics.field import Border, Field
 from spragsym.dynamics.flows import carrier
 from spragsym.exact.decimals import exactly
+from spragsym.exact.number_types import Functions
 from spragsym.generated import laws
+from spragsym.models.field import exact_field
+from tests.conftest import Run
 from tests.support import few
 from validation import basins as validate_basins
 from validation import branches as validate_branches
@@ -40,7 +44,7 @@ from validation import verdicts as validate_verdicts
 #: The article's model, as cycles take it.
 SPRAG = ss.load("kang_nam").field
 
-pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
+pytestmark = pytest.mark.skipif(not find_spec("heyoka"), reason="branches take SciPy minutes")
 
 BELT = {"V": 0.5, "d": 10.0}
 
@@ -50,6 +54,27 @@ FATE = 0.7210117285507
 
 def at(degrees: float, **changes: float) -> ss.Parameters:
     return ss.Parameters.article(theta0=np.radians(degrees), **changes)
+
+
+def moving(p: ss.Parameters, state: Any, **options: Any) -> ss.Trajectory:
+    """The motion from a state, to a tight tolerance."""
+    start = dict(zip(("x0", "y0", "vx0", "vy0"), map(float, state), strict=True))
+    return ss.simulate(p, **BELT, **start, rtol=1e-12, **options)
+
+
+def drawn(number: int) -> ss.Cycle:
+    """The cycle that a branch of the campaign begins with."""
+    cycle, _ = validate_branches.begun(number)
+    assert cycle is not None
+    return cycle
+
+
+@pytest.fixture
+def proving() -> types.SimpleNamespace:
+    """What proofs stand on; none of it without flint."""
+    flint = pytest.importorskip("flint")
+    names = ("ball_flow", "ball_proof", "proofs")
+    return types.SimpleNamespace(flint=flint, **{name: importlib.import_module(f"spragsym.cycles.{name}") for name in names})
 
 
 @pytest.fixture(scope="module")
@@ -123,8 +148,6 @@ def test_a_state_and_a_motion_lead_to_the_same_cycle(slow: ss.Cycle) -> None:
     twice = shooting.Guess(slow.state[None], 2 * slow.period, slow.values)
     fly, name = carrier(SPRAG, None)
     loop = shooting.looped(SPRAG, fly, twice)
-    from spragsym.cycles.orbit import cycle_of
-
     assert cycle_of(loop, fly, name).period == pytest.approx(slow.period, abs=1e-9)  # never twice round
 
 
@@ -365,14 +388,11 @@ def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -
 
 def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
-    before, after = (ss.cycle(at(np.degrees(doubling.value) + side), **BELT, near=doubling.cycle) for side in (-0.3, 0.3))
-    assert before.stable
-    assert not after.stable
-    kick = 1e-4
-    for cycle, grows in ((before, False), (after, True)):
-        p = ss.Parameters(**{name: cycle.parameters[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")})
-        x, y, vx, vy = cycle.state
-        tr = ss.simulate(p, **BELT, x0=x, y0=y + kick, vx0=vx, vy0=vy, t_end=80.5 * cycle.period, rtol=1e-12)
+    for side, grows in ((-0.3, False), (0.3, True)):
+        p = at(np.degrees(doubling.value) + side)
+        cycle = ss.cycle(p, **BELT, near=doubling.cycle)
+        assert cycle.stable != grows
+        tr = moving(p, np.add(cycle.state, (0.0, 1e-4, 0.0, 0.0)), t_end=80.5 * cycle.period)
         off = [np.abs(tr(k * cycle.period)[1] - tr((k + 1) * cycle.period)[1]) for k in (10, 79)]
         assert (off[1] > off[0]) == grows
 
@@ -487,8 +507,7 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
 @pytest.mark.thorough
 def test_nothing_is_invented_beside_large_multipliers() -> None:
     """Cycles doubled twice, followed to where a multiplier has grown to 1e8: beside it there is neither a fold nor a torus."""
-    cycle, _ = validate_branches.begun(77)
-    branch = ss.cycle_branch(cycle, "V", (0.29, 0.367), points=120)
+    branch = ss.cycle_branch(drawn(77), "V", (0.29, 0.367), points=120)
     for low in (0.309, 0.2501):
         branch = ss.cycle_branch(branch.switch(branch.of("period_doubling")[0]), "V", (low, 0.367), points=40, longest=0.1)
     sizes = [float(np.abs(each.multipliers).max()) for each in branch.cycles]
@@ -522,17 +541,15 @@ def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: 
     (doubling,) = next_to_a_grazing.of("period_doubling")
     assert np.abs(doubling.cycle.multipliers[1:] + 1).min() < 1e-2
     assert doubling.cycle.period > 270
-    # By the algebra of (8) and (9) as printed, in the place of the page's: rounding alone differs, and moves it by 5e-14, with the
-    # matrix products of other processors by 1.5e-12; the grazing lies 1e-8 away.
+    # By the algebra of (8) and (9) as printed, in the place of the page's: rounding alone differs, and moves it by 5e-14, with
+    # the matrix products of other processors by 1.5e-12; the grazing lies 1e-8 away.
     assert abs(doubling.value - 1.0566308519693666) < doubling.error < 1e-10
 
 
 @pytest.mark.thorough
 def test_a_closed_branch_is_walked_once() -> None:
     """On the way round the states go on along the orbit: it was walked on and on, with the same folds again and again."""
-    begun, _ = validate_branches.begun(0)
-    assert begun is not None
-    branch = ss.cycle_branch(begun, "V", (0.31, 0.62), points=150)
+    branch = ss.cycle_branch(drawn(0), "V", (0.31, 0.62), points=150)
     assert not branch.of("end")
     assert [round(event.value, 4) for event in branch.of("fold")] == [0.5662, 0.3448]
 
@@ -552,21 +569,18 @@ def test_as_many_points_are_followed_as_is_said(next_to_a_grazing: ss.CycleBranc
 @pytest.mark.thorough
 def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
     """The turn that touches it is none of the first point's, and below the border again at the second one."""
-    begun, _ = validate_branches.begun(1109)
-    assert begun is not None
     wide = (0.2646977605651634, 0.4347930962813028)
-    branch = ss.cycle_branch(begun, "V", wide, points=120)
+    branch = ss.cycle_branch(drawn(1109), "V", wide, points=120)
     doubled = branch.switch(branch.of("period_doubling")[0])
-    long, short = (ss.cycle_branch(doubled, "V", wide, points=120, longest=step) for step in (0.08, 0.02))
-    for each in (long, short):
+    for step in (0.08, 0.02):
+        each = ss.cycle_branch(doubled, "V", wide, points=120, longest=step)
         assert sorted(event.value for event in each.of("grazing")) == pytest.approx([0.2758161630417, 0.2759937273693], abs=1e-11)
 
 
 @pytest.mark.thorough
 def test_each_half_of_a_doubled_cycle_touches_where_it_does() -> None:
     """Both turns, half a period apart, are nearly one: Newton's method went from the one to where the other touches."""
-    begun, _ = validate_branches.begun(1460)
-    assert begun is not None
+    begun = drawn(1460)
     for step in (0.08, 0.05):
         branch = ss.cycle_branch(begun, "mu0", (0.30788222934008197, 0.45727350567221176), points=120, longest=step)
         last = sorted(event.value for event in branch.of("grazing") if event.cycle.period > 129)
@@ -596,14 +610,6 @@ def test_a_cycle_of_another_model_is_refused(slow: ss.Cycle, branch: ss.CycleBra
     short = ss.cycle_branch(slow, "theta0", (0.732, 0.734), points=2)
     with pytest.raises(ss.ParameterError, match="none of this branch's"):
         short.switch(doubling)
-
-
-@pytest.mark.parametrize(
-    "options", [{"longest": math.nan}, {"longest": -0.1}, {"longest": 0.0}, {"points": -1}, {"points": 0}, {"points": 2.5}]
-)
-def test_steps_and_counts_that_make_no_sense_are_refused(slow: ss.Cycle, options: dict[str, Any]) -> None:
-    with pytest.raises(ss.ParameterError, match=next(iter(options))):
-        ss.cycle_branch(slow, "theta0", (0.7, 0.75), **options)
 
 
 # --------------------------------------------------------------------------------------------- fates and exponents
@@ -774,9 +780,8 @@ def test_a_boundary_beside_others_is_told_where_rounding_does_not_decide(monkeyp
 @pytest.mark.thorough
 def test_a_cycle_is_followed_on_its_own_sheet() -> None:
     """Newton's method alone finds a stable cycle of another sheet at the other value, where the one at hand has long halved."""
-    drawn, _ = validate_branches.begun(252)
-    assert drawn is not None
-    branch = ss.cycle_branch(drawn, "theta0", (1.15, drawn.parameters["theta0"]))
+    first = drawn(252)
+    branch = ss.cycle_branch(first, "theta0", (1.15, first.parameters["theta0"]))
     (last,) = (event for event in branch.of("end") if "half" in event.how)
     begun = next(cycle for cycle in branch.cycles if cycle.stable and abs(cycle.parameters["theta0"] - 1.33) < 0.01)
     values = tuple((begun.parameters | {"theta0": 1.8126515178867348}).values())
@@ -815,40 +820,34 @@ def test_rounding_is_no_chaos() -> None:
         assert (np.abs(found.exponents) <= found.error).all()
 
 
-def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Any) -> None:
+def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Path) -> None:
     p, store, asked = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 42.0]), mu0=0.5), tmp_path / "map.csv", []
-
-    def first(function: Any, tasks: Any) -> Any:
-        return map(function, list(tasks)[:1])
+    options: dict[str, Any] = {**BELT, "t_end": 10_000.0, "store": store}
 
     def counted(function: Any, tasks: Any) -> Any:
         asked.extend(tasks)
         return map(function, asked)
 
     with pytest.raises(ss.SpragsymError, match="1 of 3 points are kept"):
-        ss.fate_map(p, **BELT, t_end=10_000.0, store=store, workers=first)
-    found = ss.fate_map(p, **BELT, t_end=10_000.0, store=store, workers=counted)
+        ss.fate_map(p, **options, workers=lambda function, tasks: map(function, list(tasks)[:1]))
+    found = ss.fate_map(p, **options, workers=counted)
     assert len(asked) == 2
     assert found.kind.tolist() == [1, 1, 2]
     assert found.period[2] == pytest.approx(34.26737, abs=1e-5)
-    again = ss.fate_map(p, **BELT, t_end=10_000.0, store=store)
-    assert again.exponent.tolist() == found.exponent.tolist()
-    for other in ({"t_end": 9000.0}, {"t_end": 10_000.0, "start": (1.0, 0.0, 0.0, 0.0)}):
+    assert ss.fate_map(p, **options).exponent.tolist() == found.exponent.tolist()
+    for other in ({"t_end": 9000.0}, {"start": (1.0, 0.0, 0.0, 0.0)}):
         with pytest.raises(ss.ParameterError, match="holds something else"):
-            ss.fate_map(p, **BELT, store=store, **other)
+            ss.fate_map(p, **options | other)
     text = store.read_text(encoding="utf-8")
     assert all(f"# {line}\n" in text for line in ("model: kang_nam", "x0: 0.0", "vy0: 0.0", "t_end: 10000.0"))
 
 
-def test_the_map_is_drawn_by_one_command(tmp_path: Any) -> None:
+def test_the_map_is_drawn_by_one_command(tmp_path: Path, run: Run) -> None:
     out, picture = tmp_path / "map.csv", tmp_path / "map.svg"
-    given = ["fates", "--theta0", "30,35", "--mu0", "0.4,0.5", "--t-end", "2000", "-q", "-o", str(out), "--plot", str(picture)]
-    told = CliRunner().invoke(cli, given)
-    assert told.exit_code == 0, told.output
-    assert "4 rest" in told.output
+    more = ["--t-end", "2000", "-q", "-o", str(out), "--plot", str(picture)]
+    assert "4 rest" in run("fates", "--theta0", "30,35", "--mu0", "0.4,0.5", *more)
     assert "rest" in picture.read_text()
-    refused = CliRunner().invoke(cli, [*given[:4], "0.4", *given[5:]])
-    assert "a map over two parameters" in str(refused.exception)
+    assert "a map over two parameters" in run("fates", "--theta0", "30,35", "--mu0", "0.4", *more, code=2)
 
 
 @pytest.mark.thorough
@@ -967,13 +966,27 @@ def test_errors_of_means_hold_for_correlated_noise_and_for_beats() -> None:
 # -------------------------------------------------------------------------------------------------- clear outcomes
 
 
-def test_what_has_no_cycle_says_what_it_is_instead() -> None:
-    with pytest.raises(ss.ConvergenceError, match="decays to rest at x"):
-        ss.cycle(at(35.0), **BELT, patient=False)
-    with pytest.raises(ss.ConvergenceError, match=r"no cycle"):
-        ss.cycle(at(60.0), **BELT, patient=False)
-    with pytest.raises(ss.ParameterError, match="shape"):
-        ss.cycle(at(42.0), **BELT, near=(1.0, 2.0))
+ANCHOR = (math.cos(math.radians(42)), math.sin(math.radians(42)), 0.0, 0.0)
+#: A question that has no answer, of the slow cycle, and what its error says of it.
+NO_ANSWERS: list[tuple[Callable[[ss.Cycle], Any], type[Exception], str]] = [
+    (lambda _: ss.cycle(at(35.0), **BELT, patient=False), ss.ConvergenceError, "decays to rest at x"),
+    (lambda _: ss.cycle(at(60.0), **BELT, patient=False), ss.ConvergenceError, "no cycle"),
+    (lambda _: ss.cycle(at(42.0), **BELT, near=(1.0, 2.0)), ss.ParameterError, "shape"),
+    (lambda _: ss.cycle(at(42.0), **BELT, near=ANCHOR), ss.ParameterError, "not defined there"),
+    (lambda _: ss.lyapunov(at(42.0), **BELT, start=ANCHOR), ss.ParameterError, "not defined there"),
+    (lambda slow: ss.cycle_branch(slow, "theta0", (0.1, 0.2)), ss.ParameterError, "no range around"),
+    (lambda slow: ss.cycle_branch(slow, "gamma", (0.1, 0.2)), ss.ParameterError, "not one of"),
+    (lambda slow: ss.cycle_branch(slow, "kappa", (0.0, 0.01)), ss.ParameterError, "kappa = 0 is not in"),
+    *((lambda slow, bad=bad: ss.cycle_branch(slow, "theta0", (0.7, 0.75), **bad), ss.ParameterError, next(iter(bad)))
+      for bad in ({"longest": math.nan}, {"longest": -0.1}, {"longest": 0.0}, {"points": -1}, {"points": 0}, {"points": 2.5})),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("number", range(len(NO_ANSWERS)))
+def test_what_has_no_answer_says_why(number: int, slow: ss.Cycle) -> None:
+    call, error, words = NO_ANSWERS[number]
+    with pytest.raises(error, match=words):
+        call(slow)
 
 
 def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
@@ -988,16 +1001,6 @@ def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
     assert found.zero.all()
     with pytest.raises(ss.ParameterError, match="lift-off at both ends"):
         ss.fate_boundary(p, vary="theta0", bracket=(1.04, 1.05), **BELT, start=start)
-
-
-def test_at_the_anchor_there_is_no_motion() -> None:
-    start = (math.cos(math.radians(42)), math.sin(math.radians(42)), 0.0, 0.0)
-    for failing in (
-        lambda: ss.cycle(at(42.0), **BELT, near=start),
-        lambda: ss.lyapunov(at(42.0), **BELT, start=start),
-    ):
-        with pytest.raises(ss.ParameterError, match="not defined there"):
-            failing()
 
 
 @pytest.mark.thorough
@@ -1050,15 +1053,6 @@ def test_extremes_end_in_time(V: float, d: float) -> None:
     assert found is None or found.residual < 1e-12
 
 
-def test_a_range_that_is_none(slow: ss.Cycle) -> None:
-    with pytest.raises(ss.ParameterError, match="no range around"):
-        ss.cycle_branch(slow, "theta0", (0.1, 0.2))
-    with pytest.raises(ss.ParameterError, match="not one of"):
-        ss.cycle_branch(slow, "gamma", (0.1, 0.2))
-    with pytest.raises(ss.ParameterError, match="kappa = 0 is not in"):
-        ss.cycle_branch(slow, "kappa", (0.0, 0.01))
-
-
 @pytest.mark.thorough
 def test_a_branch_reaches_the_end_of_what_a_parameter_may_be() -> None:
     start = ss.cycle(at(42.0, alpha=2e-5), **BELT, near=(3.1, 2.96, 0.0, -0.344), patient=True)
@@ -1070,13 +1064,13 @@ def test_a_branch_reaches_the_end_of_what_a_parameter_may_be() -> None:
 # ------------------------------------------------------------------------------------------------ proofs and files
 
 
-def test_series_by_their_coefficients() -> None:
+def test_series_by_their_coefficients(proving: types.SimpleNamespace) -> None:
     x = Jet()
     x.known = [0.3, 1.0, *[0.0] * 8]
     inverse, square = 1 / x, x * x
     assert [inverse[k] for k in range(8)] == pytest.approx([(-1) ** k / 0.3 ** (k + 1) for k in range(8)], rel=1e-12)
     assert [square[k] for k in range(4)] == pytest.approx([0.09, 0.6, 1.0, 0.0])
-    flint = pytest.importorskip("flint")
+    flint = proving.flint
     y = Jet()
     y.known = [flint.arb(2), flint.arb(1), *[flint.arb(0)] * 8]
     root, power = y.sqrt(), y.exp()
@@ -1087,31 +1081,25 @@ def test_series_by_their_coefficients() -> None:
 
 
 @pytest.mark.thorough
-def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
-    pytest.importorskip("flint")
-    from spragsym.cycles import ball_proof, proofs
-
+def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -> None:
     found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
-    claim = proofs.claim_of(found, 12)
-    with ball_proof.bits(ball_proof.accuracy_for(12).bits):
-        proved = ball_proof.proved(CIRCLE, claim)
+    claim = proving.proofs.claim_of(found, 12)
+    with proving.ball_proof.bits(proving.ball_proof.accuracy_for(12).bits):
+        proved = proving.ball_proof.proved(CIRCLE, claim)
         claim["state"][0] += 1e-3
         claim["slopes"] = [[1.0, 0.0], [0.0, 1.0]]
-        with pytest.raises(ball_proof.NotProved):
-            ball_proof.proved(CIRCLE, claim)
-    assert "again" in proofs.prove_cycle(found).reason  # no other process knows a field of this file
+        with pytest.raises(proving.ball_proof.NotProved):
+            proving.ball_proof.proved(CIRCLE, claim)
+    assert "again" in proving.proofs.prove_cycle(found).reason  # no other process knows a field of this file
     assert proved["stable"] is True
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("digits", few([10, 25, 60, 200], 10))
-def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int) -> None:
+def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, proving: types.SimpleNamespace) -> None:
     """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
-    pytest.importorskip("flint")
-    from spragsym.cycles import ball_proof, proofs
-
     found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
-    told = proofs.proof_of(found, ball_proof.shown(CIRCLE, proofs.claim_of(found, digits)))
+    told = proving.proofs.proof_of(found, proving.ball_proof.shown(CIRCLE, proving.proofs.claim_of(found, digits)))
     with mpmath.workdps(digits + 40):
         truth = {
             "state_1": Fraction(1, 2), "state_2": Fraction(0), "period": exactly(2 * mpmath.pi), "multiplier_1": Fraction(1),
@@ -1152,43 +1140,34 @@ NO_CYCLES: dict[str, Any] = {
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", NO_CYCLES)
-def test_what_is_no_cycle_is_refused_within_a_minute(name: str, slow: ss.Cycle) -> None:
-    pytest.importorskip("flint")
-    from spragsym.cycles import ball_proof, proofs
-
-    claim, begun = proofs.claim_of(slow, 25), time.process_time()
+def test_what_is_no_cycle_is_refused_within_a_minute(name: str, slow: ss.Cycle, proving: types.SimpleNamespace) -> None:
+    claim, begun = proving.proofs.claim_of(slow, 25), time.process_time()
     changed = NO_CYCLES[name](claim)
     assert all(claim[key] != value for key, value in changed.items())
-    with pytest.raises((ball_proof.NotProved, ss.ParameterError)) as refused:
-        ball_proof.shown(SPRAG, claim | changed)
+    with pytest.raises((proving.ball_proof.NotProved, ss.ParameterError)) as refused:
+        proving.ball_proof.shown(SPRAG, claim | changed)
     assert "touch" not in str(refused.value)  # the orbit crosses all borders fast
     assert "grazing" not in str(refused.value)
     assert time.process_time() - begun < 60
 
 
-def test_balls_are_carried_onward_only() -> None:
-    flint = pytest.importorskip("flint")
-    from spragsym.cycles import ball_flow
-
-    unit, accuracy = flint.arb_mat(2, 2, [1, 0, 0, 1]), [ball_flow.Accuracy(20, 53)] * 2
-    for duration in (-0.25, math.nan):
-        balls = ball_flow.Balls(
-            CIRCLE, [flint.arb(0.25)], *accuracy, [flint.arb(0.5), flint.arb(0)], unit, [flint.arb(0)] * 2, (0,)
-        )
-        with pytest.raises(ss.ParameterError, match="onward"):
-            balls.carry(flint.arb(duration))
+@pytest.mark.parametrize("duration", [-0.25, math.nan])
+def test_balls_are_carried_onward_only(duration: float, proving: types.SimpleNamespace) -> None:
+    flint, accuracy = proving.flint, [proving.ball_flow.Accuracy(20, 53)] * 2
+    point, unit, none = [flint.arb(0.5), flint.arb(0)], flint.arb_mat(2, 2, [1, 0, 0, 1]), [flint.arb(0)] * 2
+    balls = proving.ball_flow.Balls(CIRCLE, [flint.arb(0.25)], *accuracy, point, unit, none, (0,))
+    with pytest.raises(ss.ParameterError, match="onward"):
+        balls.carry(flint.arb(duration))
 
 
 @pytest.mark.thorough
-def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any) -> None:
+def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Path, run: Run) -> None:
     slow.save(tmp_path / "cycle.csv")
     assert (tmp_path / "cycle.csv").stat().st_size > 1000
     assert slow.to_dataset().attrs["cycle_period"] == slow.period
-    near = ",".join(map(str, slow.state))
     picture = tmp_path / "branch.pdf"
-    vary = ["--vary", "theta0=41.9:42.1", "--points", "2", "--plot", str(picture)]
-    result = CliRunner().invoke(command, ["--theta0", "42", "--near", near, *vary, "--json"])
-    told = json.loads(result.stdout)
+    near = ["--theta0", "42", "--near", ",".join(map(str, slow.state))]
+    told = json.loads(run("cycles", *near, "--vary", "theta0=41.9:42.1", "--points", "2", "--plot", str(picture), "--json"))
     assert told["period"] == pytest.approx(slow.period, abs=1e-10)
     assert [event["kind"] for event in told["branch_events"]] == ["end", "end"]
     assert picture.exists()
@@ -1211,19 +1190,15 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
 
 
 @pytest.mark.thorough
-def test_a_loaded_model_on_the_command_line(tmp_path: Any) -> None:
-    picture = tmp_path / "branch.svg"
-    vary = ["--vary", "V=0.195:0.21", "--plot", str(picture)]
-    result = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "-V", "0.2", "--near", "0.61,0", *vary, "--json"])
-    told = json.loads(result.stdout)
-    assert told["period"] == pytest.approx(ss.load("stick_slip").cycle(ss.load("stick_slip").Parameters(V=0.2)).period, abs=1e-10)
+def test_a_loaded_model_on_the_command_line(tmp_path: Path, run: Run) -> None:
+    picture, model, asked = tmp_path / "branch.svg", ss.load("stick_slip"), ["cycles", "--model", "stick_slip", "-V", "0.2"]
+    told = json.loads(run(*asked, "--near", "0.61,0", "--vary", "V=0.195:0.21", "--plot", str(picture), "--json"))
+    assert told["period"] == pytest.approx(model.cycle(model.Parameters(V=0.2)).period, abs=1e-10)
     assert [event["V"] for event in told["branch_events"]] == [0.195, 0.21]
     assert "spring_force" not in told
     assert picture.exists()
-    table = CliRunner().invoke(cli, ["cycles", "--model", "kang_nam", "--theta0", "42", "--near", "2.54,3.36,0,0.36"])
-    assert "34.267370011" in table.stdout
-    refused = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "-V", "0.2", "--near", "0.6,0,0"])
-    assert "2 numbers" in str(refused.exception)
+    assert "34.267370011" in run("cycles", "--model", "kang_nam", "--theta0", "42", "--near", "2.54,3.36,0,0.36")
+    assert "2 numbers" in run(*asked, "--near", "0.6,0,0", code=2)
 
 
 def test_a_force_that_a_model_has_not_is_named() -> None:
@@ -1253,21 +1228,19 @@ def test_a_loaded_model_has_fates() -> None:
     assert found.value == pytest.approx(FATE, abs=1e-12)
 
 
-def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
-    flint = pytest.importorskip("flint")
-    from spragsym.cycles import ball_flow, ball_proof
-    from spragsym.exact.number_types import Functions
-
+def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.SimpleNamespace) -> None:
+    flint, ball_flow = proving.flint, proving.ball_flow
     fly, _ = carrier(SPRAG, None)
     none = np.zeros((2, 8))
     first = slow.loop.crossings()[0]
     before = fly(slow.state, slow.loop.constants, first.t - 0.1, none).state
-    with ball_proof.bits(200):
+    with proving.ball_proof.bits(200):
         constants = list(SPRAG.constants([flint.arb(value) for value in slow.values], Functions))
         off = 2.0**-40
-        unit = flint.arb_mat(4, 4, [int(i == j) for i in range(4) for j in range(4)])
+        places = list(itertools.product(range(4), repeat=2))
+        unit = flint.arb_mat(4, 4, [int(i == j) for i, j in places])
 
-        def begun() -> ball_flow.Balls:
+        def begun() -> Any:
             point = [flint.arb(float(value)) for value in before]
             accuracy = [ball_flow.Accuracy(40, 200)] * 2
             return ball_flow.Balls(SPRAG, constants, *accuracy, point, unit, [flint.arb(0, off)] * 4, (0, 1, 1))
@@ -1284,10 +1257,10 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
             there = fly(before + off * np.array(corner), slow.loop.constants, duration, none)
             for value, ball in zip(there.state, balls.box, strict=True):
                 assert abs(float(value - ball.mid())) <= float(ball.rad()) + 1e-13
-        for i in range(4):
-            for j in range(4):
-                assert abs(there.by_state[i, j] - float(balls.matrix[i, j].mid())) <= float(balls.matrix[i, j].rad()) + 1e-12
-        assert max(float(balls.matrix[i, j].rad()) for i in range(4) for j in range(4)) < 1e-7
+        for place in places:
+            ball = balls.matrix[place]
+            assert abs(there.by_state[place] - float(ball.mid())) <= float(ball.rad()) + 1e-12
+            assert float(ball.rad()) < 1e-7
         both = begun()
         both.point = [flint.arb(value) for value in (1.0, 1e-9, 0.5 - 1e-8, -0.5)]
         with pytest.raises(ball_flow.NotProved, match="x' = V is too near"):
@@ -1297,13 +1270,9 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
             stuck.carry(flint.arb(0.2))  # it leaves the mode on the way
 
 
-def test_slopes_in_balls_are_those_that_were_derived() -> None:
+def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamespace) -> None:
     """Of every piece of every model, at a point; over a wide ball they hold where written-out powers tell nothing."""
-    flint = pytest.importorskip("flint")
-    from spragsym.cycles import ball_flow
-    from spragsym.exact.number_types import Functions
-    from spragsym.models.field import exact_field
-
+    flint, ball_flow = proving.flint, proving.ball_flow
     for name in ("kang_nam", "stick_slip", "trolley", "stribeck"):
         field, model = exact_field(name), ss.load(name).search
         values = [flint.arb(model.base.get(parameter) or 0.7) for parameter in model.parameters]
@@ -1379,9 +1348,7 @@ def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
     assert one == pytest.approx(other.conjugate(), abs=1e-12)
     for side in (-0.8, 0.8):
         cycle = ss.cycle(at(np.degrees(torus.value) + side), **BELT, near=torus.cycle)
-        x, y, vx, vy = cycle.state
-        start_off = {"x0": x, "y0": y + 1e-6, "vx0": vx, "vy0": vy}
-        tr = ss.simulate(at(np.degrees(torus.value) + side), **BELT, **start_off, t_end=1010.0 * cycle.period, rtol=1e-12)
+        tr = moving(at(np.degrees(torus.value) + side), np.add(cycle.state, (0.0, 1e-6, 0.0, 0.0)), t_end=1010.0 * cycle.period)
         early, late = (
             max(np.abs(tr(k * cycle.period) - cycle.state).max() for k in range(first, first + 12)) for first in (10, 990)
         )

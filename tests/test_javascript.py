@@ -18,9 +18,9 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
-from tests.oracles import languages
+from tests.oracles import article_motion, languages
 from tests.oracles.languages import NODE, STABILITY, answers, values
-from tests.support import few, in_python, lowest_sets
+from tests.support import few, in_python, leaves, lowest_sets
 from tests.test_documents import ROOT, fenced
 
 MODULE = ROOT / "generated" / "javascript" / "spragsym.mjs"
@@ -74,9 +74,8 @@ def test_algebra_is_that_of_python() -> None:
     """Every generated function at random arguments; exp may be rounded otherwise by an engine."""
     rng = np.random.default_rng(18)
     calls, expected = [], []
-    declared = re.findall(
-        r"^  (\w+)\(((?:\w+: number(?:, )?)+)\): ", MODULE.with_suffix(".d.ts").read_text(encoding="utf-8"), re.M
-    )
+    types = MODULE.with_suffix(".d.ts").read_text(encoding="utf-8")
+    declared = re.findall(r"^  (\w+)\(((?:\w+: number(?:, )?)+)\): ", types, re.MULTILINE)
     assert len(declared) > 60
     for name, arguments in declared:
         names = re.findall(r"(\w+): number", arguments)
@@ -84,12 +83,7 @@ def test_algebra_is_that_of_python() -> None:
         calls.append((f"algebra.{name}", *given))
         expected.append(in_python(name, names)(*given))
     for (name, *_), ours, theirs in zip(calls, values(calls), expected, strict=True):
-        flat = np.array(np.concatenate([np.ravel(part) for part in _leaves(ours)]))
-        assert flat == pytest.approx(np.concatenate([np.ravel(part) for part in _leaves(theirs)]), rel=1e-14, abs=1e-15), name
-
-
-def _leaves(result: Any) -> list[Any]:
-    return [leaf for part in result for leaf in _leaves(part)] if isinstance(result, list | tuple) else [float(result)]
+        assert np.array(leaves(ours)) == pytest.approx(np.array(leaves(theirs), dtype=float), rel=1e-14, abs=1e-15), name
 
 
 # --------------------------------------------------------------------------------------- surface, folds and cusps
@@ -120,12 +114,8 @@ def generated_f(theta0: Any, mu0: Any, fixed: dict[str, float]) -> tuple[Any, ..
     """Coefficients of f in contact, written out: (12), (13) eliminated by hand."""
     kappa, alpha, sigma, beta = (fixed[name] for name in ("kappa", "alpha", "sigma", "beta"))
     stiff, c0, s0 = beta + 1, np.cos(theta0), np.sin(theta0)
-    return (
-        sigma * (stiff - alpha),
-        -(alpha + sigma) * (stiff * s0 + kappa),
-        mu0 * (sigma * s0 - kappa) + alpha * c0 * (stiff + sigma),
-        mu0 * sigma,
-    )
+    a, b = sigma * (stiff - alpha), -(alpha + sigma) * (stiff * s0 + kappa)
+    return a, b, mu0 * (sigma * s0 - kappa) + alpha * c0 * (stiff + sigma), mu0 * sigma
 
 
 def _ends(curves: Sequence[Any]) -> list[float]:
@@ -239,32 +229,23 @@ def test_surface_is_that_of_python() -> None:
 
 
 def test_right_hand_side_and_energy() -> None:
-    """The equations of motion by Newton's law on the free body, in contact, in lift-off and ahead of the belt."""
+    """The equations of motion by hand, in contact, in lift-off and ahead of the belt."""
+    theta0, *rest = POINT.values()
+    constants = (math.cos(theta0), math.sin(theta0), *rest, *DRIVE.values())
     for state in ([0.3, -0.02, 0.1, 0.2], [0.3, 0.05, 0.1, 0.2], [0.3, -0.02, 0.9, 0.2]):
-        x, y, vx, vy = state
-        spring = np.exp(1j * POINT["theta0"]) - (x + 1j * y)
-        pull = POINT["sigma"] * (abs(spring) - 1) * spring / abs(spring)
-        push = max(-y, 0.0)
-        slip = DRIVE["V"] - vx
-        friction = POINT["mu0"] * math.copysign(1 - math.exp(-DRIVE["d"] * abs(slip)), slip) * push
-        expected = [vx, vy, pull.real - POINT["alpha"] * x + friction, pull.imag - POINT["beta"] * y + push - POINT["kappa"]]
         rate, regime, energy = values([("motion", method, POINT, DRIVE, state) for method in ("rhs", "regime", "energy")])
-        assert rate == pytest.approx(expected, rel=1e-13, abs=1e-15)
-        assert regime == {"contact": y < 0, "side": 1 if slip > 0 else -1}
-        stored = 0.5 * (POINT["sigma"] * (abs(spring) - 1) ** 2 + POINT["alpha"] * x**2 + POINT["beta"] * y**2 + push**2)
-        assert energy - stored - 0.5 * (vx**2 + vy**2) == pytest.approx(POINT["kappa"] * y, abs=1e-14)
+        assert rate == pytest.approx([*state[2:], *article_motion.everywhere(state, constants)], rel=1e-13, abs=1e-15)
+        assert regime == {"contact": state[1] < 0, "side": 1 if state[2] < DRIVE["V"] else -1}
+        assert energy == pytest.approx(article_motion.stored(state, constants), abs=1e-14)
 
 
 @pytest.mark.parametrize(("V", "start"), [(0.2, START), (0.1, [0.0, -0.01, 0.3, 0.0])])
 def test_step_is_of_fourth_order_across_the_kinks(V: float, start: list[float]) -> None:
     """The orbits leave the belt and come back, or overtake it; the reference is the other integrator at tight tolerance."""
-    end = 60.0
-    p = ss.Parameters(**POINT)
-    names = ("x0", "y0", "vx0", "vy0")
-    run = ss.simulate(p, V=V, d=10.0, t_end=end, rtol=1e-12, **dict(zip(names, start, strict=True)))
-    exact = np.array([run.x[-1], run.y[-1], run.vx[-1], run.vy[-1]])
+    begun = dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True))
+    exact = ss.simulate(ss.Parameters(**POINT), V=V, d=10.0, t_end=60.0, rtol=1e-12, **begun).state[:, -1]
     steps = (0.1, 0.05, 0.025, 0.0125)
-    reached = values([("steps", POINT, {"V": V, "d": 10.0}, start, h, round(end / h)) for h in steps])
+    reached = values([("steps", POINT, {"V": V, "d": 10.0}, start, h, round(60.0 / h)) for h in steps])
     errors = [float(np.abs(np.array(state) - exact).max()) for state in reached]
     assert errors[-1] < 1e-8
     assert math.log2(errors[0] / errors[-1]) / 3 > 3.6
@@ -316,18 +297,15 @@ def test_a_spring_without_length_stops_the_motion() -> None:
 def test_export_runs_as_the_page_prints(tmp_path: Path) -> None:
     """The module with its example, and every program of the page with what it prints."""
     assert CliRunner().invoke(cli, ["export", "--language", "javascript", "--out", str(tmp_path)]).exit_code == 0
-    printed = subprocess.run(
-        [str(NODE), "example.mjs"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
-    ).stdout  # fmt: skip
+    options: dict[str, Any] = {"cwd": tmp_path, "capture_output": True, "text": True, "timeout": 60}
+    printed = subprocess.run([str(NODE), "example.mjs"], **options, check=True).stdout
     assert "contact: 1, ok\n  theta, L, x, y  2.203367573653  0.949501362252" in printed
     assert "2 curves of folds, cusps at friction 0.200931782\n" in printed
     shown = fenced(PAGE, "javascript"), fenced(PAGE, "text")
     assert len(shown[0]) == len(shown[1]) > 1
     for number, (program, output) in enumerate(zip(*shown, strict=True)):
         (tmp_path / f"page{number}.mjs").write_text(program, encoding="utf-8")
-        done = subprocess.run(
-            [str(NODE), f"page{number}.mjs"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False
-        )
+        done = subprocess.run([str(NODE), f"page{number}.mjs"], **options, check=False)
         assert (done.stdout, done.stderr) == (output, "")
 
 

@@ -17,9 +17,9 @@ import spragsym as ss
 from spragsym.cli import cli
 from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
 from spragsym.parameters import NAMES
-from tests.oracles import languages
+from tests.oracles import article_motion, languages
 from tests.oracles.languages import OCTAVE, octave
-from tests.support import in_python, lowest_sets
+from tests.support import in_python, leaves, lowest_sets
 from tests.test_documents import ROOT, fenced
 
 FOLDER = ROOT / "generated" / "matlab"
@@ -95,17 +95,13 @@ def test_algebra_is_that_of_python(package: Path) -> None:
     for name, taken in written:
         names = re.findall(r"\w+", taken)
         given = list(rng.uniform(0.2, 0.9, (len(names), 3)))
-        results = _leaves(in_python(name, names)(*given))
+        results = leaves(in_python(name, names)(*given))
         places = [f"r{place}" for place in range(len(results))]
         program += f"[{', '.join(places)}] = spragsym.algebra.{name}({', '.join(map(literal, given))});\n"
         program += "".join(shown(f"{result} + zeros(3, 1)") for result in places)
         expected += [(name, np.broadcast_to(leaf, (3,))) for leaf in results]
     for (name, theirs), ours in zip(expected, numbers(octave(package, program)), strict=True):
         assert ours == pytest.approx(theirs, rel=1e-14, abs=1e-15), name
-
-
-def _leaves(result: Any) -> list[Any]:
-    return [leaf for part in result for leaf in _leaves(part)] if isinstance(result, tuple) else [result]
 
 
 # --------------------------------------------------------------------------------------- surface, folds and cusps
@@ -187,7 +183,7 @@ def test_surface_is_that_of_python(package: Path) -> None:
 
 @pytest.mark.thorough
 def test_right_hand_side_step_and_energy(package: Path) -> None:
-    """Newton's law on the free body in three regimes; and steps across kinks of fourth order, by the other integrator."""
+    """The equations of motion by hand in three regimes; and steps across kinks of fourth order, by the other integrator."""
     p = ss.Parameters.article(theta0=math.radians(49.0))
     states = ([0.3, -0.02, 0.1, 0.2], [0.3, 0.05, 0.1, 0.2], [0.3, -0.02, 0.9, 0.2])
     program = "m = spragsym.prepare(spragsym.article('theta0', 49/180*pi), 0.5, 10);\n"
@@ -197,17 +193,13 @@ def test_right_hand_side_step_and_energy(package: Path) -> None:
     for h, count in ((0.2, 200), (0.1, 400), (0.05, 800)):
         program += f"z = zeros(4, 1);\nfor k = 1:{count}, z = spragsym.step(m, {h}, z); end\n" + shown("z")
     found = numbers(octave(package, program))
-    for k, (x, y, vx, vy) in enumerate(states):
-        spring, push, slip = np.exp(1j * math.radians(49.0)) - (x + 1j * y), max(-y, 0.0), 0.5 - vx
-        pull = 0.1 * (abs(spring) - 1) * spring / abs(spring)
-        friction = 0.5 * math.copysign(1 - math.exp(-10 * abs(slip)), slip) * push
-        stored = 0.5 * (0.1 * (abs(spring) - 1) ** 2 + 0.007 * x**2 + push**2) + 0.5 * (vx**2 + vy**2)
-        assert found[3 * k] == [float(y < 0), math.copysign(1.0, slip)]
-        assert found[3 * k + 1] == pytest.approx([vx, vy, pull.real - 0.007 * x + friction, pull.imag + push - 0.007], abs=1e-15)
-        assert found[3 * k + 2] == pytest.approx([stored + 0.007 * y], abs=1e-14)
+    constants = (math.cos(p.theta0), math.sin(p.theta0), 0.5, 0.007, 0.007, 0.1, 0.0, 0.5, 10.0)
+    for state, regime, rate, energy in zip(states, found[:9:3], found[1:9:3], found[2:9:3], strict=True):
+        assert regime == [float(state[1] < 0), math.copysign(1.0, 0.5 - state[2])]
+        assert rate == pytest.approx([*state[2:], *article_motion.everywhere(state, constants)], abs=1e-15)
+        assert energy == pytest.approx([article_motion.stored(state, constants)], abs=1e-14)
     run = ss.simulate(p, V=0.5, d=10.0, t_end=40.0, rtol=1e-12)
-    exact = np.array([run.x[-1], run.y[-1], run.vx[-1], run.vy[-1]])
-    errors = [float(np.abs(np.array(state) - exact).max()) for state in found[9:]]
+    errors = [float(np.abs(np.array(state) - run.state[:, -1]).max()) for state in found[9:]]
     assert any(run.y > 0)
     assert errors[-1] < 1e-6
     assert math.log2(errors[0] / errors[-1]) / 2 > 3.6

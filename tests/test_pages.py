@@ -8,6 +8,7 @@ import math
 import os
 import shutil
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -152,64 +153,25 @@ REFUSED = {
     "one end": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y))", "page.spring(k_y", "two ends"),
 }  # fmt: skip
 REFUSED |= {
-    "a function without intervals": (
-        "exp(-d * Abs(v))",
-        "sp.erfc(d * Abs(v))",
-        "page.friction(",
-        "generated code does not know",
-    ),
+    "a function without intervals": ("exp(-d * Abs(v))", "sp.erfc(d * Abs(v))", "page.friction(", "generated code does not know"),
     "a least of two": (FRICTION, "lambda v: mu0 * sp.Min(1, d * Abs(v)) * sgn(v)", "page.friction(", "not smooth"),
-    "a law by cases": (
-        FRICTION,
-        "lambda v: mu0 * sp.Piecewise((d * v, d * Abs(v) < 1), (sgn(v), True))",
-        "page.friction(",
-        "not smooth",
-    ),
-    "a jump of the contact": (
-        LAW,
-        "lambda depth: k_c * depth * (1 + sp.floor(depth / L_0))",
-        "page.contact(",
-        "not smooth",
-    ),
+    "a law by cases": (FRICTION, "lambda v: mu0 * sp.Piecewise((d * v, d * Abs(v) < 1), (sgn(v), True))", "page.friction(",
+                       "not smooth"),
+    "a jump of the contact": (LAW, "lambda depth: k_c * depth * (1 + sp.floor(depth / L_0))", "page.contact(", "not smooth"),
     "a kink elsewhere": (FRICTION, "lambda v: mu0 * d * v * (1 + d * Abs(Abs(v) - V))", "page.friction(", "not smooth"),
-    "a kink in the contact": (
-        LAW,
-        "lambda depth: k_c * (depth + Abs(depth - L_0) - L_0)",
-        "page.contact(",
-        "not smooth",
-    ),
-    "a kink of a contact that never opens": (
-        LAW,
-        "lambda depth: k_c * Abs(depth), unilateral=False",
-        "page.contact(",
-        "unilateral=False, holds Abs",
-    ),
-    "a kink of an energy": (
-        "page.spring(k_y, along=y)",
-        "page.potential(k_y * L_0 * Abs(x))",
-        "page.potential(",
-        "not smooth where",
-    ),
-    "a root without slope": (
-        FRICTION,
-        "lambda v: mu0 * sp.sqrt(d * Abs(v)) * sgn(v)",
-        "page.friction(",
-        "not seen to be positive",
-    ),
+    "a kink within the contact": (LAW, "lambda depth: k_c * (depth + Abs(depth - L_0) - L_0)", "page.contact(", "not smooth"),
+    "a kink of a contact that never opens": (LAW, "lambda depth: k_c * Abs(depth), unilateral=False", "page.contact(",
+                                             "unilateral=False, holds Abs"),
+    "a kink of an energy": ("page.spring(k_y, along=y)", "page.potential(k_y * L_0 * Abs(x))", "page.potential(",
+                            "not smooth where"),
+    "a root without slope": (FRICTION, "lambda v: mu0 * sp.sqrt(d * Abs(v)) * sgn(v)", "page.friction(",
+                             "not seen to be positive"),
     "a root of what is negative": (LAW, "lambda depth: k_c * L_0 * sp.sqrt(-depth / L_0)", "page.contact(", "no real number"),
-    "a root of a difference": (
-        "page.spring(k_y, along=y)",
-        "page.potential(k_y * L_0 * sp.sqrt(x * L_0))",
-        "potential(",
-        "not seen to be not",
-    ),
-    "a symbol for an exponent": (
-        LAW,
-        "lambda depth: k_c * L_0 * (depth / L_0) ** mu0",
-        "page.contact(",
-        "a fraction of two integers",
-    ),
-}
+    "a root of a difference": ("page.spring(k_y, along=y)", "page.potential(k_y * L_0 * sp.sqrt(x * L_0))", "potential(",
+                               "not seen to be not"),
+    "a symbol for an exponent": (LAW, "lambda depth: k_c * L_0 * (depth / L_0) ** mu0", "page.contact(",
+                                 "a fraction of two integers"),
+}  # fmt: skip
 
 
 def test_no_printer_writes_what_it_does_not_know() -> None:
@@ -256,12 +218,16 @@ def test_a_coordinate_hides_nothing_of_the_results() -> None:
     assert asked(ss.Points) | asked(ss.Onsets) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
 
 
+def with_contact(tmp_path: Path, law: str) -> ss.Model:
+    """The article's model with another law of the contact."""
+    folder.write_page(changed(tmp_path, (LAW, f"lambda depth: {law}")), tmp_path / "mine")
+    return ss.load(tmp_path / "mine")
+
+
 @pytest.mark.thorough
 def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
     """A power 2.5 is 5/2, and the law of a penetration is its slope's integral: in floats by hand."""
-    path = changed(tmp_path, (LAW, "lambda depth: k_c * L_0 * (depth / L_0) ** 2.5"))
-    folder.write_page(path, tmp_path / "mine")
-    model = ss.load(tmp_path / "mine")
+    model = with_contact(tmp_path, "k_c * L_0 * (depth / L_0) ** 2.5")
     taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0, sigma=1e-9, kappa=1e-9, beta=0.0), "motion")]
     _, pushed = model.algebra.rhs(0.0, -0.09, 0.0, 0.0, *taken)
     assert pushed == pytest.approx(0.3**5, rel=1e-6)
@@ -270,19 +236,15 @@ def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
 @pytest.mark.thorough
 def test_the_energy_of_a_saturating_contact_has_a_logarithm(tmp_path: Path) -> None:
     """δ/(1 + δ) has the energy δ − log(1 + δ)."""
-    path = changed(tmp_path, (LAW, "lambda depth: k_c * depth / (1 + depth / L_0)"))
-    folder.write_page(path, tmp_path / "mine")
-    model = ss.load(tmp_path / "mine")
+    model = with_contact(tmp_path, "k_c * depth / (1 + depth / L_0)")
     taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0), "motion")]
     inside, outside = (model.algebra.energy(0.0, -0.3, 0.0, 0.0, *taken, pushing) for pushing in (1, 0))
     assert inside - outside == pytest.approx(0.3 - math.log(1.3), rel=1e-12)
 
 
 def test_a_coordinate_that_no_force_acts_on(tmp_path: Path) -> None:
-    path = changed(
-        tmp_path,
-        ("\npage.kinetic(m * (", '\nz = page.coordinate("z", "m", "free")\npage.kinetic(m * (page.rate(z) ** 2 + '),
-    )
+    more = '\nz = page.coordinate("z", "m", "free")\npage.kinetic(m * (page.rate(z) ** 2 + '
+    path = changed(tmp_path, ("\npage.kinetic(m * (", more))
     message = rf"^mine\.py, line {line_of(path, 'free')}: no force acts on z; .* the forces along x, y are well"
     with pytest.raises(PageError, match=message):
         pages.read(path)
@@ -367,14 +329,12 @@ def test_the_articles_page_gives_lagranges_equations() -> None:
 def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path, written: Path) -> None:
     out = tmp_path / (os.fsdecode(b"Bremse \xb0") if sys.platform == "linux" else "Bremse °")  # bytes that are no text in UTF-8
     shutil.copytree(written, out)
-    ours, shipped = ss.load(out), ss.load("kang_nam")
+    models = ours, shipped = ss.load(out), ss.load("kang_nam")
     assert ours.parameters == shipped.parameters
     assert ours.base == shipped.base
-    state = (0.1, -0.2, 0.3, 0.4)
-    for model in (ours, shipped):
-        p = model.Parameters(theta0=0.8)
-        assert p.sigma == 0.1
-    rates = [model.algebra.rhs(*state, *model.arguments(model.Parameters(theta0=0.8), "motion")) for model in (ours, shipped)]
+    sets = [model.Parameters(theta0=0.8) for model in models]
+    assert [p.sigma for p in sets] == [0.1, 0.1]
+    rates = [model.algebra.rhs(0.1, -0.2, 0.3, 0.4, *model.arguments(p, "motion")) for model, p in zip(models, sets, strict=True)]
     assert rates[0] == rates[1]
 
 
@@ -397,30 +357,28 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place / "out"
 
 
-@pytest.mark.parametrize("damage", ["code", "json", "missing", "foreign", "keys"])
+def _without_a_key(out: Path) -> None:
+    about = json.loads((out / "model.json").read_text(encoding="utf-8"))
+    del about["angles"]
+    (out / "model.json").write_text(json.dumps(about), encoding="utf-8")
+
+
+#: What is done to a folder, and what the error names.
+DAMAGE: dict[str, tuple[Callable[[Path], object], str]] = {
+    "code": (lambda out: (out / "algebra.py").write_bytes((out / "algebra.py").read_bytes() + b"\n"), "not as it was written"),
+    "json": (lambda out: (out / "model.json").write_text("{"), "damaged"),
+    "missing": (lambda out: (out / "algebra.py").unlink(), "missing"),
+    "keys": (_without_a_key, "angles"),
+    "foreign": (lambda out: (out / "model.json").unlink(), "no model.json"),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
 def test_a_damaged_folder_says_so(damage: str, tmp_path: Path, written: Path) -> None:
     out = shutil.copytree(written, tmp_path / "out")
-    if damage == "code":
-        (out / "algebra.py").write_text((out / "algebra.py").read_text(encoding="utf-8") + "\n", encoding="utf-8")
-    elif damage == "json":
-        (out / "model.json").write_text("{", encoding="utf-8")
-    elif damage == "missing":
-        (out / "algebra.py").unlink()
-    elif damage == "keys":
-        about = json.loads((out / "model.json").read_text(encoding="utf-8"))
-        del about["angles"]
-        (out / "model.json").write_text(json.dumps(about), encoding="utf-8")
-    else:
-        out = tmp_path
-    expected = ss.ParameterError if damage == "foreign" else ss.SpragsymError
-    words = {
-        "code": "not as it was written",
-        "json": "damaged",
-        "missing": "missing",
-        "foreign": "no model.json",
-        "keys": "angles",
-    }
-    with pytest.raises(expected, match=words[damage]):
+    change, words = DAMAGE[damage]
+    change(out)
+    with pytest.raises(ss.ParameterError if damage == "foreign" else ss.SpragsymError, match=words):
         ss.load(out)
 
 

@@ -76,10 +76,7 @@ def test_the_same_bits_from_any_map() -> None:
     with ThreadPoolExecutor(3) as pool:
         assert_same(one, rms_sweep(P, **SHORT, workers=pool.map))
         # Futures, as an engine's own map gives them.
-        assert_same(
-            one,
-            rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]),
-        )
+        assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
 
 
 def test_the_same_bits_from_dask() -> None:
@@ -150,21 +147,25 @@ def test_sensitivity_brackets_the_jump() -> None:
 # -------------------------------------------------------------------------------------------------- the store
 
 
-def _interrupt(path: Path, points: int) -> None:
-    """Leave a sweep to ``path`` as a kill does, after some points."""
-    written: list[int] = []
+def _never(function: object, points: object) -> Iterator[object]:
+    raise AssertionError("the work has started")
 
-    def some(function: object, tasks: list[object]) -> Iterator[object]:
-        for i, task in enumerate(tasks):
-            if i == points:
-                raise KeyboardInterrupt
-            lines = path.with_name(path.name + ".partial").read_bytes().count(b"\n")
-            written.append(lines)  # each point is in the file before the next is asked for
-            yield function(task)  # type: ignore[operator]  # a callable
+
+def interrupted(path: Path, points: int) -> Path:
+    """Leave a sweep to ``path`` as a kill does, after some points; its journal."""
+    written: list[int] = []
+    partial = path.with_name(path.name + ".partial")
+
+    def some(function: Callable[[object], object], tasks: list[object]) -> Iterator[object]:
+        for task in tasks[:points]:
+            written.append(partial.read_bytes().count(b"\n"))  # each point is in the file before the next is asked for
+            yield function(task)
+        raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         rms_sweep(P, **SHORT, store=path, workers=some)
     assert written[1:] == [written[0] + 1 + i for i in range(len(written) - 1)]
+    return partial
 
 
 @pytest.mark.parametrize("ending", ["nc", "csv"])
@@ -172,30 +173,27 @@ def _interrupt(path: Path, points: int) -> None:
 def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int) -> None:
     whole, path = tmp_path / f"whole.{ending}", tmp_path / f"rms.{ending}"
     expected = rms_sweep(P, **SHORT, store=whole)
-    _interrupt(path, 3)
-    partial = path.with_name(path.name + ".partial")
+    partial = interrupted(path, 3)
     if cut:  # a kill in the middle of a line
         partial.write_bytes(partial.read_bytes()[:-cut])
-    _interrupt(path, 1)
+    interrupted(path, 1)
     assert not path.exists()
     computed = []
 
-    def counting(function: object, tasks: list[object]) -> Iterator[object]:
-        for task in tasks:
-            computed.append(task)
-            yield function(task)  # type: ignore[operator]  # a callable
+    def counting(function: Callable[[object], object], tasks: list[object]) -> Iterator[object]:
+        computed.extend(tasks)
+        return map(function, tasks)
 
-    assert_same(expected, rms_sweep(P, **SHORT, store=path, workers=counting))
-    assert len(computed) == (3 if cut else 2)
-    assert path.read_bytes() == whole.read_bytes()
-    assert not partial.exists()
-    assert_same(expected, rms_sweep(P, **SHORT, store=path, workers=counting))  # finished: loaded
-    assert len(computed) == (3 if cut else 2)
+    for _ in ("computed", "loaded"):
+        assert_same(expected, rms_sweep(P, **SHORT, store=path, workers=counting))
+        assert len(computed) == (3 if cut else 2)
+        assert path.read_bytes() == whole.read_bytes()
+        assert not partial.exists()
 
 
 def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
     path = tmp_path / "rms.nc"
-    _interrupt(path, 2)
+    interrupted(path, 2)
     with pytest.raises(ss.ParameterError, match="belongs to another sweep"):
         rms_sweep(P, **{**SHORT, "V": 0.4}, store=path)
     rms_sweep(P, **SHORT, store=path)
@@ -206,15 +204,14 @@ def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
 
 
 def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Be it a journal or a result."""
     path = tmp_path / "rms.nc"
-    _interrupt(path, 2)
-    monkeypatch.setattr(code, "digest", lambda *_: "of other code")
-    with pytest.raises(ss.ParameterError, match="other code"):
-        rms_sweep(P, **SHORT, store=path)
-    monkeypatch.undo()
-    rms_sweep(P, **SHORT, store=path)
-    monkeypatch.setattr(code, "digest", lambda *_: "of other code")
-    with pytest.raises(ss.ParameterError, match="other code"):
+    interrupted(path, 2)
+    for _ in ("journal", "result"):
+        with monkeypatch.context() as patch:
+            patch.setattr(code, "digest", lambda *_: "of other code")
+            with pytest.raises(ss.ParameterError, match="other code"):
+                rms_sweep(P, **SHORT, store=path)
         rms_sweep(P, **SHORT, store=path)
 
 
@@ -260,16 +257,22 @@ GRID = ["--theta0", "1:179:61", "--t-end", SPAN[0], "--transient", SPAN[1], "-q"
 COMMAND = [sys.executable, "-m", "spragsym", "sweep", *GRID, "-o"]
 
 
-@pytest.mark.thorough
-def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: Callable[..., subprocess.Popen[bytes]]) -> None:
-    """At fifty random moments: ``python -m validation.sweeps``."""
-    path, whole = tmp_path / "rms.nc", tmp_path / "whole.nc"
-    CliRunner().invoke(sweep_command, [*GRID, "-o", str(whole)], catch_exceptions=False)
-    process = begin([*COMMAND, str(path)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+def begun(command: list[str], path: Path, begin: Callable[..., subprocess.Popen[str]]) -> tuple[subprocess.Popen[str], Path]:
+    """A sweep in a process of its own that has written some points, and its journal."""
+    process = begin([*COMMAND, str(path), *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     partial = path.with_name("rms.nc.partial")
     deadline = time.monotonic() + 60
     while time.monotonic() < deadline and not (partial.exists() and partial.stat().st_size > 1000):
         time.sleep(0.001)
+    return process, partial
+
+
+@pytest.mark.thorough
+def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
+    """At fifty random moments: ``python -m validation.sweeps``."""
+    path, whole = tmp_path / "rms.nc", tmp_path / "whole.nc"
+    CliRunner().invoke(sweep_command, [*GRID, "-o", str(whole)], catch_exceptions=False)
+    process, partial = begun([], path, begin)
     process.kill()
     process.wait()
     assert partial.exists()
@@ -281,13 +284,8 @@ def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: 
 @pytest.mark.thorough
 @needs_posix
 def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
-    path = tmp_path / "rms.nc"
-    command = [*COMMAND, str(path), "-j", "2", "--t-end", "60", "--transient", "45", "--backend", "scipy"]
-    process = begin(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    partial = path.with_name("rms.nc.partial")
-    deadline = time.monotonic() + 60
-    while time.monotonic() < deadline and not (partial.exists() and partial.stat().st_size > 1000):
-        time.sleep(0.02)
+    command = ["-j", "2", "--t-end", "60", "--transient", "45", "--backend", "scipy"]
+    process, partial = begun(command, tmp_path / "rms.nc", begin)
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does
     _, stderr = process.communicate(timeout=30)
     assert process.returncode == 130
@@ -311,18 +309,13 @@ def test_files_say_what_they_hold(tmp_path: Path) -> None:
         assert data.attrs["generated_from"] == storage.SOURCE_HASH
         assert ss.__version__ in data.attrs["source"]
     found.save(tmp_path / "rms.csv")
-    lines = [line for line in (tmp_path / "rms.csv").read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
-    column = lines[0].split(",").index("rms")
-    assert [float(line.split(",")[column]) for line in lines[1:]] == found.rms.tolist()
+    table = np.genfromtxt(tmp_path / "rms.csv", delimiter=",", names=True, comments="#")
+    assert table["rms"].tolist() == found.rms.tolist()
 
 
 @pytest.mark.parametrize(
     ("name", "message"),
-    [
-        ("rms.txt", "neither in .nc nor in .csv"),
-        ("missing/rms.nc", "does not exist"),
-        ("folder.nc", "is a folder"),
-    ],
+    [("rms.txt", "neither in .nc nor in .csv"), ("missing/rms.nc", "does not exist"), ("folder.nc", "is a folder")],
 )
 def test_unwritable_paths_are_errors_before_the_work(tmp_path: Path, name: str, message: str) -> None:
     (tmp_path / "folder.nc").mkdir()
@@ -343,25 +336,18 @@ def test_a_full_disk_is_an_error_before_the_work(tmp_path: Path, monkeypatch: py
         rms_sweep(P, **SHORT, store=tmp_path / "rms.nc", workers=_never)
 
 
-def _never(function: object, points: object) -> Iterator[object]:
-    raise AssertionError("the work has started")
-
-
 @pytest.mark.parametrize(
     ("bad", "message"),
     [
-        ({"V": [0.5, -1.0]}, r"V\[1\] = -1"),
-        ({"d": np.nan}, "d = nan"),
-        ({"V": [0.5, 0.6]}, "do not broadcast"),
-        ({"transient": 60.0}, "transient = 60 is not below t_end = 60"),
-        ({"workers": 0}, "workers = 0"),
-        ({"rtol": 0.0}, "rtol = 0"),
-        ({"x0": np.inf}, "x0 = inf"),
+        ({"V": [0.5, -1.0]}, r"V\[1\] = -1"), ({"d": np.nan}, "d = nan"), ({"V": [0.5, 0.6]}, "do not broadcast"),
+        ({"transient": 60.0}, "transient = 60 is not below t_end = 60"), ({"workers": 0}, "workers = 0"),
+        ({"rtol": 0.0}, "rtol = 0"), ({"x0": np.inf}, "x0 = inf"),
     ],
-)
-def test_bad_arguments(bad: dict[str, object], message: str) -> None:
+)  # fmt: skip
+def test_bad_arguments_leave_nothing(bad: dict[str, object], message: str, tmp_path: Path) -> None:
     with pytest.raises(ss.ParameterError, match=message):
-        rms_sweep(P, **{**SHORT, **bad})
+        rms_sweep(P, **{**SHORT, **bad}, store=tmp_path / "a.csv")
+    assert not list(tmp_path.iterdir())
 
 
 def test_bad_types_and_missing_parameters() -> None:
@@ -373,33 +359,6 @@ def test_bad_types_and_missing_parameters() -> None:
         sensitivity(P.replace(theta0=0.5), V=[0.5], d=[10.0])
     with pytest.raises(ss.ParameterTypeError, match="one axis"):
         basin(P.replace(theta0=0.5), 0.5, 10.0, x=[[0.0]], vx=0.0)
-
-
-def test_command(tmp_path: Path) -> None:
-    path = tmp_path / "rms.csv"
-    options = [
-        "--theta0",
-        "35,40",
-        "-V",
-        "0.2:0.4:3",
-        "--t-end",
-        "60",
-        "--transient",
-        "20",
-        "-q",
-        "-o",
-        str(path),
-    ]
-    CliRunner().invoke(sweep_command, options, catch_exceptions=False)
-    columns, _ = storage.read(path)
-    expected = rms_sweep(
-        ss.Parameters.article(theta0=np.radians([[35.0], [40.0]])),
-        np.linspace(0.2, 0.4, 3),
-        10.0,
-        t_end=60.0,
-        transient=20.0,
-    )
-    np.testing.assert_array_equal(columns["rms"].astype(float), expected.rms.ravel())
 
 
 def test_progress_goes_to_stderr_only_when_asked(capsys: pytest.CaptureFixture[str]) -> None:

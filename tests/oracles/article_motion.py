@@ -42,3 +42,12 @@ def everywhere(state: Sequence[float], constants: Constants) -> tuple[float, flo
     """x″ and y″, kinked where y = 0 and where x' = V."""
     slip = constants[7] - state[2]
     return accelerations(state, constants, state[1] < 0, math.copysign(1.0, slip) if slip else 0.0)
+
+
+def stored(state: Sequence[float], constants: Constants) -> float:
+    """Kinetic energy, and the energy of the springs, of the contact and of the preload, which pulls towards the belt."""
+    x, y, vx, vy = state
+    cos0, sin0, _, kappa, alpha, sigma, beta, _, _ = constants
+    stretch = math.hypot(cos0 - x, sin0 - y) - 1
+    springs = sigma * stretch**2 + alpha * x**2 + beta * y**2 + min(y, 0.0) ** 2
+    return 0.5 * (vx**2 + vy**2 + springs) + kappa * y

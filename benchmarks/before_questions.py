@@ -67,6 +67,17 @@ def _statics(ss: Any, one: Any, some: Any, few: list[Any]) -> dict[str, Call]:
         f"friction of the lowest cusp, {SOME} points": lambda: cusp(some),
         "critical_friction": lambda: ss.critical_friction(one),
         f"critical_friction, {SOME} points": lambda: ss.critical_friction(some),
+        **_designs(ss, one.replace(theta0=0.7, mu0=0.5), ""),
+        **_designs(ss.load("cubic_contact"), ss.load("cubic_contact").Parameters(theta0=0.7, mu0=0.5), " of cubic_contact"),
+    }
+
+
+def _designs(asked: Any, p: Any, whose: str) -> dict[str, Call]:
+    """How far a design is from a jump, and what to change; asked of the package, or of a model that is searched."""
+    scale = {"theta0": 0.02, "mu0": 0.05, "sigma": 0.01, "kappa": 0.001}
+    return {
+        f"jump_margin{whose}": lambda: asked.jump_margin(p, scale),
+        f"redesign{whose}": lambda: asked.redesign(p, ("theta0", "sigma"), {"mu0": 0.7}),
     }
 
 

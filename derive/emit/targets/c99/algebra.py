@@ -137,6 +137,7 @@ def public(function: Function, library: str, angles: Angles, *, inside: bool) ->
         computed = [broken(f"    {called if several else f'const double value = {called}'}")]
     else:
         computed = _statements(straight_line(function), "value" if several else "const double value =")
+    asked = "\n".join(computed)
     return "\n".join([
         _signature(f"{library}_status {library}_{function.name}", names, _result(function)) + " {",
         broken(f"    const double given[] = {{{', '.join(names)}}};"),
@@ -147,7 +148,7 @@ def public(function: Function, library: str, angles: Angles, *, inside: bool) ->
         *(
             f"    const double {part} = {turn}({angle});"
             for angle, parts in angles.items() if angle in names
-            for turn, part in zip(("cos", "sin"), parts[-2:], strict=True)
+            for turn, part in zip(("cos", "sin"), parts[-2:], strict=True) if re.search(rf"\b{part}\b", asked)
         ),
         *computed,
         f"    return deliver({count}, {'value' if several else '&value'}, result);",

@@ -38,7 +38,7 @@ WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1
 # Files go to workers in the order that tests/conftest.py gives them: the longest first.
 TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
-.PHONY: help install derive test poor check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
+.PHONY: help install derive test poor check lint thorough coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
@@ -47,10 +47,11 @@ help:
 	@echo "make test          run the tests, without those marked thorough"
 	@echo "make poor          run them as on a machine without compiler, heyoka, symbolic links and UTF-8, set up for it"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
-	@echo "make coverage      all tests, and the lines and branches that they reach"
+	@echo "make thorough      all tests, with ten times as many random cases"
+	@echo "make coverage      the same, and the lines and branches that they reach; twice the time"
 	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
-	@echo "make check         what CI runs: lint, types, tests with coverage, generated/ as committed"
+	@echo "make check         what CI runs: lint, types, all tests, generated/ as committed"
 	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, if a registry can be reached"
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
@@ -112,7 +113,10 @@ lint: $(TEST)
 	@if command -v cppcheck >/dev/null; then $(CPPCHECK) $(filter %.c,$(C_FILES)); \
 	else echo "cppcheck is not installed: skipped, C is checked for its layout only"; fi
 
-# All tests, with the lines and branches of spragsym that they reach.
+thorough: $(TEST)
+	HYPOTHESIS_PROFILE=all $(TESTS) --durations=20
+
+# What they reach of spragsym decides nothing, and to count it doubles the time: CI does not.
 coverage: $(TEST)
 	HYPOTHESIS_PROFILE=all $(TESTS) --cov --cov-branch --cov-report=term
 
@@ -126,7 +130,7 @@ regenerate: $(DERIVE)
 	git diff --exit-code -- generated/
 	@test -z "$$(git status --porcelain -- generated/)" || { git status --short -- generated/; exit 1; }
 
-check: lint coverage regenerate installs
+check: lint thorough regenerate installs
 
 # Every extra from wheels alone, on each machine and Python: where a registry can be reached.
 installs: $(TEST)

@@ -42,7 +42,7 @@ OF_SETS = frozenset((
 ))  # fmt: skip
 
 #: Keys of a file with a user's own data, where quantities stand by their names on the page.
-OF_FILES = frozenset(("friction", "model"))
+OF_FILES = frozenset(("begin", "correlation", "friction", "model", "vary"))
 
 #: What generated functions call what they are made of.
 OF_CODE = frozenset((

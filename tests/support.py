@@ -7,7 +7,7 @@ import inspect
 import math
 import os
 import subprocess
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
@@ -49,6 +49,13 @@ def as_fraction(value: mpmath.mpf) -> Fraction:
     """The rational that a number of mpmath is."""
     negative, mantissa, exponent, _ = value._mpf_
     return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def written_brake(folder: Path, rows: Mapping[str, str]) -> Path:
+    """A file of these quantities, as text with units."""
+    file = folder / "brake.toml"
+    file.write_text("[brake]\n" + "".join(f'{name} = "{value}"\n' for name, value in rows.items()), encoding="utf-8")
+    return file
 
 
 def fractions(values: Iterable[Any]) -> list[Fraction]:

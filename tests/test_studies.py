@@ -22,7 +22,7 @@ from spragsym.studies.examples import example
 from spragsym.studies.jump_verdicts import Chance, certificate
 from tests.conftest import Run
 from tests.oracles import article_motion
-from tests.support import few, model_of
+from tests.support import few, model_of, written_brake
 from validation import reports as validate_reports
 
 #: A brake's file: quantity and value.
@@ -40,10 +40,7 @@ QUICKLY: dict[str, Any] = {"oscillation": False, "probability": False, "redesign
 
 def written(folder: Path, rows: Mapping[str, str | None] = {}, brake: Mapping[str, str] = BRAKE) -> Path:  # read only
     """The file of a brake with some quantities replaced, or left out."""
-    given = {name: value for name, value in {**brake, **rows}.items() if value is not None}
-    file = folder / "brake.toml"
-    file.write_text("[brake]\n" + "".join(f'{name} = "{value}"\n' for name, value in given.items()), encoding="utf-8")
-    return file
+    return written_brake(folder, {name: value for name, value in {**brake, **rows}.items() if value is not None})
 
 
 def studied(folder: Path, rows: Mapping[str, str | None], brake: Mapping[str, str] = BRAKE) -> ss.Study:
@@ -55,6 +52,7 @@ KEYS = [
     "margin_percent", "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation",
     "certificate",
     "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump", "verdict", "folds",
+    "vary", "jump_at",
 ]  # fmt: skip
 
 
@@ -659,7 +657,7 @@ def test_another_model_is_told_what_to_change(tmp_path: Path) -> None:
         values = {name: quantity.value for name, quantity in other.changed(one.after).quantities.items() if name != "k_3"}
         closed = float(ss.jump_value(ss.PhysicalParameters(**values).dimensionless(), "mu0"))
         assert not closed < found.target
-        assert one.mu_jump == pytest.approx(closed, rel=1e-9, nan_ok=True)
+        assert one.jump_at == pytest.approx(closed, rel=1e-9, nan_ok=True)
     assert found.text().count("  then it") == len(found.redesign)
     told = found.to_dict()["redesign"][0]
     assert told["target"] == pytest.approx(1.2 * other.friction[2])
@@ -671,7 +669,7 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     rows = {"mu0": None, "model": "stribeck", "mu_s": "0.45", "mu_k": "0.3", "v_s": "0.5 m/s"}
     found = studied(tmp_path, rows).report(**QUICKLY)
     assert found.mu_jump is None
-    assert any("no mu0" in one and "spragsym critical --vary" in one for one in found.warnings)
+    assert any("no mu0" in one and 'vary = "theta0"' in one for one in found.warnings)
     assert found.states
     assert found.current is None
     assert all(state.contact_force_N is not None and math.isfinite(state.contact_force_N) for state in found.states)

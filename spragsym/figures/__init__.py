@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from .bifurcation_sets import figure_11, figure_12, figure_14
-from .brakes import draw_operating_point, draw_rising_friction, draw_shares
+from .brakes import draw_operating_point, draw_rising, draw_shares
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
 from .diagrams import diagram_figure
 from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
@@ -70,7 +70,7 @@ __all__ = [
     "draw_operating_point",
     "draw_path",
     "draw_phase",
-    "draw_rising_friction",
+    "draw_rising",
     "draw_shares",
     "draw_spectrum",
     "mark_folds",

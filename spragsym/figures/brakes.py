@@ -77,23 +77,27 @@ def mark_brake(
     return point
 
 
-def draw_rising_friction(
-    p: ParameterSet, mu0: tuple[float, float], ax: Axes | None = None, *, length: float = 1.0, label: str | None = None,
-    n: int = 200,
+def draw_rising(
+    p: ParameterSet, ends: tuple[float, float], ax: Axes | None = None, *, vary: str = "mu0", begin: float = 0.0,
+    length: float = 1.0, label: str | None = None, size: float = 1.0, across: str = r"friction $\mu$", n: int = 200,
 ) -> Any:  # fmt: skip
-    """The states of any model over the friction, the one followed as it rises from 0, and the range of the friction shaded.
+    """The states of any model over what rises, the one followed as it does, and the range of its tolerance shaded.
 
     Parameters
     ----------
     p : Parameters
-        Scalars, of a model with mu0, which is not used.
-    mu0 : (float, float)
-        Ends of the friction's tolerance.
+        Scalars, of which the one that rises is not used.
+    ends : (float, float)
+        Of the tolerance of what rises.
     ax : Axes, optional
-    length : float
-        What one of the first coordinate is, in the unit that the axis shows.
-    label : str, optional
-        Of that axis.
+    vary : str
+        What rises.
+    begin : float
+        From where.
+    length, size : float
+        What one of the first coordinate, and of what rises, is in the unit that the axis shows.
+    label, across : str, optional
+        Of these axes.
     n : int
         Points of each piece.
 
@@ -103,28 +107,33 @@ def draw_rising_friction(
         Of the path.
     """
     ax, first = own_axes(ax), p.model.coordinates[0]
-    turns = folds_between(p, "mu0", 0.0, max(_FAR, 1.15 * mu0[1]))
-    top = max(_TOP, 1.15 * mu0[1], *(1.15 * value for value in turns.mu0.tolist() if value < _FAR))
-    draw_branches(curves_between(p, "mu0", (0.0, top), turns, True, n), first, ax=ax, color=GREY, linewidth=0.8)
+    high, (least, far) = ends[1], (_TOP, _FAR) if vary == "mu0" else (1.15 * ends[1], _FAR * abs(ends[1]))
+    allowed = p.model.Parameters.ranges[vary]
+    turns = folds_between(p, vary, begin, min(max(far, high + 0.15 * abs(high)), allowed.reached(allowed.high)))
+    known = [value for value in getattr(turns, vary).tolist() if begin < value < far]
+    top = min(max(least, *(value + 0.15 * abs(value) for value in (high, *known))), allowed.reached(allowed.high))
+    draw_branches(curves_between(p, vary, (begin, top), turns, True, n), first, ax=ax, color=GREY, linewidth=0.8)
     artists: list[Any] = []
     with suppress(ConvergenceError):  # where branches can't be told apart there are the states alone
-        artists += draw_path(p.model.quasi_static_path(p, "mu0", np.linspace(0.0, top, 2 * n + 1)), first, ax=ax, color=VERMILION)
-    mark_folds(turns, first, ax=ax, high=top)
-    ax.axvspan(*mu0, color=SKY, alpha=0.25, linewidth=0, zorder=0)
-    if length != 1.0:
-        ax.yaxis.set_major_formatter(lambda value, _: f"{value * length:g}")
-        _round_ticks(ax, length)
-    ax.set(xlabel=r"friction $\mu$", ylabel=with_unit(p.model, first) if label is None else label, xlim=(0, top))
+        path = p.model.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
+        artists += draw_path(path, first, ax=ax, color=VERMILION)
+    mark_folds(turns, first, ax=ax, low=begin, high=top)
+    ax.axvspan(*ends, color=SKY, alpha=0.25, linewidth=0, zorder=0)
+    ax.set(xlabel=across, ylabel=with_unit(p.model, first) if label is None else label, xlim=(begin, top))
+    for axis, one in ((ax.xaxis, size), (ax.yaxis, length)):
+        if one != 1.0:
+            _round_ticks(axis, one)
     return artists
 
 
-def _round_ticks(ax: Axes, length: float) -> None:
+def _round_ticks(axis: Any, one: float) -> None:
     """Ticks at round numbers of the unit that is shown."""
     from matplotlib.ticker import MaxNLocator
 
-    low, high = ax.get_ylim()
-    ticks = (np.asarray(MaxNLocator(6).tick_values(low * length, high * length)) / length).tolist()
-    ax.set_yticks([tick for tick in ticks if low <= tick <= high])
+    low, high = axis.get_view_interval()
+    ticks = (np.asarray(MaxNLocator(6).tick_values(low * one, high * one)) / one).tolist()
+    axis.set_major_formatter(lambda value, _: f"{value * one:g}")
+    axis.set_ticks([tick for tick in ticks if low <= tick <= high])
 
 
 def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | None = None) -> Any:

@@ -103,8 +103,8 @@ def jump_gradient(
     return JumpGradient(vary, found.value, asked.slopes(found))
 
 
-def have_jumped(model: Any, p: Any) -> FloatArray:
-    """1 where the state has ended as ``mu0`` rises from 0 to its value in ``p``, 0 where not, NaN where tubes don't decide it.
+def have_jumped(model: Any, p: Any, vary: str, begin: float) -> FloatArray:
+    """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where tubes don't decide it.
 
     Returns
     -------
@@ -113,7 +113,7 @@ def have_jumped(model: Any, p: Any) -> FloatArray:
     """
     names = [name for name in model.parameters if getattr(p, name) is not None]
     p = p.replace(**dict(zip(names, p.broadcast(*names), strict=True)))  # each of the shape of all, without mu0 too
-    found = Followed(model, p, "mu0", "up", 0.0, p.mu0).ends(patient=False)
+    found = Followed(model, p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).ends(patient=False)
     out = np.where(np.isnan(found.value), 0.0, 1.0)
     out.flat[list(found.reasons)] = np.nan
     return out

@@ -440,12 +440,11 @@ class Model:
         return linked(self, p, vary, eq, turns)
 
     @question
-    def have_jumped(self, p: ParameterSet) -> FloatArray:
-        """1 where the state followed from no friction has ended at the μ₀ of p or below, else 0; NaN where that is not known."""
+    def have_jumped(self, p: ParameterSet, *, vary: str | None = None, begin: float | None = None) -> FloatArray:
+        """1 where the followed state has ended at the value in p of what rises or below, else 0; NaN where that is not known."""
         from .jumps import have_jumped
 
-        self._rising(None, 0.0)
-        return have_jumped(self, p)
+        return have_jumped(self, p, *self.rising(vary, begin))
 
     @question
     def precise_equilibria(
@@ -486,7 +485,7 @@ class Model:
         from .certificates import certify
 
         if claim == "no jump":
-            vary, begin = self._rising(vary, begin)
+            vary, begin = self.rising(vary, begin)
         return certify(low, high, claim, vary=vary, begin=begin, **options)
 
     @question
@@ -507,7 +506,7 @@ class Model:
         """
         from .probability import jump_probability
 
-        vary, begin = self._rising(vary, begin)
+        vary, begin = self.rising(vary, begin)
         return jump_probability(self, distribution, vary=vary, begin=begin, **options)
 
     @question
@@ -524,14 +523,14 @@ class Model:
         """
         from .jumps import jump_value
 
-        return jump_value(self, p, self._rising(vary, 0.0)[0], **options)
+        return jump_value(self, p, self.rising(vary, 0.0)[0], **options)
 
     @question
     def jump_gradient(self, p: ParameterSet, vary: str | None = None, **options: Any) -> JumpGradient:
         """Derivatives of :meth:`jump_value` by all parameters: see :func:`spragsym.models.jumps.jump_gradient`."""
         from .jumps import jump_gradient
 
-        return jump_gradient(self, p, self._rising(vary, 0.0)[0], **options)
+        return jump_gradient(self, p, self.rising(vary, 0.0)[0], **options)
 
     @question
     def jump_margin(
@@ -555,7 +554,7 @@ class Model:
         """
         from .redesigns import jump_margin
 
-        vary, begin = self._rising(vary, begin)
+        vary, begin = self.rising(vary, begin)
         return jump_margin(self, p, scale, vary=vary, begin=begin, prove=prove)
 
     @question
@@ -636,7 +635,7 @@ class Model:
             raise ParameterError(f"{self.name} has no parameters, so that nothing can vary")
         return self.axes[0] if vary is None else vary
 
-    def _rising(self, vary: str | None, begin: float | None) -> tuple[str, float]:
+    def rising(self, vary: str | None, begin: float | None) -> tuple[str, float]:
         """What rises unless told otherwise, the friction at full slip, and from where."""
         if vary is None and "mu0" not in self.parameters:
             raise ParameterError(

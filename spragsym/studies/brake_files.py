@@ -15,10 +15,11 @@ from ..errors import ParameterError, SpragsymError
 from ..files.text import decoded
 from ..models.load import USUAL
 from ..names import hint
-from ..parameters import Range
+from ..parameters import FINITE, Range
 from . import brake_quantities
 from .measured_tables import read_friction
 from .measurements import FrictionFit, fit_friction
+from .rises import Rise, rise_of
 from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
@@ -29,13 +30,14 @@ _LARGEST = 1 << 20
 
 @dataclass(frozen=True)
 class BrakeFile:
-    """What stands in a file: quantities, the model, the fit of the friction law if it was measured, and what varies together."""
+    """What stands in a file: quantities, model, the fit of a measured friction law, what varies together, and what rises."""
 
     path: str
     model: str
     quantities: Mapping[str, Measured]
     fit: FrictionFit | None = None
     correlation: Correlation = field(default_factory=dict)
+    rise: Rise | None = None
 
 
 class _Lines:
@@ -65,7 +67,8 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     ----------
     path : path
         A TOML file with one table, ``[brake]``: for each quantity a text with number, unit and, if it has one, a tolerance; and
-        ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together.
+        ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together; and ``vary = "F_L"`` where not the friction but a
+        quantity rises until the state jumps, with ``begin = "10 N"`` if not from its least value.
 
     Raises
     ------
@@ -78,7 +81,8 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     table = _table(text, lines)
     model = _model(table, lines)
     units = brake_quantities.quantity_units(model)
-    measured, together = table.pop("friction", None), table.pop("correlation", None)
+    measured, together, rising = table.pop("friction", None), table.pop("correlation", None), table.pop("vary", None)
+    begin = table.pop("begin", None)
     _check_names(table, units, model, lines)
     ranges = brake_quantities.ranges(model)
     found = {key: _quantity(key, table[key], units[key], ranges[key], lines) for key in units if key in table}
@@ -86,7 +90,8 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     if measured is not None:
         found, fit = _with_friction(measured, found, units, Path(path), lines)
     _check_complete(found, units, model, lines)
-    return BrakeFile(name, model, found, fit, _correlation(together, found, fit, lines))
+    rise = _rise(rising, begin, model, found, lines)
+    return BrakeFile(name, model, found, fit, _correlation(together, found, fit, lines), rise)
 
 
 def _text(path: Path, name: str) -> str:
@@ -155,7 +160,7 @@ def _model(table: dict[str, Any], lines: _Lines) -> str:
 
 
 def _check_names(table: Mapping[str, Any], units: Mapping[str, str], model: str, lines: _Lines) -> None:
-    known = [*units, "friction", "correlation", "model"]
+    known = [*units, "friction", "correlation", "model", "vary", "begin"]
     for key, value in table.items():
         if key not in known:
             remark = hint(key, known) or f"; the keys are {', '.join(known)}"
@@ -227,6 +232,18 @@ def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | N
     except ParameterError as error:
         raise ParameterError(f"{where}: {error}") from error
     return result
+
+
+def _rise(vary: Any, begin: Any, model: str, found: Mapping[str, Measured], lines: _Lines) -> Rise | None:
+    """What rises; an error names the line of what is wrong."""
+    units, key = brake_quantities.quantity_units(model), "vary" if begin is None else "begin"
+    if not isinstance(vary, str | None):
+        raise ParameterError(f'{lines.of("vary")}: vary = {vary!r} is no name of a quantity; write vary = "F_L"')
+    start = None if begin is None or vary not in units else _quantity("begin", begin, units[vary], FINITE, lines).value
+    try:
+        return rise_of(model, vary, begin if start is None else start, {name: one.value for name, one in found.items()})
+    except ParameterError as error:
+        raise ParameterError(f"{lines.of(key)}: {error}") from error
 
 
 def _check_complete(found: Mapping[str, Measured], units: Mapping[str, str], model: str, lines: _Lines) -> None:

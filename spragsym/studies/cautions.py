@@ -68,7 +68,8 @@ def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
     for state in found:
         if state.current and abs(state.x_mm) > FAR * length:
             yield (
-                "the state that is reached as friction rises from 0 has not jumped, and its mass is displaced by "
+                f"the state that is reached as {'friction' if study.rise is None else study.rise.word} rises has not jumped, and "
+                "its mass is displaced by "
                 f"{state.x_mm:.3g} mm all the same, {abs(state.x_mm) / length:.2g} of the length of the spring: that is "
                 "no small deformation"
             )

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..display import Result
-from .friction import of_statics
+from . import rises
 from .jump_verdicts import BoxCertificate, Chance
 from .study import Study
 
@@ -19,7 +19,8 @@ REACHES = ("never", "beyond", "faster", "within", "jumped")
 class Facts(Result):
     """Whether the state of small deformation jumps, and what is known of all brakes within the tolerances.
 
-    ``jump`` is NaN where it jumps at no friction up to ``top``, and None where that is not known. ``reach`` compares the
+    ``jump`` is NaN where it jumps at no friction up to ``top``, which ``looked`` says in words, and None where that is not
+    known; where another quantity rises it is that in SI, and so are all frictions here. ``reach`` compares the
     friction of the jump, as drawn otherwise, with that which works at the belt's speed, and with that at full slip: one of
     ``REACHES``, or ``""`` where nothing is known of it. ``speed`` is the belt's speed in m/s above which the largest friction
     within the tolerances reaches the jump; NaN where none does, or where the friction law is not known. ``within`` is what is
@@ -37,11 +38,7 @@ class Facts(Result):
     hits: bool | None
     unbounded: tuple[str, ...]
     top: float
-
-    @property
-    def nowhere(self) -> str:
-        """At which friction there is no jump, in words, where there is none."""
-        return "at any friction" if math.isinf(self.top) else f"at any friction up to {self.top:g}"
+    looked: str
 
     @property
     def sprags(self) -> bool:
@@ -63,10 +60,7 @@ def facts(
     study: Study, jump: float | None, top: float, speed: float, reached: BoxCertificate | None, odds: Chance | None
 ) -> Facts:
     """The facts of a study: where it jumps, up to where that was looked for, at what speed, certificate and probability."""
-    working = full = study.friction
-    if "mu0" in study.quantities:
-        one = study.quantities["mu0"]
-        full = of_statics(study, one.low), of_statics(study, one.value), of_statics(study, one.high)
+    working, full = rises.working(study), rises.full(study)
     if jump is None:
         reach = ""
     elif math.isnan(jump):
@@ -80,4 +74,5 @@ def facts(
         None if odds is None else odds.probability > 0,
         tuple(name for name in study.unbounded if name != "m"),  # of which no equilibrium depends
         top,
+        "" if study.rise is None else f"{study.rise.word}{'' if math.isinf(top) else f' up to {rises.amount(study, top)}'}",
     )  # fmt: skip

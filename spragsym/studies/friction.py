@@ -33,6 +33,8 @@ def law_of(study: Study) -> str:
     for the friction at a speed.
     """
     said = study.about["friction"]
+    if not said:
+        return "friction_at_rest"
     known = said["belt"] != "0" and set(said["quantities"]) <= set(study.quantities)
     return "friction_at_speed" if known and said["at_rest"] != "other" else "friction_at_rest"
 

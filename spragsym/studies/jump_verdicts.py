@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -14,10 +13,9 @@ from ..design.probability import estimated, probability_table, variable
 from ..display import Result, Table
 from ..models.certificates import Splitting
 from ..models.load import load
-from ..models.points import ranges
 from ..models.probability import measured
 from ..parameters import FloatArray, Range
-from . import brake_quantities, tolerance_boxes
+from . import brake_quantities, rises, tolerance_boxes
 from .effort import effort
 from .friction import bounds, law_of
 from .study import Study
@@ -69,14 +67,6 @@ class Chance(Result):
         return probability_table("Chance", self, ("", "first order", "total", "±"), rows)
 
 
-def top(study: Study) -> float:
-    """Up to which friction μ₀ a jump is looked for: all, or the end of a search; NaN for a model without it."""
-    model = load(study.model)
-    if "jump_value" in model.closed:
-        return math.inf
-    return float(ranges(model, ("mu0",), {})[0, 1]) if "mu0" in model.parameters else math.nan
-
-
 def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
     """Whether any brake within the tolerances jumps: proved, refuted by one that does, or undecided; ``hasty`` ends earlier.
 
@@ -90,7 +80,8 @@ def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
     if point is not None:
         return BoxCertificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
-    found = load(study.model).certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units)
+    along = rises.of(study).along
+    found = load(study.model).certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units, **along)
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
     outcome = found.outcome if found.outcome == "proved" else "undecided"
     return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
@@ -129,20 +120,16 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
     return ending(study, values_at(study, shares))
 
 
-def ending(study: Study, values: Mapping[str, Any], friction: float | None = None) -> FloatArray:
-    """The same of brakes by their quantities in SI: up to a friction, or up to the own one of each that works."""
-    model = load(study.model)
-    p, _ = brake_quantities.dimensionless(study.model, values)
-    at_speed = law_of(study) == "friction_at_speed"
-    works = p.mu0 * (brake_quantities.share(model, p) if at_speed else 1.0) if friction is None else friction
-    found: FloatArray = model.have_jumped(p.replace(mu0=np.broadcast_to(works, p.shape)))
+def ending(study: Study, values: Mapping[str, Any], target: float | None = None) -> FloatArray:
+    """The same of brakes by their quantities in SI: up to a target, or up to the own value of each that works."""
+    found: FloatArray = load(study.model).have_jumped(rises.risen(study, values, target), **rises.of(study).along)
     return found
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     """Corners between which all brakes lie, as of :func:`tolerance_boxes.corners`, with the μ₀ of the friction that works."""
     low, high, units = tolerance_boxes.corners(study)
-    if study.about["friction"]["at_rest"] == "mu0" and law_of(study) == "friction_at_speed":
+    if not _all_works(study):
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in zip((low, high), bounds(study), strict=True))
     return low, high, units
 
@@ -150,30 +137,40 @@ def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
 def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is proved not to.
 
-    (0, 1) where quantities vary together, or more of them vary than parts can be made of.
+    (0, 1) where quantities vary together, or more of them vary than parts can be made of, and where friction that works less than
+    fully is not what rises.
 
     Notes
     -----
     Source: :func:`spragsym.models.probability.measured` over the box of :func:`certificate`. Of the belt's speed and the law's
     steepness only how much of μ₀ works is taken, from least to most.
     """
+    rise = rises.of(study)
     names = [name for name in varied(study) if name in (*brake_quantities.balanced(study.model), "mu0")]
-    if not names or len(names) > _MOST_SIDES or correlated(study):
+    if not names or len(names) > _MOST_SIDES or correlated(study) or not (rise.is_friction or _all_works(study)):
         return 0.0, 1.0
     low, high, units = box(study)
-    splitting, sides = Splitting(low, high, "mu0", 0.0, units), tolerance_boxes.sides(study)
+    splitting, sides = Splitting(low, high, rise.name, rise.begin, units), tolerance_boxes.sides(study)
     laws = {side: _shares(study, *sides[side]) for side in splitting.free}
-    least, most = _shares_that_work(study)
-    up_to = _shares(study, "mu0", 1 / most), _shares(study, "mu0", 1 / least)
+    up_to = (_shares(study, *sides[rise.name]),) * 2
+    if rise.is_friction:
+        least, most = _shares_that_work(study)
+        up_to = _shares(study, "mu0", 1 / most), _shares(study, "mu0", 1 / least)
     below, above = measured(splitting, laws, up_to, parts)
     widths = [(one.high, one.high - one.low) for one in (study.quantities[name] for name in names)]
     off = parts * _ROUNDING * max(abs(end) / width for end, width in widths)
     return max(0.0, below - off), min(1.0, above + off)
 
 
+def _all_works(study: Study) -> bool:
+    """Whether statics takes the friction as the parameters have it, and not a share of μ₀."""
+    said = study.about["friction"]
+    return not said or said["at_rest"] != "mu0" or law_of(study) == "friction_at_rest"
+
+
 def _shares_that_work(study: Study) -> tuple[float, float]:
     """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
-    if study.about["friction"]["at_rest"] != "mu0" or law_of(study) == "friction_at_rest":
+    if _all_works(study):
         return 1.0, 1.0
     least, most = bounds(study.with_quantities({**study.quantities, "mu0": Measured(1.0, 1.0, 1.0, "")}))
     return max(_NOTHING, least), max(_NOTHING, most)

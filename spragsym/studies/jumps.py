@@ -16,7 +16,7 @@ from ..errors import ConvergenceError
 from ..models.balance import Balance
 from ..names import hint
 from ..parameters import FloatArray
-from . import friction
+from . import friction, rises
 from .states import of_springs, place_in_units
 from .study import Study
 
@@ -36,14 +36,14 @@ _SETTLES = {
 class JumpPeak(Result):
     """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or degrees.
 
-    ``before`` and ``after`` are the coordinates on the fold and of the state that is left there, by name and unit, and ``ranges``
-    how far each goes, attributes too. ``spring_force_N`` is that of the inclined spring, of several by their names;
-    ``contact_force_N`` is None without a contact. ``settles`` says what the motion comes to: ``"rest"``, ``"cycle"``,
-    ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over which it was looked at; ``lifts_off`` whether the
-    contact opens.
+    ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates on the fold and of the state
+    that is left there, by name and unit, and ``ranges`` how far each goes, attributes too. ``spring_force_N`` is that of the
+    inclined spring, of several by their names; ``contact_force_N`` is None without a contact. ``settles`` says what the motion
+    comes to: ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over which it was looked
+    at; ``lifts_off`` whether the contact opens.
     """
 
-    friction: float
+    at: float
     before: Mapping[str, float]
     after: Mapping[str, float]
     ranges: Mapping[str, tuple[float, float]]
@@ -61,33 +61,32 @@ class JumpPeak(Result):
         return found
 
 
-def jump_peak(study: Study, mu0: float, jump: float, speed: float) -> JumpPeak | None:
+def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak | None:
     """The jump as a motion; None where the belt's friction reaches none, the law is not known, or the motion creeps.
 
-    ``mu0`` is where statics has it, ``jump`` the friction there, and ``speed`` the least one of the belt in m/s that brings it.
+    ``value`` is that of the parameter that rises, ``jump`` what it is told as, and ``speed`` the least one of the belt in m/s
+    that brings a friction.
 
     Notes
     -----
-    Source: the equations of motion, (8)–(11), at the belt's speed, with the μ₀ at which the friction that works is that of the
-    jump; where no μ₀ within the tolerances is enough, at the largest and the speed at which it is. The motion begins at rest,
-    where the coordinate that moves most is a hundredth of the way from the fold to the state that is left, and the others are
-    balanced; forces are looked at over equal steps of time.
+    Source: the equations of motion, (8)–(11), at the belt's speed, where what rises is at the jump: friction by the μ₀ at which
+    that works; where no μ₀ within the tolerances is enough, at the largest and the speed at which it is. The motion begins at
+    rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is left, and the others
+    are balanced; forces are looked at over equal steps of time.
     """
-    if friction.law_of(study) != "friction_at_speed" or not study.moves or (jump > study.friction[2] and math.isnan(speed)):
+    rise, scales = rises.of(study), study.scales
+    at = _moving(study, value, jump, speed)
+    if at is None:
         return None
-    p, scales = study.dimensionless, study.scales
+    p = study.dimensionless if rise.is_friction else study.at_work
     model = p.model
-    path = model.quasi_static_path(p, "mu0", [0.0, mu0 * (1 + 1e-6) + 1e-9])
+    path = model.quasi_static_path(p, rise.name, [rise.begin, value + 1e-6 * abs(value) + 1e-9])
     if not path.jumps:
         return None
     turn = path.jumps[0]
     begin, end = (np.array([where[name] for name in model.coordinates]) for where in (turn.before, turn.after))
-    at = p.replace(mu0=1.0)
-    if jump > study.friction[2]:
-        at = at.replace(**{model.about["friction"]["belt"]: speed * scales.time / scales.length})
-    at = at.replace(mu0=jump / float(model.friction(at)))  # to which the law is proportional
     held = int(np.abs(end - begin).argmax())
-    start = _balanced(model, p.replace(mu0=mu0), begin + AWAY * (end - begin), held)
+    start = _balanced(model, p.replace(**{rise.name: value}), begin + AWAY * (end - begin), held)
     for t_end in _T_END:
         try:
             motion = model.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
@@ -116,6 +115,22 @@ def jump_peak(study: Study, mu0: float, jump: float, speed: float) -> JumpPeak |
         None if contact is None else _scaled(contact, scales.force), contact is not None and contact[0] == 0,
         _SETTLES.get(comes_to, "unsettled"), float(motion.t[-1] * scales.time),
     )  # fmt: skip
+
+
+def _moving(study: Study, value: float, jump: float, speed: float) -> Any:
+    """The parameters of the motion where it jumps; None where the law is not known or brings no such friction."""
+    p, rise = study.dimensionless, rises.of(study)
+    model = p.model
+    if not study.moves or (model.about["friction"] and friction.law_of(study) != "friction_at_speed"):
+        return None
+    if not rise.is_friction:
+        return p.replace(**{rise.name: value})
+    if jump > study.friction[2] and math.isnan(speed):
+        return None
+    at = p.replace(mu0=1.0)
+    if jump > study.friction[2]:
+        at = at.replace(**{model.about["friction"]["belt"]: speed * study.scales.time / study.scales.length})
+    return at.replace(mu0=jump / float(model.friction(at)))  # to which the law is proportional
 
 
 def _balanced(model: Any, p: Any, place: FloatArray, held: int) -> FloatArray:

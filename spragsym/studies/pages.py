@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import MissingExtraError, SpragsymError
+from . import rises
 from .oscillations import first_unit
 from .reports import Report
 from .study import Study
@@ -60,13 +61,13 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
     """Each picture as SVG, with its caption; none of a plane that the model does not have."""
     from ..figures import brakes
 
-    p = study.at_work
-    if "mu0" in p.model.parameters:
+    if study.rise is not None:
+        yield from planes(study, report)
+    if study.rise is not None and study.rise.is_friction:
         low, _, high = study.friction
         known = (value for value in report.folds["mu0"].mu0.tolist() if value < 3) if "mu0" in report.folds else ()
         top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
-        yield from planes(study, report)
-        yield from stability_map(study, p, (low, high), top)
+        yield from stability_map(study, study.at_work, (low, high), top)
     if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
         shares = report.probability.sobol
         yield (
@@ -78,13 +79,14 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
 
 
 def planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
-    """The brake in the plane of angle and friction, where there is an angle, and its states as the friction rises."""
+    """The brake in the plane of angle and friction, where that rises and there is an angle, and its states as what rises does."""
     from ..figures import brakes
 
-    (low, _, high), p, first = study.friction, study.at_work, study.about["coordinates"][0]
+    (low, _, high), p, first = rises.working(study), study.at_work, study.about["coordinates"][0]
+    rise = rises.of(study)
     unit, size = ("mm", 1e3 * study.scales.length) if first["unit"] == "m" else ("deg", 180 / math.pi)
     jump = math.nan if report.mu_jump is None else report.mu_jump
-    if "theta0" in p.model.parameters:
+    if "theta0" in p.model.parameters and rise.is_friction:
         angles = study.quantities["theta0"]
         shaded = (
             "Shaded: three states of sliding; on the lines two of them meet."
@@ -99,12 +101,21 @@ def planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
                     " Cross: the friction at which the state of small deformation jumps at this angle." if jump < math.inf else ""
                 ),
             )
-    label = f"{first['name']} in {unit}"
+    options: dict[str, Any] = dict(length=size, label=f"{first['name']} in {unit}", n=_VALUES)
+    if not rise.is_friction:
+        one, scale = study.quantities[rise.quantity], rises.scale(study)
+        low, high = low / scale, high / scale
+        across = f"{rise.quantity} in {one.unit}" if one.unit else rise.quantity
+        options |= {**rise.along, "size": study.in_file(rise.quantity, scale), "across": across}
     yield (
-        picture(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=size, label=label, n=_VALUES)),
-        f"{_capital(first['meaning'])} as the friction rises from 0 (red, with its jumps); grey: all states, full where stable. "
-        "Shaded: the friction within its tolerances.",
+        picture(lambda ax: brakes.draw_rising(p, (low, high), ax=ax, **options)),
+        f"{_capital(first['meaning'])} as {_what(rise)} rises (red, with its jumps); grey: all states, full where stable. "
+        f"Shaded: {_what(rise)} within its tolerances.",
     )
+
+
+def _what(rise: rises.Rise) -> str:
+    return "the friction" if rise.is_friction else rise.quantity
 
 
 def _capital(text: str) -> str:

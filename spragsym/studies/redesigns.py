@@ -19,7 +19,7 @@ from ..display import Result
 from ..errors import SpragsymError
 from ..models.load import load
 from ..parameters import FloatArray
-from . import brake_quantities
+from . import brake_quantities, rises
 from .effort import effort
 from .jump_verdicts import certificate, counterexample, ending, jumping
 from .study import Study
@@ -40,7 +40,7 @@ _DIGITS = 3
 
 @dataclass(frozen=True)
 class Change(Result):
-    """A new design: the quantities that change, in SI, before and after; where it jumps; and how far it is, in tolerances.
+    """A new design: what changes, in SI, before and after; where it jumps, as the report tells it; how far it is, in tolerances.
 
     ``outcome`` is that of the certificate that nothing jumps within the tolerances about it: ``"proved"``, or ``"undecided"`` if
     no proof was found, and neither was a brake that jumps. ``probability`` is the share of brakes within them that jump: 0 if
@@ -49,14 +49,14 @@ class Change(Result):
 
     before: Mapping[str, float]
     after: Mapping[str, float]
-    mu_jump: float
+    jump_at: float
     distance: float
     probability: float
     outcome: str
 
 
 def changes(study: Study, target: float) -> tuple[Change, ...]:
-    """Changes that keep the jump at or beyond a friction, and beyond the largest one given for all brakes within the tolerances.
+    """Changes that keep the jump at or beyond a target, and beyond the largest value given for all brakes within the tolerances.
 
     Single quantities, nearest first, and last the least joint change.
 
@@ -64,7 +64,7 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     ----------
     study : Study
     target : float
-        The friction below which nothing may jump.
+        The friction, or value of what rises in SI, below which nothing may jump.
 
     Notes
     -----
@@ -79,19 +79,20 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
 
 def distance(study: Study) -> float:
-    """The nearest jump in tolerances at the friction that works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
+    """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
     names = (*brake_quantities.balanced(study.model), "mu0")
     scale = {name: size for name, size in study.tolerances.items() if name in names}
     if not scale:
         return math.nan
-    return float(load(study.model).jump_margin(design(study), scale).distance)
+    return float(load(study.model).jump_margin(design(study), scale, **rises.of(study).along).distance)
 
 
 def design(study: Study) -> Design:
     """The brake as drawn, with the friction that works, as a design of the model: quantities in SI."""
     model = load(study.model)
+    works = {"mu0": float(study.at_work.mu0)} if "mu0" in model.parameters else {}
     return Design(
-        {**study.values, "mu0": float(study.at_work.mu0)},
+        {**study.values, **works},
         brake_quantities.ranges(study.model, study.values),
         partial(brake_quantities.groups, study.model),
         dict,
@@ -104,7 +105,7 @@ class _Search:
 
     def __init__(self, study: Study, target: float) -> None:
         self.study, self.target, self.effort = study, target, effort(study)
-        self.names = tuple(name for name in brake_quantities.balanced(study.model) if name != "mu0")
+        self.names = tuple(name for name in brake_quantities.balanced(study.model) if name != rises.of(study).quantity)
         self.scale = {name: self._scale(name) for name in self.names}
         self.allowed = brake_quantities.ranges(study.model, study.values)
         self.corners = corners(study)
@@ -199,11 +200,15 @@ class _Search:
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
-        study, names = self.study, tuple(name for name in self.names if name in self.study.tolerances)
+        study, rise = self.study, rises.of(self.study)
+        # Where a unit of what rises changes, the target is another one of its parameter.
+        free = [name for name in self.names if name not in rises.units(study)]
+        names = tuple(name for name in free if name in study.tolerances)
         try:
-            names = names if len(names) > 1 else self._movers()[:3]
+            names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
             scale = {name: self.scale[name] for name in names}
-            after = load(study.model).redesign(design(study), names, {"mu0": self.target}, scale).parameters
+            target = {rise.name: self.target / rises.scale(study)}
+            after = load(study.model).redesign(design(study), names, target, scale, **rise.start).parameters
         except SpragsymError:
             return None
         if not isinstance(after, dict):
@@ -217,10 +222,12 @@ class _Search:
         return self._first_proved(allowed)
 
     def _movers(self) -> tuple[str, ...]:
-        """Quantities by how far one tolerance of each moves the friction of the jump."""
+        """Quantities by how far one tolerance of each moves the jump."""
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
-        slopes, found = designs.slopes(z), load(self.study.model).jump_gradient(designs.sets(z), "mu0").slopes
+        rise = rises.of(self.study)
+        found = load(self.study.model).jump_gradient(designs.sets(z), rise.name, **rise.start).slopes
+        slopes = designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
 
@@ -266,7 +273,7 @@ class _Search:
         study = self.study
         new, before = study.changed(after), {name: study.values[name] for name in after}
         try:
-            jump = float(load(study.model).jump_value(new.dimensionless, "mu0"))
+            jump = rises.told(new, rises.jump(new))
         except SpragsymError:
             return None
         outcome, (few, many) = certificate(new, hasty=True).outcome, self.effort.shares

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from . import rises
 from .fold_rows import FoldRow, fold_rows
 from .jump_verdicts import Chance
 from .jumps import JumpPeak
@@ -49,11 +50,12 @@ def as_json(report: Report) -> dict[str, Any]:
         },
         "certificate": _certificate_json(report),
         **_chance_json(odds),
-        "redesign": [_change_json(report.study, report.target, one) for one in report.redesign],
+        "redesign": [_change_json(report, one) for one in report.redesign],
         "warnings": list(report.warnings),
         "reach": report.facts.reach or None, "speed_jump": _speed_json(report),
-        "jump": None if report.peak is None else _peak_json(report.peak),
-        "verdict": report.verdict, "folds": [_fold_json(row) for row in fold_rows(report)],
+        "jump": None if report.peak is None else _peak_json(report, report.peak),
+        "verdict": report.verdict, "folds": [_fold_json(report, row) for row in fold_rows(report)],
+        "vary": report.vary, "jump_at": _told(report, report.jump_at),
     }  # fmt: skip
 
 
@@ -80,18 +82,32 @@ def _state_json(state: State) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _peak_json(peak: JumpPeak) -> dict[str, Any]:
+def _told(report: Report, value: float | None) -> dict[str, Any] | None:
+    """A value of what rises, in the unit of the file; friction as a number."""
+    if value is None or report.vary is None:
+        return None
+    rise = rises.of(report.study)
+    return {"value": value, "unit": ""} if rise.is_friction else _in_file(report.study, {rise.quantity: value})[rise.quantity]
+
+
+def _of_friction(report: Report, value: float) -> float | None:
+    """A value of what rises, if that is the friction."""
+    return value if report.study.rise is not None and report.study.rise.is_friction else None
+
+
+def _peak_json(report: Report, peak: JumpPeak) -> dict[str, Any]:
     first = next(iter(peak.before))
     unit = first.rpartition("_")[2]
     return {
-        "friction": peak.friction, f"from_{unit}": peak.before[first], f"to_{unit}": peak.after[first], **peak.ranges,
+        "friction": _of_friction(report, peak.at), "at": _told(report, peak.at),
+        f"from_{unit}": peak.before[first], f"to_{unit}": peak.after[first], **peak.ranges,
         "spring_force_N": peak.spring_force_N, "contact_force_N": peak.contact_force_N, "lifts_off": peak.lifts_off,
         "settles": peak.settles, "followed_s": peak.followed_s,
     }  # fmt: skip
 
 
-def _fold_json(row: FoldRow) -> dict[str, Any]:
-    return {**asdict(row), "ends": row.ends or None, "when": row.when or None}
+def _fold_json(report: Report, row: FoldRow) -> dict[str, Any]:
+    return {**asdict(row), "value": _told(report, row.value), "ends": row.ends or None, "when": row.when or None}
 
 
 def _in_file(study: Study, values: Mapping[str, float]) -> dict[str, Any]:
@@ -110,10 +126,12 @@ def _certificate_json(report: Report) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def _change_json(study: Study, target: float, one: Change) -> dict[str, Any]:
+def _change_json(report: Report, one: Change) -> dict[str, Any]:
+    study = report.study
     return {
-        "from": _in_file(study, one.before), "to": _in_file(study, one.after), "mu_jump": one.mu_jump,
-        "target": target, "distance": one.distance, "probability": one.probability, "outcome": one.outcome,
+        "from": _in_file(study, one.before), "to": _in_file(study, one.after), "jump_at": _told(report, one.jump_at),
+        "mu_jump": _of_friction(report, one.jump_at), "target": (_told(report, report.target) or {})["value"],
+        "distance": one.distance, "probability": one.probability, "outcome": one.outcome,
     }  # fmt: skip
 
 

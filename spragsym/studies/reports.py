@@ -13,12 +13,12 @@ from ..display import Result
 from ..errors import ParameterError, SpragsymError
 from ..progress import doing, show_progress, tell
 from ..results.points import Points
-from . import brake_quantities
+from . import brake_quantities, rises
 from .cautions import cautions
 from .effort import effort
 from .facts import Facts, facts
 from .friction import of_statics, speed_for
-from .jump_verdicts import BoxCertificate, Chance, bracket, certificate, chance, top
+from .jump_verdicts import BoxCertificate, Chance, bracket, certificate, chance
 from .jumps import JumpPeak, jump_peak
 from .oscillations import Oscillation, oscillation_of
 from .redesigns import Change, changes, distance
@@ -35,6 +35,10 @@ class Report(Result):
 
     Attributes
     ----------
+    vary : str or None
+        The quantity that rises until the state jumps: ``"mu0"`` for the friction.
+    jump_at : float or None
+        Where it jumps: ``mu_jump``, or the value of another quantity that rises, in SI.
     mu_jump, theta0_jump_deg : float or None
         Friction at which the state of small deformation jumps at this angle, and angle at which it does at this friction; NaN
         where it never does. Of a model whose statics does not take mu0 itself, it is the friction of its law there.
@@ -49,7 +53,7 @@ class Report(Result):
     mu_effective : float
         The friction that works at the speed of the belt, by the model's law.
     margin_percent : float or None
-        By how much ``mu_jump`` exceeds the largest friction within the tolerances; NaN where nothing jumps.
+        By how much ``jump_at`` exceeds the largest value within the tolerances; NaN where nothing jumps.
     distance : float
         The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that is not known.
     states : tuple of State
@@ -65,7 +69,8 @@ class Report(Result):
     needed : bool
         Whether changes were looked for.
     target : float
-        The friction that the changes of ``redesign`` are for: at the belt's speed, or at full slip if it jumps at no other.
+        The value of what rises that the changes of ``redesign`` are for; of friction at the belt's speed, or at full slip if it
+        jumps at no other.
     peak : JumpPeak or None
         The jump as a motion, if there is one at a friction that the belt may reach.
     facts : Facts
@@ -75,6 +80,8 @@ class Report(Result):
         A sentence on the jump, and one on the motion where steady sliding is not all.
     """
 
+    vary: str | None
+    jump_at: float | None
     mu_jump: float | None
     theta0_jump_deg: float | None
     mu0_jump: float | None
@@ -147,23 +154,32 @@ class _Asked:
             self.remarks.append(f"{what} not known: {reason}")
             return None
 
-    def jump(self, p: Any, vary: str, top: float = math.inf) -> float | None:
-        """Where the state of small deformation jumps as a parameter rises."""
-        if vary not in p.model.parameters:
+    def jump(self, top: float) -> float | None:
+        """Where the state of small deformation jumps as what rises does, as its parameter."""
+        study = self.study
+        if study.rise is None:
             self.remarks.append(
-                f"the model has no {vary}: a jump along it is not defined; call what rises {vary} in the page, or follow another "
-                "parameter, with jump_value(p, vary=...) or spragsym critical --vary"
+                f"the model has no mu0 that would rise until the state jumps; say which quantity does, as in vary = "
+                f'"{next(iter(rises.may_rise(study.model)), "F")}"'
             )
             return None
-        found = self.known(f"the jump along {vary} is", lambda: p.model.jump_value(p, vary))
-        if found is not None and math.isnan(found) and self.study.quantities[vary].high > top:
-            self.remarks.append(f"the jump along {vary} is not known: it was looked for up to {top:g}, and there is none")
+        found = self.known(f"the jump along {study.rise.quantity} is", partial(rises.jump, study))
+        if found is not None and math.isnan(found) and rises.working(study)[2] > top:
+            below = f"it was looked for up to {rises.amount(study, top)}, and there is none"
+            self.remarks.append(f"the jump along {study.rise.quantity} is not known: {below}")
             return None
-        return None if found is None else float(found)
+        return found
+
+    def angle(self, at: Any) -> float | None:
+        """Where the state jumps as the inclination rises, in degrees."""
+        if "theta0" not in at.model.parameters or (self.study.rise is not None and self.study.rise.name == "theta0"):
+            return None
+        found = self.known("the jump along theta0 is", lambda: at.model.jump_value(at, "theta0"))
+        return None if found is None else math.degrees(found)
 
     def lowest(self, p: Any) -> tuple[float | None, float | None, str]:
         """Friction, angle in degrees and kind of the lowest end over all angles."""
-        if not {"theta0", "mu0"} <= set(p.model.parameters):
+        if not self._has_plane(p):
             return None, None, ""
         found = self.known("the friction below which it jumps at no angle is", lambda: p.model.critical_friction(p))
         if found is None:
@@ -179,9 +195,13 @@ class _Asked:
 
     def cusp(self, p: Any) -> float | None:
         """Friction of the lowest cusp."""
-        if not {"theta0", "mu0"} <= set(p.model.parameters):
+        if not self._has_plane(p):
             return None
         return self.known("the lowest cusp is", lambda: of_statics(self.study, float(p.model.cusp_friction(p))))
+
+    def _has_plane(self, p: Any) -> bool:
+        """Whether friction rises, at an inclination."""
+        return self.study.rise is not None and self.study.rise.is_friction and "theta0" in p.model.parameters
 
     def folds(self, sets: Mapping[str, Any]) -> dict[str, Points]:
         """Folds along each parameter of these sets."""
@@ -190,14 +210,15 @@ class _Asked:
             points = self.known(f"folds along {vary} are", partial(p.model.folds, p, vary))
             if points is not None:
                 found[vary] = points
-        if "mu0" in found and not found["mu0"].complete:
-            self.remarks.append(f"that the folds below are all along mu0 is not proved: {'; '.join(found['mu0'].remarks)}")
+        name = None if self.study.rise is None else self.study.rise.name
+        if name in found and not found[name].complete:
+            self.remarks.append(f"that the folds below are all along {name} is not proved: {'; '.join(found[name].remarks)}")
         return found
 
 
 def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int | None) -> Report:
-    low, working, high = study.friction
-    if high == 0 and "mu0" in study.quantities and study.quantities["mu0"].high > 0:
+    rise, friction = study.rise, study.friction
+    if friction[2] == 0 and "mu0" in study.quantities and study.quantities["mu0"].high > 0:
         law = " and ".join(brake_quantities.of_the_law(study.model))
         without = f", or leave {law} out for friction at full slip" if law else ""
         raise ParameterError(
@@ -205,61 +226,61 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
             f"friction there; give the speed of the belt{without}"
         )
     tell("jumps, lowest fold and states")
-    p, at, asked, end = study.dimensionless, study.at_work, _Asked(study), top(study)
-    rises = "mu0" in p.model.parameters
-    mu0_jump, theta0_jump = asked.jump(p, "mu0", end), asked.jump(at, "theta0")
-    mu_jump, speed = mu0_jump, math.nan
-    if mu0_jump is not None and not math.isnan(mu0_jump):
-        mu_jump = of_statics(study, mu0_jump)
-        speed = speed_for(study, mu_jump)
-    lowest, mu_cusp = asked.lowest(p), asked.cusp(p)
+    p, at, asked, end = study.dimensionless, study.at_work, _Asked(study), rises.top(study)
+    value = asked.jump(end)
+    jump, speed = value, math.nan
+    if value is not None and not math.isnan(value):
+        jump = rises.told(study, value)
+        speed = speed_for(study, jump) if rises.of(study).is_friction else math.nan
+    of_friction = rise is not None and rise.is_friction
+    theta0_jump, lowest, mu_cusp = asked.angle(at), asked.lowest(p), asked.cusp(p)
     eq = at.model.equilibria(at)
     here = asked.known("the state that the brake is in is", lambda: current(study, eq))
     found = states(study, eq, here)
-    if here is None and not rises:
-        asked.remarks.append("which of the states the brake is in is not known: the model has no mu0 that could rise from 0")
+    if here is None and rise is None:
+        asked.remarks.append("which of the states the brake is in is not known: nothing is said to rise to where it is")
     if not eq.complete:
         asked.remarks.append(f"that these are all states is not proved: {'; '.join(eq.remarks)}")
-    turns = asked.folds({name: one for name, one in (("mu0", p), ("theta0", at)) if name in p.model.parameters})
+    along = {} if rise is None else {rise.name: p if of_friction else at}
+    turns = asked.folds(along | ({"theta0": at} if "theta0" in p.model.parameters else {}))
     tell("the proof for all within the tolerances")
-    reached = (
-        asked.known("whether nothing within the tolerances jumps is", lambda: certificate(study))
-        if probability and rises
-        else None
-    )
+    proving = probability and rise is not None
+    reached = asked.known("whether nothing within the tolerances jumps is", lambda: certificate(study)) if proving else None
     moving = oscillation and study.moves
     tell("the jump as a motion" if moving else "")
     peak = lives = None
-    if moving and mu0_jump is not None and mu_jump is not None and not math.isnan(mu_jump):
-        peak = asked.known("the jump as a motion is", lambda: jump_peak(study, mu0_jump, mu_jump, speed))
+    if moving and value is not None and jump is not None and not math.isnan(jump):
+        peak = asked.known("the jump as a motion is", lambda: jump_peak(study, value, jump, speed))
     tell("the oscillation" if moving else "the probability of a jump")
     if moving:
         settles = next((state.settles for state in found if state.current), None)
         holds = any(state.stable for state in found if state.current or here is None)
         lives = asked.known("the oscillation is", lambda: oscillation_of(study, settles, holds))
     tell("the probability of a jump")
-    odds = _chance(asked, reached, n) if probability and rises else None
-    tell("what to change" if redesign else "")
-    so = facts(study, mu_jump, of_statics(study, end) if rises else end, speed, reached, odds)
+    odds = _chance(asked, reached, n) if proving else None
+    so = facts(study, jump, end, speed, reached, odds)
     faster = so.reach == "faster"
-    target = safety * (so.full[2] if faster else high)
-    sprags = mu_jump is not None and (mu_jump < target or so.hits or so.within == "refuted")
-    plain = bool(p.model.about["friction"]) and p.model.about["friction"]["at_rest"] == "mu0"
-    wanted, within = redesign and bool(sprags), not faster or mu_jump is None or mu_jump <= so.full[2]
+    target = safety * (so.full[2] if faster else so.working[2])
+    sprags = jump is not None and (jump < target or so.hits or so.within == "refuted")
+    plain = not of_friction or p.model.about["friction"]["at_rest"] == "mu0"
+    wanted, within = redesign and bool(sprags), not faster or jump is None or jump <= so.full[2]
     needed = wanted and target > 0 and plain and within
     if wanted and not plain:
         asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")
-    tell("the nearest jump" if rises else "")
-    nearest = asked.known("the nearest jump is", partial(distance, study)) if rises else None
-    margin = None if mu_jump is None else 100 * (mu_jump / high - 1) if high > 0 else math.inf
+    tell("what to change" if needed else "")
+    changed = changes(study.at_full_slip() if faster else study, target) if needed else ()
+    tell("the nearest jump" if rise is not None else "")
+    nearest = asked.known("the nearest jump is", partial(distance, study)) if rise is not None else None
+    high = so.working[2]
+    margin = None if jump is None else 100 * (jump / high - 1) if high > 0 else math.inf
     parts: dict[str, Any] = dict(
-        mu_jump=mu_jump, theta0_jump_deg=None if theta0_jump is None else math.degrees(theta0_jump), mu0_jump=mu0_jump,
-        mu_lowest=lowest[0], theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=working,
+        vary=None if rise is None else rise.quantity, jump_at=jump, mu_jump=jump if of_friction else None,
+        theta0_jump_deg=theta0_jump, mu0_jump=value if of_friction else None,
+        mu_lowest=lowest[0], theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=friction[1],
         margin_percent=margin, distance=math.nan if nearest is None else nearest, states=found, folds=turns,
         oscillation=lives, certificate=reached,
-        complete=bool(eq.complete and (not rises or ("mu0" in turns and turns["mu0"].complete))),
-        probability=odds, redesign=changes(study.at_full_slip() if faster else study, target) if needed else (),
-        needed=needed, target=target, peak=peak, facts=so,
+        complete=bool(eq.complete and (rise is None or (rise.name in turns and turns[rise.name].complete))),
+        probability=odds, redesign=changed, needed=needed, target=target, peak=peak, facts=so,
         warnings=(*cautions(study, found, so.jumped), *asked.remarks), study=study,
     )  # fmt: skip
     from .texts import verdict

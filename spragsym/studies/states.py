@@ -90,13 +90,13 @@ def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
 def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
     """The coordinates of the state that the brake is in; None where that can't be said.
 
-    It is the one that is reached from small deformation as the friction rises from 0; without μ₀, the only one of ``eq``.
+    It is the one that is reached from small deformation as what rises does; where nothing is said to, the only one of ``eq``.
     """
-    at = study.at_work
-    if "mu0" not in at.model.parameters:
+    at, rise = study.at_work, study.rise
+    if rise is None:
         return {name: float(column[0]) for name, column in eq.coordinates.items()} if int(eq.count) == 1 else None
-    (mu0,) = at.scalars("mu0")
-    path = at.model.quasi_static_path(at, "mu0", [0.0, mu0] if mu0 > 0 else [0.0])
+    (value,) = at.scalars(rise.name)
+    path = at.model.quasi_static_path(at, rise.name, [rise.begin, value] if value > rise.begin else [rise.begin])
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 

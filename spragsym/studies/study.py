@@ -16,9 +16,10 @@ from ..errors import ParameterError
 from ..models.load import USUAL
 from ..names import hint
 from ..parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
-from . import brake_quantities
+from . import brake_quantities, rises
 from .brake_files import BrakeFile, read_brake
 from .measurements import FrictionFit
+from .rises import Rise
 from .units import Measured, factor, read, shown_in
 
 if TYPE_CHECKING:
@@ -45,6 +46,10 @@ class Study:
         Quantities that vary together, see :func:`spragsym.jump_probability`.
     model : str, optional
         Name or folder of the model.
+    vary : str, optional
+        The quantity that rises until the state jumps, where that is not the friction: a load, a stiffness, an angle.
+    begin : float, optional
+        From where it rises, in SI, instead of its least value.
 
     Attributes
     ----------
@@ -54,6 +59,8 @@ class Study:
         Name of the model.
     fit : FrictionFit or None
         The fit of the friction law, if it was measured.
+    rise : Rise or None
+        What rises until the state jumps; None for a model without mu0 of which that is not said.
 
     Examples
     --------
@@ -66,7 +73,7 @@ class Study:
 
     def __init__(
         self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,
-        correlation: Correlation | None = None, *, model: str = USUAL,
+        correlation: Correlation | None = None, *, model: str = USUAL, vary: str | None = None, begin: float | None = None,
     ) -> None:  # fmt: skip
         units, ranges = brake_quantities.quantity_units(model), brake_quantities.ranges(model)
         given = _given(parameters, model, ranges)
@@ -78,6 +85,7 @@ class Study:
             name: _measured(name, given[name], off.get(name), units[name], ranges[name]) for name in units if name in given
         }
         self.model, self.source, self.fit, self.correlation = model, "", None, dict(correlation or {})
+        self.rise = rises.rise_of(model, vary, begin, given)
         dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
 
     @classmethod
@@ -90,7 +98,7 @@ class Study:
         """The study of what was read from a file."""
         study = cls.__new__(cls)
         study.quantities, study.model, study.source = data.quantities, data.model, Path(data.path).name
-        study.fit, study.correlation = data.fit, data.correlation
+        study.fit, study.correlation, study.rise = data.fit, data.correlation, data.rise
         return study
 
     def changed(self, after: Mapping[str, float]) -> Study:
@@ -103,12 +111,14 @@ class Study:
         study = Study.__new__(Study)
         study.quantities = quantities
         study.model, study.source, study.fit, study.correlation = self.model, self.source, self.fit, self.correlation
+        study.rise = self.rise
         return study
 
     source: str
     model: str
     fit: FrictionFit | None
     correlation: Correlation
+    rise: Rise | None
 
     @property
     def unbounded(self) -> tuple[str, ...]:

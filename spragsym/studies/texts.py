@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..models.load import USUAL
+from . import rises
 from .facts import Facts
 from .fold_rows import fold_rows
 from .jump_verdicts import Chance
@@ -51,20 +53,23 @@ def _on_the_motion(parts: Mapping[str, Any]) -> str:
 def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
     so: Facts = parts["facts"]
     (low, _, high), full, jump = so.working, so.full[2], so.jump
+    rise = study.rise
     model = "" if study.model == USUAL else f" with the model {study.model}"
     state = "the state of small deformation"
-    if "theta0" in study.quantities:
+    angle = "theta0" in study.quantities and (rise is None or rise.name != "theta0")
+    if angle:
         state = f"at {study.shown('theta0', study.values['theta0'])} {state}"
-    if jump is None:
+    if jump is None or rise is None:
         return _unknown(study, parts)
     if so.reach in ("never", "beyond"):
         if so.reach == "never":
             what = "has no jump at this angle"
             if parts["mu_lowest"] is None or math.isinf(parts["mu_lowest"]):
-                what = f"has no jump {so.nowhere}"
+                what = f"has no jump at any {so.looked}"
         else:
-            above = f", {100 * (jump / full - 1):.0f} % above the largest that you have, {full:.3g}" if full > 0 else ""
-            what = f"jumps at a friction of {jump:.4g}{above}"
+            what = f"jumps at {rises.named(study, jump)}"
+            if full > 0:
+                what += f", {100 * (jump / full - 1):.0f} % above the largest that you have, {rises.amount(study, full, 3)}"
         begin = "As drawn it does not sprag" if so.within == "refuted" or so.hits else "It does not sprag"
         return f"{begin}{model}: {state} {what}{_within(study, parts)}."
     if so.reach == "faster":
@@ -77,9 +82,10 @@ def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
             f"It sprags{model} {above}: {state} jumps at a friction of {jump:.4g}; at {at} {works} "
             f"works, and it does not jump{_within(study, parts)}."
         )
-    friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
+    ends = [rises.amount(study, end, 3) for end in ((low, high) if high > low else (high,))]
     where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
-    return f"It sprags{model}: {state} jumps at a friction of {jump:.4g}, {where} friction {friction}{_within(study, parts)}."
+    yours = f"{where} {rise.word} {' to '.join(ends)}"
+    return f"It sprags{model}: {state} jumps at {rises.named(study, jump)}, {yours}{_within(study, parts)}."
 
 
 def _unknown(study: Study, parts: Mapping[str, Any]) -> str:
@@ -90,8 +96,8 @@ def _unknown(study: Study, parts: Mapping[str, Any]) -> str:
     count = "one state" if len(states) == 1 else f"{len(states)} states"
     stable = sum(state.stable for state in states)
     why = "whether it sprags is not known"
-    if "mu0" not in {entry["name"] for entry in about["parameters"]}:
-        why = "it has no mu0 along which a jump would be looked for"
+    if study.rise is None:
+        why = "nothing is said to rise until it jumps"
     return f"With the model {study.model} there {'is' if len(states) == 1 else 'are'} {count}{where}, {stable} stable; {why}."
 
 
@@ -157,42 +163,49 @@ def lines(rows: Iterable[tuple[str, str]]) -> list[str]:
 def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     for title, rows in (
-        ("Jump", _jump(report)), ("The jump as a motion", _peak(report)), ("State", _state(report)), ("Folds", _folds(report)),
+        ("Jump", itertools.chain(_friction(report), _rise(report))),
+        ("The jump as a motion", _peak(report)), ("State", _state(report)), ("Folds", _folds(report)),
         ("Tolerances", _tolerances(report)),
         ("Oscillation", _oscillation(report)), (_aim(report), _changes(report)),
     ):  # fmt: skip
         yield title, list(rows)
 
 
-def _jump(report: Report) -> Iterator[tuple[str, str]]:
-    study, so = report.study, report.facts
-    low, working, high = so.working
-    if not study.about["friction"]:
+def _friction(report: Report) -> Iterator[tuple[str, str]]:
+    low, working, high = report.study.friction
+    if not report.study.about["friction"]:
         return
     yield ("friction at the belt's speed", f"{working:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""))
+
+
+def _rise(report: Report) -> Iterator[tuple[str, str]]:
+    """Where it jumps as what rises does, and how far that is."""
+    study, so, rise = report.study, report.facts, report.study.rise
+    if rise is None:
+        return
     if so.slow:
         yield ("friction at full slip", f"{so.full[1]:.4g}" + (f", up to {so.full[2]:.4g}" if so.full[2] > so.full[1] else ""))
-    if "mu0" not in study.quantities:
-        return
-    jump = math.nan if report.mu_jump is None else report.mu_jump
-    never = "never" if math.isinf(so.top) else f"at no friction up to {so.top:g}"
+    jump, high = math.nan if report.jump_at is None else report.jump_at, so.working[2]
+    never = "never" if math.isinf(so.top) else f"at no {so.looked}"
     own = "" if report.mu0_jump == report.mu_jump else f", mu0 = {report.mu0_jump:.6g}"
-    yield ("jump at this angle", _or_unknown(report.mu_jump, "at friction {:.6g}" + own, never))
+    at = "at this angle" if rise.is_friction else f"as {rise.word} rises"
+    yield (f"jump {at}", _or_unknown(report.jump_at, lambda value: f"at {rise.word} {rises.amount(study, value, 6)}{own}", never))
     if not math.isnan(jump) and high > 0:
-        yield ("margin to the largest friction", f"{report.margin_percent:+.1f} %")
+        yield (f"margin to the largest {rise.word}", f"{report.margin_percent:+.1f} %")
         if so.slow:
             yield ("the same at full slip", f"{100 * (jump / so.full[2] - 1):+.1f} %")
     if study.moves and report.mu_jump is not None:
         begins = "at no speed" if math.isnan(so.speed) else f"{study.shown(str(study.belt), so.speed)}, with the largest friction"
         yield ("speed at which it begins to jump", begins)
-    if "theta0" in study.quantities:
-        yield ("jump at this friction", _or_unknown(report.theta0_jump_deg, "at {:.6g} deg", "never"))
-        lowest = _or_unknown(report.mu_lowest, "friction {:.6g}", "there is none")
+    if "theta0" in study.quantities and rise.name != "theta0":
+        yield ("jump at this friction", _or_unknown(report.theta0_jump_deg, "at {:.6g} deg".format, "never"))
+    if "theta0" in study.quantities and rise.is_friction:
+        lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
         if report.kind_lowest:
             lowest += f", a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg; below it it jumps at no angle"
         yield ("its lowest fold at any angle", lowest)
         if report.kind_lowest != "cusp":  # it would be said twice
-            yield ("friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}", "there is none"))
+            yield ("friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}".format, "there is none"))
     if not math.isnan(report.distance):
         where = "0, it has jumped already" if report.distance == 0 else "none found" if math.isinf(report.distance) else (
             f"{report.distance:.3g}, as the root of the sum of squares"
@@ -200,11 +213,11 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
         yield ("tolerances to the nearest jump", where)
 
 
-def _or_unknown(value: float | None, shown: str, never: str) -> str:
+def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) -> str:
     """A number as it is shown, or words where there is none, or none is known."""
     if value is None:
         return "unknown"
-    return shown.format(value) if math.isfinite(value) else never
+    return shown(value) if math.isfinite(value) else never
 
 
 def _springs(told: Any, shown: Callable[[Any], str]) -> Iterator[tuple[str, str]]:
@@ -249,7 +262,7 @@ def _state(report: Report) -> Iterator[tuple[str, str]]:
 
 def _name(report: Report, state: State) -> str:
     here = "the state it jumped to" if report.facts.jumped else "the state of small deformation"
-    if report.mu_jump is None:
+    if report.jump_at is None:
         here = "the state"
     return here if state.current else "another state"
 
@@ -274,8 +287,10 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     first = next(iter(found.before))
     unit = first.rpartition("_")[2]
     places = f"from {_places({first: found.before[first]})} to {found.after[first]:.4g} {unit}"
-    faster = f" and {report.study.shown_speed(report.facts.speed, 3)}" if report.facts.reach == "faster" else ""
-    yield ("the states before and after", f"at friction {found.friction:.4g}{faster}, {places}")
+    study = report.study
+    faster = f" and {study.shown_speed(report.facts.speed, 3)}" if report.facts.reach == "faster" else ""
+    at = f"{rises.of(study).word} {rises.amount(study, found.at)}"
+    yield ("the states before and after", f"at {at}{faster}, {places}")
     yield ("let go at rest", f"{100 * AWAY:g} % of the way beyond the fold")
     for key, (least, most) in found.ranges.items():
         name, _, unit = key.rpartition("_")
@@ -293,7 +308,12 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
 
 def _folds(report: Report) -> Iterator[tuple[str, str]]:
     for row in fold_rows(report):
-        name = f"inclination {row.inclination_deg:.5g} deg" if row.friction is None else f"friction {row.friction:.5g}"
+        if row.value is not None:
+            name = f"{report.vary} {rises.amount(report.study, row.value, 5)}"
+        elif row.friction is not None:
+            name = f"friction {row.friction:.5g}"
+        else:
+            name = f"inclination {row.inclination_deg:.5g} deg"
         if row.kind != "fold":
             yield (name, f"a {row.kind}")
             continue
@@ -356,8 +376,7 @@ def _one_corner(so: Facts) -> bool:
 
 
 def _never(report: Report) -> str:
-    top = report.facts.top
-    return "then it never jumps" if math.isinf(top) else f"then it jumps at no friction up to {top:g}"
+    return "then it never jumps" if math.isinf(report.facts.top) else f"then it jumps at no {report.facts.looked}"
 
 
 def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
@@ -388,11 +407,12 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _aim(report: Report) -> str:
-    faster = report.facts.reach == "faster"
+    faster, study = report.facts.reach == "faster", report.study
     largest = report.facts.full[2] if faster else report.facts.working[2]
-    factor = f" = {report.target / largest:.3g} x {largest:.4g}" if largest > 0 else ""
+    factor = f" = {report.target / largest:.3g} x {rises.amount(study, largest)}" if largest > 0 else ""
     where = " at full slip" if faster else ""
-    return f"To keep the jump at {report.target:.4g}{factor}, and all within the tolerances from jumping{where}, change"
+    kept = f"the jump at {rises.amount(study, report.target)}{factor}"
+    return f"To keep {kept}, and all within the tolerances from jumping{where}, change"
 
 
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
@@ -403,7 +423,7 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
         )
-        then = _never(report) if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
+        then = _never(report) if math.isnan(one.jump_at) else f"then it jumps at {rises.amount(study, one.jump_at)}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
             known = f"proved for everything within {within}"

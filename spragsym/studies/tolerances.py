@@ -67,9 +67,9 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
 def corners(study: Study) -> FloatArray:
     """Shares of the brake as drawn with most friction, and of all corners of the tolerances that may occur.
 
-    Of quantities with which the friction rises the upper ends are enough, if independent.
+    Of what rises, or of quantities with which the friction does if it is that, the upper ends are enough, if independent.
     """
-    names, rising = varied(study), friction.rising(study)
+    names, rising = varied(study), _rising(study)
     together = study.together(names)
     found = together.corners()
     for group in together.groups:
@@ -78,6 +78,12 @@ def corners(study: Study) -> FloatArray:
     quantities = [study.quantities[name] for name in names]
     drawn = [[1.0 if name in rising else share_of(one) for name, one in zip(names, quantities, strict=True)]]
     return np.concatenate([np.array(drawn).reshape(1, -1), found])
+
+
+def _rising(study: Study) -> set[str]:
+    """Quantities of which a larger value has ended wherever a smaller one has."""
+    rise = study.rise
+    return friction.rising(study) if rise is None or rise.is_friction else {rise.quantity}
 
 
 def share_of(one: Measured) -> float:

@@ -24,7 +24,7 @@ BRAKE = ss.PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_
 #: What functions need beside the parameters, so that nothing else is wrong with a call.
 OTHERS: dict[str, Any] = {
     "vary": "kappa", "values": [0.1, 0.2], "bracket": (0.1, 1.0), "theta": 1.0, "theta0": 1.0, "V": 0.5, "d": 10.0,
-    "x": [0.0], "vx": [0.0], "to": (0.3, 0.6), "mu0": (0.3, 0.6), "claim": "no jump",
+    "x": [0.0], "vx": [0.0], "to": (0.3, 0.6), "mu0": (0.3, 0.6), "ends": (0.3, 0.6), "claim": "no jump",
 }  # fmt: skip
 
 

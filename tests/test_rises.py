@@ -134,6 +134,17 @@ def test_in_python_it_is_an_argument() -> None:
         ss.Study(values, model=str(derived(TESTS / "snapping_truss.py")), vary="P", begin=300.0)
 
 
+@pytest.mark.thorough
+@pytest.mark.parametrize("load", [0.0, LOAD])
+def test_a_load_of_nothing_and_one_at_the_fold_have_their_page(load: float, tmp_path: Path) -> None:
+    pytest.importorskip("jinja2")
+    study = truss(tmp_path, P=f"{load!r} N")
+    found = study.report(**QUICKLY)
+    assert found.jump_at == pytest.approx(LOAD, rel=1e-10)
+    study.to_html(tmp_path / "report.html", found)
+    assert "as P rises" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
 def test_where_nothing_is_said_to_rise_a_report_has_its_states(tmp_path: Path) -> None:
     study = truss(tmp_path)
     assert study.rise is not None

@@ -11,14 +11,17 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from ..errors import ConvergenceError
+from ..models.points import ranges
 from ..parameters import ParameterSet
 from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
 from .labels import with_unit
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
 
-#: Friction up to which pictures go, at least, and up to which folds are looked for.
+#: Friction up to which pictures go, at least, and up to which folds are looked for; of another quantity times its value.
 _TOP, _FAR = 1.0, 3.0
+#: By how much they go beyond what they show.
+_MORE = 0.15
 
 
 def draw_operating_point(
@@ -107,11 +110,13 @@ def draw_rising(
         Of the path.
     """
     ax, first = own_axes(ax), p.model.coordinates[0]
-    high, (least, far) = ends[1], (_TOP, _FAR) if vary == "mu0" else (1.15 * ends[1], _FAR * abs(ends[1]))
-    allowed = p.model.Parameters.ranges[vary]
-    turns = folds_between(p, vary, begin, min(max(far, high + 0.15 * abs(high)), allowed.reached(allowed.high)))
-    known = [value for value in getattr(turns, vary).tolist() if begin < value < far]
-    top = min(max(least, *(value + 0.15 * abs(value) for value in (high, *known))), allowed.reached(allowed.high))
+    allowed, end = p.model.Parameters.ranges[vary], float(ranges(p.model, (vary,), {})[0, 1])
+    high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
+    least, far = (_TOP, _FAR) if vary == "mu0" else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
+    turns = folds_between(p, vary, begin, min(max(far, further), high))
+    known = [value + _MORE * abs(value) for value in getattr(turns, vary).tolist() if begin < value < far]
+    top = min(max(least, further, *known), high)
+    top = top if top > begin else end  # nothing is applied yet, and nothing ends
     draw_branches(curves_between(p, vary, (begin, top), turns, True, n), first, ax=ax, color=GREY, linewidth=0.8)
     artists: list[Any] = []
     with suppress(ConvergenceError):  # where branches can't be told apart there are the states alone

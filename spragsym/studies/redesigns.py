@@ -208,7 +208,8 @@ class _Search:
             names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
             scale = {name: self.scale[name] for name in names}
             target = {rise.name: self.target / rises.scale(study)}
-            after = load(study.model).redesign(design(study), names, target, scale, **rise.start).parameters
+            start = {} if rise.is_friction else {"begin": rise.begin}
+            after = load(study.model).redesign(design(study), names, target, scale, **start).parameters
         except SpragsymError:
             return None
         if not isinstance(after, dict):
@@ -225,8 +226,7 @@ class _Search:
         """Quantities by how far one tolerance of each moves the jump."""
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
-        rise = rises.of(self.study)
-        found = load(self.study.model).jump_gradient(designs.sets(z), rise.name, **rise.start).slopes
+        found = load(self.study.model).jump_gradient(designs.sets(z), **rises.of(self.study).along).slopes
         slopes = designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))

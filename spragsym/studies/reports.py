@@ -59,9 +59,9 @@ class Report(Result):
     states : tuple of State
         All states in contact.
     complete : bool
-        Whether states and folds along the friction are proved to be all there are.
+        Whether states and folds along what rises are proved to be all there are.
     folds : dict of str to Points
-        Folds along the friction and along the inclination, where they are known.
+        Folds along what rises and along the inclination, where they are known.
     oscillation : Oscillation or None
     certificate : BoxCertificate or None
     probability : Chance or None
@@ -72,7 +72,7 @@ class Report(Result):
         The value of what rises that the changes of ``redesign`` are for; of friction at the belt's speed, or at full slip if it
         jumps at no other.
     peak : JumpPeak or None
-        The jump as a motion, if there is one at a friction that the belt may reach.
+        The jump as a motion; of friction, if there is one that the belt may reach.
     facts : Facts
         What is so: the sentences say this.
     warnings : tuple of str

@@ -42,11 +42,6 @@ class Rise:
         return {} if self.is_friction else {"vary": self.name, "begin": self.begin}
 
     @property
-    def start(self) -> dict[str, Any]:
-        """From where it rises, as an argument of questions that take that of friction to be 0."""
-        return {} if self.is_friction else {"begin": self.begin}
-
-    @property
     def word(self) -> str:
         """What it is called in a sentence."""
         return "friction" if self.is_friction else self.quantity
@@ -131,7 +126,7 @@ def jump(study: Study) -> float:
     """Where the state jumps, as the parameter that rises; NaN where it does not."""
     rise, model = of(study), load(study.model)
     p = study.dimensionless if rise.is_friction else study.at_work
-    return float(model.jump_value(p, rise.name, **rise.start))
+    return float(model.jump_value(p, **rise.along))
 
 
 def of(study: Study) -> Rise:

@@ -56,8 +56,7 @@ def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
     rise = study.rise
     model = "" if study.model == USUAL else f" with the model {study.model}"
     state = "the state of small deformation"
-    angle = "theta0" in study.quantities and (rise is None or rise.name != "theta0")
-    if angle:
+    if "theta0" in study.quantities and (rise is None or rise.name != "theta0"):
         state = f"at {study.shown('theta0', study.values['theta0'])} {state}"
     if jump is None or rise is None:
         return _unknown(study, parts)

@@ -418,8 +418,14 @@ def test_what_is_not_normal_goes_to_more_digits() -> None:
     assert ss.equilibria(p).escalated.tolist() == [False, True]
 
 
-def test_the_logarithm_of_a_length_beyond_float64_is_said() -> None:
-    given = dict(theta0=1.0, mu0=1e200, kappa=1e200, alpha=1.0, sigma=1.0, beta=1.0)
+@pytest.mark.parametrize("backend", ["numpy", "compiled"])
+@pytest.mark.parametrize("size", [1e160, 1e200])
+def test_the_logarithm_of_a_length_beyond_float64_is_said(backend: str, size: float) -> None:
+    """A length of 1e399 is no inf with twelve digits."""
+    if backend == "compiled" and not compiled.available():
+        pytest.skip("the compiled solver was not built: no C compiler")
+    ss.set_backend(backend)
+    given = dict(theta0=1.0, mu0=size, kappa=size, alpha=1.0, sigma=1.0, beta=1.0)
     with pytest.raises(ss.ConvergenceError, match=r"theta0=1\.0, mu0=.* is beyond float64") as failure:
         ss.equilibria(ss.Parameters(**given))
     (state,) = ss.precise.equilibria(**given, dps=20)

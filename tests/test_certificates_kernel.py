@@ -585,14 +585,14 @@ def test_cosine_and_sine_to_a_unit_in_the_last_place() -> None:
     with mpmath.workdps(50):
         for value, c, s in zip(x, cosine, sine, strict=True):
             for got, true in ((c, mpmath.cos(float(value))), (s, mpmath.sin(float(value)))):
-                assert abs(mpmath.mpf(float(got)) - true) <= 0.9 * math.ulp(float(true))
+                assert abs(mpmath.mpf(float(got)) - true) <= 0.8 * math.ulp(float(true))
 
 
 def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
     """At random over decades, of both signs, and next to where its pieces meet."""
     rng = np.random.default_rng(16)
     places = np.array([0.4375, 0.5, 0.6875, 1.0, 1.1875, 1.5, 2.4375])
-    t = np.concatenate([10.0 ** rng.uniform(-12, 12, 400), rng.uniform(0, 3, 2500), places, np.nextafter(places, 0)])
+    t = np.concatenate([10.0 ** rng.uniform(-300, 300, 400), rng.uniform(0, 3, 2500), places, np.nextafter(places, 0)])
     t = np.concatenate([t, -t, [0.0]])
     with mpmath.workdps(50):
         for value, angle in zip(t, kernel.arctangent(t), strict=True):

@@ -13,6 +13,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.exact.intervals import Arithmetic
+from spragsym.generated import stability
+from spragsym.kang_nam.statics import kernel
 from tests.support import exact_onsets, middle_of
 from validation.flutter import compare, random_set
 
@@ -185,6 +187,21 @@ def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
     # Next to it two onsets, or none.
     near = [len(exact_onsets(values[0] * (1 + way * Fraction(1, 10**9)), *values[1:])) for way in (-1, 1)]
     assert sorted(np.subtract(near, len(exact_onsets(*values)))) == [-1, 1]
+
+
+def test_no_onset_is_a_fold() -> None:
+    """f′ = L det K > 0, and the Jacobian J that side is taken from is f′."""
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        p = random_set(rng)
+        found = ss.flutter_onsets(p, damping=False)
+        mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
+        c, s, c0, s0 = np.cos(found.theta), np.sin(found.theta), np.cos(found.theta0), np.sin(found.theta0)
+        slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1))
+        _, J = stability.flutter_crossing(c, s, found.L, c0, s0, mu0, alpha, sigma, beta)
+        assert (slope > 0).all()
+        np.testing.assert_allclose(J, slope, rtol=1e-9)
+        assert not (found.branch == 1).any()
 
 
 # --------------------------------------------------------------------------------------------------- boundary

@@ -47,7 +47,7 @@ def around(values, spread, rng):
 def test_every_root_lies_in_the_result(n, spread):
     """Of systems whose slopes and values are corners of the given intervals; with no spread, rounding is all there is."""
     rng = np.random.default_rng([n, int(spread * 100)])
-    N = 150
+    N = 60
     slopes = around(rng.normal(size=(n, n, N)) + 2 * np.eye(n)[:, :, None], spread, rng)
     middle = rng.normal(size=(n, N)) * 10.0 ** rng.integers(-3, 3, (1, N))
     values = around(rng.normal(size=(n, N)) * 0.1, spread, rng)

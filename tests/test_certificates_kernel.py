@@ -201,28 +201,6 @@ def test_the_bound_stays_one_where_digits_underflow() -> None:
 # ------------------------------------------------------------------------------------------------- one positive
 
 
-@pytest.mark.parametrize("nbar", [1, 0])
-def test_one_positive_is_said_only_where_the_sign_is_sure_and_wherever_it_is(nbar: int) -> None:
-    rng = np.random.default_rng(5)
-    rows = _random(rng, 40000)
-    # Half of them with μ₀ such that e₁ = 2 (a + d) is about 0: it is linear in μ₀.
-    at = []
-    for mu0 in (0.0, 1.0):
-        a, _, d, _ = kernel.f_coefficients(*_point(rows, 1, np.float64)._replace(mu0=mu0))
-        at.append(a + d)
-    zero = at[0] / (at[0] - at[1])
-    near = (zero > 0) & (zero < 50) & (rng.random(40000) < 0.7)
-    rows[1, near] = zero[near] * (1 + rng.choice([-1, 1], near.sum()) * 10.0 ** rng.uniform(-8, -2, near.sum()))
-    rows = _stored(rows)
-    line, true = _line(rows, nbar), _true_line(rows, nbar)
-    e1, off = 2 * (true.a + true.d), 2 * kernel.COUNT_E1 * float(U) * (true.a_size + true.d_size)
-    said = _has_one_positive(line, U)
-    assert not (said & (e1 >= 0)).any()
-    assert said[e1 < -2.1 * off].all()
-    assert not said[e1 > -0.5 * off].any()
-    assert 0.05 < np.nanmax(np.abs(2.0 * (line.a + line.d) - e1) / off) <= 1
-
-
 @pytest.mark.parametrize(("a", "d"), [(-1.0, 0.0), (0.0, -1.0), (-0.5, -0.5)])
 @pytest.mark.parametrize(("a_size", "d_size"), [(1.0, 0.0), (0.0, 1.0), (2.0, 3.0)])
 def test_one_positive_counts_both_terms(a: float, d: float, a_size: float, d_size: float) -> None:
@@ -309,36 +287,6 @@ def _true_code(rows: Array, state: dict[str, Array], nbar: int) -> Array:
     return np.where(flutter < 0, 3, np.where((least < 0) | (half < 0), 2, 1))
 
 
-@pytest.mark.parametrize("carrier", range(5))
-def test_a_code_outlives_every_error_within_the_uncertainty(carrier: int) -> None:
-    """cos, sin, L moved by as much as is uncertain; next to where discriminant or trace vanish, one term carrying the margin."""
-    rng = np.random.default_rng([9, carrier])
-    n = 40000
-    theta, L = rng.uniform(0.02, 3.12, n), 10.0 ** rng.uniform(-2, 1, n) * (1 if carrier else 0.1)
-    mu0, alpha, sigma, beta = (10.0 ** rng.uniform(-2, 1, n) for _ in range(4))
-    for index, value in enumerate((mu0, alpha, sigma, beta), start=1):
-        value *= 30.0 if index == carrier else 1.0
-    c, s, nbar = np.cos(theta), np.sin(theta), (rng.random(n) < 0.8) * 1.0
-    (K11, _), (K21, K22) = kernel.stiffness(c, s, L, 0.0, alpha, sigma, beta, nbar)
-    critical = -((K11 - K22) ** 2) / (4 * K21) - K21
-    near = (critical > 0) & (rng.random(n) < 0.6)
-    mu0 = np.where(near, critical * (1 + rng.choice([-1, 1], n) * 10.0 ** rng.uniform(-6, -1, n)), mu0)
-    uncertainty = 10.0 ** rng.uniform(-6, -2, n)
-    (K11, K12), (K21, K22) = kernel.stiffness(c, s, L, mu0, alpha, sigma, beta, nbar)
-    slope = L * (K11 * K22 - K12 * K21)
-    point = Point(0.0, 1.0, mu0, 1.0, alpha, sigma, beta, nbar)
-    said, certain = kernel.stability(Direction(c, s), L, slope, uncertainty, point)
-    for _ in range(12):
-        turn = theta + uncertainty * rng.choice([-1, 1], n) * np.minimum(s, 1)
-        stretch = L * (1 + uncertainty * rng.choice([-1, 1], n))
-        (K11, K12), (K21, K22) = kernel.stiffness(np.cos(turn), np.sin(turn), stretch, mu0, alpha, sigma, beta, nbar)
-        trace, _, flutter = kernel.invariants(K11, K12, K21, K22)
-        code = np.where(slope < 0, 2, np.where(flutter < 0, 3, np.where(trace < 0, 2, 1)))  # det K < 0: no flutter
-        assert (~certain | (said == code)).all()
-    sure = (uncertainty < 1e-5) & ~near
-    assert certain[sure].mean() > 0.8
-
-
 # ------------------------------------------------------------------------------------------ factors and their means
 
 
@@ -394,31 +342,6 @@ def test_the_resolvents_root_is_the_one_apart_to_a_few_roundings() -> None:
     assert worst < 8
 
 
-def test_the_outermost_root_is_one_newton_step_from_the_last_digit() -> None:
-    """One real root or three, of any size and sign, away from where the two cases meet; and where P, Q or both are 0."""
-    rng = np.random.default_rng(31)
-    n = 600
-    P = rng.choice([-1, 1], n) * 10.0 ** rng.uniform(-8, 8, n)
-    share = np.where(rng.random(n) < 0.5, rng.uniform(0, 0.99, n), 10.0 ** rng.uniform(0.01, 9, n))
-    Q = rng.choice([-1, 1], n) * np.abs(P) ** 1.5 * share
-    small = kernel.outermost(P, Q)
-    with mpmath.workdps(60):
-        for p, q, z in zip(P, Q, small, strict=True):
-            z0 = z = mpmath.mpf(float(z))
-            for _ in range(6):
-                z -= (z**3 + 3 * mpmath.mpf(float(p)) * z + 2 * mpmath.mpf(float(q))) / (3 * z * z + 3 * mpmath.mpf(float(p)))
-            assert abs(z0 - z) <= 1e-11 * abs(z)  # a Newton step follows
-            if p < 0:
-                assert z * z >= -p * 2.999
-            assert z * q <= 0
-    zero, one = np.float64(0.0), np.float64(1.0)
-    assert abs(kernel.outermost(zero, zero)) < 1e-100
-    assert kernel.outermost(zero, -4 * one) == pytest.approx(2.0, rel=1e-15)
-    assert kernel.outermost(one, zero) == 0
-    assert abs(kernel.outermost(-one, zero)) == pytest.approx(math.sqrt(3.0), rel=1e-15)
-    assert kernel.outermost(-one, -one) == pytest.approx(2.0, rel=1e-15)
-
-
 def test_a_step_that_leads_astray_is_not_taken() -> None:
     """Where the factors share a root, Newton's equations are singular; where all roots of the resolvent meet, its slope is 0."""
     same = kernel.polish(*map(np.float64, (0.0, -2.0, 0.0, 0.5, -1.0, 0.5, -1.0)))
@@ -462,38 +385,6 @@ def test_guesses_are_the_roots_that_may_be_equilibria(nbar: int) -> None:
         np.testing.assert_allclose(t[:count], roots, rtol=1e-6)
         assert np.isinf(t[count:]).all()
     assert seen == ({(1, True), (3, False)} if nbar else {(2, True), (4, False)})
-
-
-def test_guesses_say_where_a_pair_may_have_been_missed() -> None:
-    """f with a double root, or just none, and a u that leaves the sign of the discriminant open."""
-    s, c = math.sin(1.1), math.cos(1.1)
-    for off, certain in ((1e-3, False), (-1e-3, True)):
-        a, m = 0.3, 0.5
-        b, d = -(a * s**3 + m * s * s * c) * (1 + off), -a * c**3 + m * s * (1 + c * c)
-        line = Balance(a, b, d, m, a, d, 1.0)
-        for nbar in (0.0, 1.0):
-            for u, sure in ((2.0**-53, True), (0.1, certain)):
-                got = kernel.guesses(FINE._replace(nbar=nbar), Balance(*map(np.float64, line)), u)
-                assert bool(got.certain) == sure
-                assert int(got.count) == (3 if certain else 1) + (0 if nbar else 1)
-
-
-def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Next to where the slope of the resolvent vanishes, as at a triple root, a step of either sign leads anywhere."""
-    rng, taken = np.random.default_rng(33), set()
-    for _ in range(200):
-        a, b, d, m = rng.normal(0, 1, 4)
-        r0, r1, r2 = kernel.resolvent(a, b, d, m)
-        if r2 * r2 <= 3 * r1:
-            continue
-        z = math.sqrt(r2 * r2 / 9 - r1 / 3) * (1 + rng.choice([-1, 1]) * 10.0 ** rng.uniform(-9, -3))
-        monkeypatch.setattr(kernel, "outermost", lambda P, Q, z=z: z)
-        x = z - r2 / 3
-        step = (((x + r2) * x + r1) * x + r0) / ((3 * x + 2 * r2) * x + r1)
-        if abs(step) > 2 * abs(z):
-            assert kernel.simple_root(kernel.cubic(a, b, d, m)) == x
-            taken.add(step > 0)
-    assert taken == {False, True}
 
 
 def test_a_step_of_both_factors_is_newtons_and_keeps_their_signs() -> None:
@@ -597,21 +488,6 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
     with mpmath.workdps(50):
         for value, angle in zip(t, kernel.arctangent(t), strict=True):
             assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(float(angle))
-
-
-def test_arc_tangents_are_off_to_neither_side() -> None:
-    """Over every piece errors have no mean: low parts of the constants that are off by a third would give them one."""
-    rng = np.random.default_rng(31)
-    ends = np.array([0.01, 0.4375, 0.6875, 1.1875, math.tan(1), 2.4375, 8.0])  # from an arc tangent of 1 on units are larger
-    with mpmath.workdps(40):
-        for low, high in itertools.pairwise(ends):
-            t = rng.uniform(low, high, 4000)
-            found = kernel.arctangent(t)
-            off = [float((mpmath.mpf(angle) - mpmath.atan(value)) / math.ulp(angle))
-                   for value, angle in zip(t.tolist(), found.tolist(), strict=True)]  # fmt: skip
-            assert abs(np.mean(off)) < 0.03
-            np.testing.assert_array_equal(kernel.arctangent(-t), -found)
-    assert math.copysign(1, kernel.arctangent(0.0)) == 1
 
 
 def test_arc_tangents_between_pieces_have_two_words() -> None:
@@ -792,22 +668,6 @@ def test_where_the_sine_is_stationary_its_second_order_counts() -> None:
         root = kernel.at_root(t, point, line, 0.0)
         assert root.y == pytest.approx(-share * sigma * radius**2 / (2 * q), rel=1e-6)
         assert bool(root.member) == member
-
-
-def test_a_length_that_may_be_negative_is_no_member() -> None:
-    """Where y leaves no doubt: β = 0, so that L = (σ s + κ)/(σ s) with sin θ < 0 and y > 0 as long as κ < σ (sin θ₀ − s)."""
-    theta, sigma = -1.0, 5.0
-    for radius, u in ((1e-5, 0.0), (0.0, 1e-4)):
-        for share in (0.97, 1.05):
-            kappa = -sigma * math.sin(theta)
-            point = Point(0.5, 0.8, 0.3, kappa, 0.2, sigma, 0.0, 0.0)
-            moved = _moved(theta, 1.0001 * radius, point)[1][0] * 2 + kernel.COUNT_STATE * u * 2
-            for side in (1, -1):
-                t, line = _forced(theta, radius)
-                shifted = point._replace(kappa=kappa * (1 - side * share * moved))
-                root = kernel.at_root(t, shifted, line, u)
-                assert bool(root.member) == (share > 1 and side > 0)
-                assert bool(root.outsider) == (share > 1 and side < 0)
 
 
 @pytest.mark.parametrize("nbar", [0, 1])

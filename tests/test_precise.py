@@ -29,8 +29,11 @@ def test_bounds_hold_at_any_precision() -> None:
     for point in [(0.5, 0.5, 0.007, 0.007, 0.1, 0.0), *points(20, seed=3)]:
         shares = worst_shares(point, (1, 2, 15, 16, 17, 40, 50, 333))
         assert max(shares.values()) <= 1, (point, shares)
-    shares = worst_shares((0.5, 0.5, 0.007, 0.007, 0.1, 0.0), (1, 1000))
-    assert max(shares.values()) <= 1
+    for point, precisions, contact in (
+        ((0.5, 0.5, 0.007, 0.007, 0.1, 0.0), (1, 1000), True), ((0.5, 0.5, 0.008, 0.008, 0.125, 0.0), (1, 8, 40, 150), False),
+        ((1.25, 0.0, 0.5, 0.25, 1.0, 0.5), (1, 8, 40, 150), False),
+    ):  # fmt: skip
+        assert max(worst_shares(point, precisions, contact=contact).values()) <= 1
 
 
 def test_the_message_names_degrees() -> None:

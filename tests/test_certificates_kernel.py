@@ -201,6 +201,28 @@ def test_the_bound_stays_one_where_digits_underflow() -> None:
 # ------------------------------------------------------------------------------------------------- one positive
 
 
+@pytest.mark.parametrize("nbar", [1, 0])
+def test_one_positive_is_said_only_where_the_sign_is_sure_and_wherever_it_is(nbar: int) -> None:
+    rng = np.random.default_rng(5)
+    rows = _random(rng, 40000)
+    # Half of them with μ₀ such that e₁ = 2 (a + d) is about 0: it is linear in μ₀.
+    at = []
+    for mu0 in (0.0, 1.0):
+        a, _, d, _ = kernel.f_coefficients(*_point(rows, 1, np.float64)._replace(mu0=mu0))
+        at.append(a + d)
+    zero = at[0] / (at[0] - at[1])
+    near = (zero > 0) & (zero < 50) & (rng.random(40000) < 0.7)
+    rows[1, near] = zero[near] * (1 + rng.choice([-1, 1], near.sum()) * 10.0 ** rng.uniform(-8, -2, near.sum()))
+    rows = _stored(rows)
+    line, true = _line(rows, nbar), _true_line(rows, nbar)
+    e1, off = 2 * (true.a + true.d), 2 * kernel.COUNT_E1 * float(U) * (true.a_size + true.d_size)
+    said = _has_one_positive(line, U)
+    assert not (said & (e1 >= 0)).any()
+    assert said[e1 < -2.1 * off].all()
+    assert not said[e1 > -0.5 * off].any()
+    assert 0.05 < np.nanmax(np.abs(2.0 * (line.a + line.d) - e1) / off) <= 1
+
+
 @pytest.mark.parametrize(("a", "d"), [(-1.0, 0.0), (0.0, -1.0), (-0.5, -0.5)])
 @pytest.mark.parametrize(("a_size", "d_size"), [(1.0, 0.0), (0.0, 1.0), (2.0, 3.0)])
 def test_one_positive_counts_both_terms(a: float, d: float, a_size: float, d_size: float) -> None:
@@ -387,6 +409,24 @@ def test_guesses_are_the_roots_that_may_be_equilibria(nbar: int) -> None:
     assert seen == ({(1, True), (3, False)} if nbar else {(2, True), (4, False)})
 
 
+def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Next to where the slope of the resolvent vanishes, as at a triple root, a step of either sign leads anywhere."""
+    rng, taken = np.random.default_rng(33), set()
+    for _ in range(200):
+        a, b, d, m = rng.normal(0, 1, 4)
+        r0, r1, r2 = kernel.resolvent(a, b, d, m)
+        if r2 * r2 <= 3 * r1:
+            continue
+        z = math.sqrt(r2 * r2 / 9 - r1 / 3) * (1 + rng.choice([-1, 1]) * 10.0 ** rng.uniform(-9, -3))
+        monkeypatch.setattr(kernel, "outermost", lambda P, Q, z=z: z)
+        x = z - r2 / 3
+        step = (((x + r2) * x + r1) * x + r0) / ((3 * x + 2 * r2) * x + r1)
+        if abs(step) > 2 * abs(z):
+            assert kernel.simple_root(kernel.cubic(a, b, d, m)) == x
+            taken.add(step > 0)
+    assert taken == {False, True}
+
+
 def test_a_step_of_both_factors_is_newtons_and_keeps_their_signs() -> None:
     """Against the linear equations for the changes; one that would turn q₁ < 0 or q₂ > 0 about is not taken."""
     rng, seen = np.random.default_rng(35), set()
@@ -488,6 +528,21 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
     with mpmath.workdps(50):
         for value, angle in zip(t, kernel.arctangent(t), strict=True):
             assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(float(angle))
+
+
+def test_arc_tangents_are_off_to_neither_side() -> None:
+    """Over every piece errors have no mean: low parts of the constants that are off by a third would give them one."""
+    rng = np.random.default_rng(31)
+    ends = np.array([0.01, 0.4375, 0.6875, 1.1875, math.tan(1), 2.4375, 8.0])  # from an arc tangent of 1 on units are larger
+    with mpmath.workdps(40):
+        for low, high in itertools.pairwise(ends):
+            t = rng.uniform(low, high, 4000)
+            found = kernel.arctangent(t)
+            off = [float((mpmath.mpf(angle) - mpmath.atan(value)) / math.ulp(angle))
+                   for value, angle in zip(t.tolist(), found.tolist(), strict=True)]  # fmt: skip
+            assert abs(np.mean(off)) < 0.03
+            np.testing.assert_array_equal(kernel.arctangent(-t), -found)
+    assert math.copysign(1, kernel.arctangent(0.0)) == 1
 
 
 def test_arc_tangents_between_pieces_have_two_words() -> None:

@@ -40,7 +40,7 @@ LONGEST = (
     "test_cli", "test_c99", "test_cycles", "test_explorer_pages", "test_models_statics", "test_studies", "test_failures",
     "test_figures", "test_explorer", "test_pages", "test_design", "test_sweeps", "test_javascript", "test_check",
     "test_generated", "test_dynamics", "test_catastrophe", "test_models_degenerate", "test_claims", "test_packaging",
-    "test_documents", "test_matlab", "test_certificates_kernel", "test_certificates_theorem", "test_regimes",
+    "test_documents", "test_matlab", "test_certificates_kernel", "test_theorem", "test_regimes",
     "test_interval_arrays", "test_machines",
 )  # fmt: skip
 

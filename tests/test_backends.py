@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import math
 import subprocess
 import sys
 from collections.abc import Iterator
 
-import mpmath
 import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.statics import adaptive_precision, backends, compiled, kernel, solver
+from spragsym.kang_nam.statics import adaptive_precision, backends, compiled, solver
 from tests.oracles.families import EXTREMES, FAMILIES
 from validation.equilibria import worst_errors, wrong_counts
 
@@ -76,34 +74,6 @@ def test_underflow_is_left_to_the_ladder(backend: str) -> None:
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
         assert ss.equilibria(article.replace(**{name: 1e-251})).escalated
     assert not ss.equilibria(article.replace(mu0=0.0, alpha=0.0, beta=0.0)).escalated
-
-
-def test_arctangent() -> None:
-    """Within one unit in the last place, over all magnitudes and next to where formulas change."""
-    rng = np.random.default_rng(26)
-    changes = np.array([0.0, 7 / 16, 11 / 16, 19 / 16, 39 / 16])
-    near = (changes[:, None] + rng.choice([-1.0, 1.0], (5, 300)) * 10 ** rng.uniform(-17, -1, (5, 300))).ravel()
-    numbers = np.concatenate([rng.normal(size=2000), near, np.nextafter(changes, 9), 10 ** rng.uniform(-300, 300, 600)])
-    found = kernel.arctangent(numbers)
-    with mpmath.workdps(50):
-        pairs = zip(numbers.tolist(), found.tolist(), strict=True)
-        worst = max(float(abs(value - mpmath.atan(number)) / math.ulp(value)) for number, value in pairs)
-    assert 0.5 < worst < 1.0
-
-
-def test_cosine_and_sine() -> None:
-    """Within one unit in the last place over (0, π), next to its ends, to the zero of the cosine and to where formulas change."""
-    rng = np.random.default_rng(24)
-    quarters = np.arange(5) * (math.pi / 4)
-    near = quarters[:, None] + rng.choice([-1.0, 1.0], (5, 300)) * 10 ** rng.uniform(-17, -1, (5, 300))
-    angles = np.concatenate([rng.uniform(0.0, math.pi, 3000), near.ravel(), np.nextafter(quarters, 0), np.nextafter(quarters, 4)])
-    worst = 0.0
-    with mpmath.workdps(50):
-        for angle in map(float, angles[(angles > 1e-300) & (angles < math.pi)]):
-            exact = mpmath.cos(angle), mpmath.sin(angle)
-            for value, truth in zip(kernel.cosine_and_sine(angle), exact, strict=True):
-                worst = max(worst, float(abs(value - truth) / math.ulp(value)))
-    assert 0.5 < worst < 0.8
 
 
 def test_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:

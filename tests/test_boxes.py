@@ -9,9 +9,8 @@ from math import isqrt
 import numpy as np
 import pytest
 
-from spragsym.exact import boxes, certified_roots, contractors
+from spragsym.exact import boxes, certified_roots
 from spragsym.exact.interval_arrays import Intervals, stacked
-from spragsym.exact.parameter_tree import tree
 from tests.oracles.box_problems import PROBLEMS, Problem
 
 NONE = np.zeros((0, 1))
@@ -122,34 +121,6 @@ def test_boxes_of_parameters_are_proved_for_all_of_their_points():
         order = np.argsort(found.middle[0])
         inside = (-found.ends[0, 0, order] <= roots) & (roots <= found.ends[1, 0, order])
         assert inside.all()
-
-
-def test_tree_holds_every_point_once():
-    rng = np.random.default_rng(3)
-    for count in (1, 2, 3, 7, 64, 1000):
-        values = rng.normal(size=(3, count))
-        made = tree(values, values)
-        leaves = made.order[made.order >= 0]
-        assert sorted(leaves) == list(range(count))
-        for node in rng.integers(0, made.size.size, 30):
-            inside = made.points(int(node))
-            assert inside.size == made.size[node]
-            if inside.size:
-                assert (made.bounds.low[:, node] == values[:, inside].min(axis=1)).all()
-                assert (made.bounds.high[:, node] == values[:, inside].max(axis=1)).all()
-
-
-def test_inverses():
-    rng = np.random.default_rng(4)
-    for n in (1, 2, 3, 4):
-        matrices = rng.normal(size=(n, n, 50))
-        matrices[:, :, 0] = 0
-        matrices[:, :, 1] = np.nan
-        with np.errstate(all="ignore"):
-            inverses = contractors.inverse(matrices)
-        product = np.einsum("ijN,jkN->ikN", matrices, inverses)
-        assert np.allclose(product[:, :, 2:], np.eye(n)[:, :, None])
-        assert (inverses[:, :, :2] == np.eye(n)[:, :, None]).all()
 
 
 class Told(Quadratic):

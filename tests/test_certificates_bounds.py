@@ -15,7 +15,7 @@ from spragsym.derive.emit.statements import flatten
 from spragsym.derive.kang_nam import bounds, emission
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam.bounds import Counted
-from spragsym.derive.kang_nam.catalogue import modules
+from spragsym.derive.kang_nam.catalogue import equilibrium, stability
 from spragsym.generated import kernel as emitted
 from spragsym.kang_nam.statics import kernel
 
@@ -50,8 +50,8 @@ def _met(value: Any) -> int:
 
 @cache
 def _functions() -> dict[str, Any]:
-    """Every generated function, from the derivation."""
-    return {function.name: function for module in modules() for function in module.functions}
+    """The generated functions that the kernel calls and those beside them, from the derivation."""
+    return {function.name: function for part in (equilibrium, stability) for function in part.module().functions}
 
 
 @cache

@@ -47,7 +47,7 @@ def around(values, spread, rng):
 def test_every_root_lies_in_the_result(n, spread):
     """Of systems whose slopes and values are corners of the given intervals; with no spread, rounding is all there is."""
     rng = np.random.default_rng([n, int(spread * 100)])
-    N = 150
+    N = 60
     slopes = around(rng.normal(size=(n, n, N)) + 2 * np.eye(n)[:, :, None], spread, rng)
     middle = rng.normal(size=(n, N)) * 10.0 ** rng.integers(-3, 3, (1, N))
     values = around(rng.normal(size=(n, N)) * 0.1, spread, rng)
@@ -91,14 +91,6 @@ def test_the_result_is_as_narrow_as_its_inputs(n):
     assert np.abs(wide.noise - half).max() < 1e-12
 
 
-def test_each_row_by_itself():
-    """2 x + [−1, 1] y = −4 and x + 4 y = 8 about (1, 3) with |y − 3| ≤ 1/2, |x − 1| ≤ 1/4, without a matrix before them."""
-    slopes = Intervals.between([[[2.0], [-1.0]], [[1.0], [4.0]]], [[[2.0], [1.0]], [[1.0], [4.0]]])
-    ends = contractors.by_rows(Intervals.point([[4.0], [-8.0]]), slopes, np.array([[1.0], [3.0]]), np.array([[0.25], [0.5]]))
-    assert np.abs(-ends[0, :, 0] - [-1 - 0.25, 5 - 0.0625]).max() < 1e-14
-    assert np.abs(ends[1, :, 0] - [-1 + 0.25, 5 + 0.0625]).max() < 1e-14
-
-
 def test_a_row_tells_what_an_inverse_does_not():
     """x + y = −1 and −2 x − 2 y = 2 about 0, |x| ≤ 1/4, |y| ≤ 1/2: each by the other; with −2 x − 2 y = 4 there is no root."""
     slopes = Intervals.point([[[1.0, 1.0], [1.0, 1.0]], [[-2.0, -2.0], [-2.0, -2.0]]])
@@ -133,44 +125,12 @@ def excluded(values, slopes, reach):
     return contractors.by_each_row(values, slopes, np.zeros_like(reach), reach)[1]
 
 
-def test_a_root_at_a_corner_is_not_excluded_and_one_beyond_it_is():
-    """In integers, which add exactly: |F(m)| is |J| r, or more."""
-    rng = np.random.default_rng(5)
-    for n in (1, 2, 3):
-        slopes = rng.integers(-9, 10, (n, n, 200)).astype(float)
-        slopes[0, 0] = 3.0
-        reach = rng.integers(1, 5, (n, 200)).astype(float)
-        exact = (np.abs(slopes) * reach[None]).sum(axis=1)
-        signs = rng.choice([-1.0, 1.0], exact.shape)
-        given = Intervals.point(slopes)
-        assert not excluded(Intervals.point(signs * exact), given, reach).any()
-        beyond = exact.copy()
-        beyond[n - 1] += 1e-12 * np.maximum(exact[n - 1], 1)
-        assert excluded(Intervals.point(signs * beyond), given, reach).all()
-        wide = Intervals.between(np.minimum(signs * beyond, 0.0), np.maximum(signs * beyond, 0.0))  # which may be 0
-        assert not excluded(wide, given, reach).any()
-
-
 def test_rounding_excludes_no_root():
     """1 + 2⁻⁵³ + 2⁻⁵³, which is 1 in floats, and three products of 0.4 of the smallest float, which are 0."""
     slopes = Intervals.point(np.array([[[1.0], [2.0**-53], [2.0**-53]]] * 3))
     assert not excluded(Intervals.point([[1 + 2.0**-52]] * 3), slopes, np.ones((3, 1))).any()
     small = Intervals.point(np.full((3, 3, 1), 0.4))
     assert not excluded(Intervals.point([[5e-324]] * 3), small, np.full((3, 1), 5e-324)).any()
-
-
-def test_rounding_loses_no_root():
-    """The same sums in a row beside the diagonal: x with 2⁻⁵² x + y + … = 0 where the others are at their ends."""
-    slopes = np.zeros((4, 4, 1))
-    slopes[range(4), range(4)] = 1.0
-    slopes[0, 1:, 0] = 1.0, 2.0**-53, 2.0**-53
-    reach = np.ones((4, 1))
-    ends = contractors.by_rows(Intervals.point(np.zeros((4, 1))), Intervals.point(slopes), np.zeros((4, 1)), reach)
-    assert (ends[:, 0, 0] >= 1 + 2.0**-52).all()
-    slopes[0, 1:, 0] = 0.4
-    tiny = np.full((4, 1), 5e-324)
-    ends = contractors.by_rows(Intervals.point(np.zeros((4, 1))), Intervals.point(slopes), np.zeros((4, 1)), tiny)
-    assert (ends[:, 0, 0] >= 5e-324 * 1).all()
 
 
 # ---------------------------------------------------------------------------------------------- directions, borders
@@ -534,7 +494,7 @@ def test_no_box_is_widened_beyond_the_limits():
 
 def test_batches_do_not_show(monkeypatch):
     """Nor are they larger than twice what is asked for; each box is looked at once."""
-    values = np.stack([np.linspace(-2, 2, 40), np.linspace(-1.9, 3, 40), np.linspace(0, 1, 40)])
+    values = np.stack([np.linspace(-2, 2, 16), np.linspace(-1.9, 3, 16), np.linspace(0, 1, 16)])
     seen, sizes = [], []
     look = boxes._Search.look
 
@@ -551,7 +511,7 @@ def test_batches_do_not_show(monkeypatch):
         assert 0 < min(sizes) <= max(sizes) <= 2 * chunk
         assert sum(sizes) == boxes.search(Lines(), np.full((2, 2, 1), 4.0), values, values).looks
     assert seen[0] == seen[1] == seen[2] == seen[3]
-    assert seen[0][2] == sorted([*range(40), *range(40)])
+    assert seen[0][2] == sorted([*range(16), *range(16)])
 
 
 def test_regions_of_points_are_searched_together():

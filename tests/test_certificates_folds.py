@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 
 import numpy as np
@@ -98,12 +98,6 @@ def test_curves_end_where_they_must_and_step_smoothly(fixed: Fixed) -> None:
         assert steps.size == 0 or steps.max() < 0.03
 
 
-def _within(parts: list[Stretch], theta: np.ndarray) -> Iterator[tuple[int, np.ndarray]]:
-    """How many folds there are, and at which of these θ, in each stretch; none next to an event."""
-    for part in parts:
-        yield part.number, theta[(part.low + 1e-3 < theta) & (theta < part.high - 1e-3)]
-
-
 def _roots(theta: float, fixed: Fixed) -> np.ndarray:
     """tan(θ₀/2) of the folds at θ by numpy's roots: of the quartic through values of the conic, and of the sines for α = 0."""
     e0, e1, e2, ec = (float(value) for value in generated.fold_conic(np.cos(theta), np.sin(theta), *fixed))
@@ -114,72 +108,6 @@ def _roots(theta: float, fixed: Fixed) -> np.ndarray:
     height = (e0 + ec * (1 - v * v) / (1 + v * v)) * (1 + v * v) ** 2 + e1 * 2 * v * (1 + v * v) + e2 * 4 * v * v
     roots = np.roots(np.polyfit(v, height, 4))
     return np.sort(roots.real[(np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)])
-
-
-def test_roots_at_a_direction_are_all_and_in_order() -> None:
-    rng = np.random.default_rng(61)
-    for fixed in SETS:
-        for number, theta in _within(fold_events.stretches(fixed), rng.uniform(0.05, math.pi / 2, 30)):
-            wanted = [_roots(angle, fixed) for angle in theta]
-            assert all(row.size == number for row in wanted)
-            found = fold_curves.positive_roots(theta, number, fixed)
-            np.testing.assert_allclose(found, np.reshape(wanted, (theta.size, number)), rtol=1e-6)
-
-
-def test_the_number_of_folds_at_a_direction_is_that_of_changes_of_sign_in_exact_arithmetic() -> None:
-    """On a grid of rational v = tan(θ₀/2) the condition changes its sign as often as a stretch says, or by pairs less often."""
-    grid = [Fraction(k, 32) for k in range(1, 32)] + [Fraction(32, k) for k in range(32, 0, -1)]
-    for fixed in SETS:
-        seen = []
-        for part in fold_events.stretches(fixed):
-            t = Fraction(math.tan(part.inside / 2))
-            c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
-            e0, e1, e2, ec = generated.fold_conic(c, s, *map(Fraction, fixed))
-            values = [
-                e0 + e1 * S + e2 * S * S + ec * C
-                for S, C in ((2 * v / (1 + v * v), (1 - v * v) / (1 + v * v)) for v in grid if fixed.alpha or v <= 1)
-            ]
-            changes = sum(one * two < 0 for one, two in itertools.pairwise(values))
-            ends = (part.at_zero * values[0] < 0) + (part.at_end * values[-1] < 0)
-            assert 0 <= part.number - changes - ends
-            assert (part.number - changes - ends) % 2 == 0
-            seen.append(part.number == changes + ends)
-        assert all(seen[:1])
-
-
-def _closest_roots(theta: float, fixed: Fixed) -> float:
-    """The least gap of all complex roots over the largest, at θ."""
-    e0, e1, e2, ec = (float(value) for value in generated.fold_conic(math.cos(theta), math.sin(theta), *fixed))
-    roots = np.roots([e0 - ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 + ec])
-    return min(abs(one - two) for one, two in itertools.combinations(roots, 2)) / np.abs(roots).max()
-
-
-@pytest.mark.parametrize("index", range(len(SETS)))
-def test_events_are_where_something_happens(index: int) -> None:
-    """At each of them two roots meet, one passes an end, or one has no friction; and neighbours join without a gap."""
-    fixed = SETS[index]
-    parts = fold_events.stretches(fixed)
-    assert (parts[0].low, parts[-1].high) == (0.0, math.pi / 2)
-    for before, after in itertools.pairwise(parts):
-        assert before.inside < before.high == after.low < after.inside
-        theta = after.low
-        e0, e1, e2, ec = (float(value) for value in generated.fold_conic(math.cos(theta), math.sin(theta), *fixed))
-        size = max(map(abs, (e0, e1, e2, ec)))
-        passes = (before.at_zero != after.at_zero) + (before.at_end != after.at_end)
-        if passes:
-            at_end = e0 - ec if fixed.alpha else e0 + e1 + e2
-            assert abs(e0 + ec if before.at_zero != after.at_zero else at_end) < 1e-12 * size
-        if abs(after.number - before.number) == 2:
-            v = _roots(before.inside if before.number > after.number else after.inside, fixed)
-            [near] = fold_curves.positive_roots(np.array([theta]), max(before.number, after.number), fixed)
-            assert np.diff(near).min() < 1e-5 * np.diff(v).max()
-        if before[3:] == after[3:] and fixed.alpha and after.number:
-            roots = fold_curves.positive_roots(np.array([theta]), after.number, fixed)
-            rest = np.abs(fold_curves.friction(np.array([[theta]]), 2 * np.arctan(roots), fixed)).min()
-            gap = np.diff(np.append(roots, 1e9)).min() / roots.max()
-            angles = generated.fold_angles(math.cos(theta), math.sin(theta), 0.0, *fixed)
-            outside = abs(math.hypot(*angles) - 1) < 1e-9 and (angles[0] < 0 or rest < 1e-8)
-            assert outside or gap < 1e-5 or abs(_closest_roots(theta, fixed)) < 1e-6
 
 
 def test_events_however_close_are_told_apart() -> None:
@@ -248,21 +176,6 @@ def test_what_happens_at_90_degrees_or_everywhere_is_no_event(fixed: Fixed) -> N
     for part in parts:
         assert _roots(part.inside, fixed).size == part.number
     check_crossings(fixed, "0.3217", "1.913")
-
-
-def test_without_alpha_curves_lie_on_either_side_alike_and_friction_is_positive() -> None:
-    """A fold at θ₀ is one at π − θ₀; none with cos θ > 0 has a negative friction, in contact or not."""
-    rng = np.random.default_rng(67)
-    for fixed in [one for one in SETS if not one.alpha]:
-        found = _strands(fixed)
-        theta, theta0 = (np.concatenate([getattr(strand, name) for strand in found]) for name in ("theta", "theta0"))
-        there, mirrored = np.lexsort((theta0, theta)), np.lexsort((np.pi - theta0, theta))
-        np.testing.assert_allclose(theta0[there], (np.pi - theta0)[mirrored], rtol=0, atol=1e-12)
-    for _ in range(40):
-        fixed = Fixed(10 ** rng.uniform(-4, 1), 0.0, 10 ** rng.uniform(-3, 1.5), rng.choice([0, 10 ** rng.uniform(-2, 1.5)]))
-        for number, theta in _within(fold_events.stretches(fixed), rng.uniform(0.01, math.pi / 2 - 1e-3, 50)):
-            roots = fold_curves.positive_roots(theta, number, fixed)
-            assert not (fold_curves.friction(theta[:, None], 2 * np.arctan(roots), fixed) < 0).any()
 
 
 @pytest.mark.parametrize(
@@ -429,30 +342,6 @@ def test_a_root_may_enter_where_another_leaves() -> None:
     assert fold_curves._passing(after, before) == (-1, 1)
 
 
-@pytest.mark.parametrize("both", [False, True])
-def test_a_pair_and_a_root_at_an_end_in_one_event(monkeypatch: pytest.MonkeyPatch, both: bool) -> None:
-    """By chance: a pair is born where a root enters at 0; and where another one enters far up."""
-
-    def rows(angle: float) -> list[float]:
-        if angle < 0.7:
-            return []
-        rise = angle - 0.7
-        return [0.1 * rise, 2 - math.sqrt(rise), 2 + math.sqrt(rise), *([5 + 0.1 / (rise + 1e-300)] if both else [])]
-
-    parts = _parts(
-        [0.0, 0.7, math.pi / 2],
-        lambda angle: len(rows(angle)),
-        lambda angle: (_sign(0.7 - angle), _sign(0.7 - angle) if both else 1),
-    )
-    strands = sorted(_traced(monkeypatch, parts, rows, np.linspace(0.1, 1.5, 29), FAMILY), key=lambda one: one.theta0.min())
-    assert len(strands) == 2 + both
-    assert strands[0].theta[0] == 0.7
-    assert strands[0].theta0[0] == 0
-    v = np.tan(strands[1].theta0 / 2)
-    np.testing.assert_allclose((v - 2) ** 2, strands[1].theta - 0.7, atol=1e-9)
-    assert not both or strands[2].theta0[0] == math.pi
-
-
 #: θ(v) = T₅(v − 2) with a tilt: one curve, of which one to five pass a θ; up, and down.
 _WAVE = np.polynomial.Chebyshev([0.75, 0.05, 0, 0, 0, 0.35], domain=[1, 3]).convert(kind=np.polynomial.Polynomial)
 
@@ -539,28 +428,6 @@ def _drawn(monkeypatch: pytest.MonkeyPatch, friction: Callable[[np.ndarray], np.
     return fold_curves.Strand(theta, 1 + theta, friction(theta))
 
 
-@pytest.mark.parametrize("backwards", [False, True])
-def test_strands_are_cut_where_friction_vanishes(monkeypatch: pytest.MonkeyPatch, backwards: bool) -> None:
-    strand = _drawn(monkeypatch, lambda theta: np.cos(5 * theta))
-    strand = fold_curves._backward(strand) if backwards else strand
-    zeros = [math.pi / 10 * k for k in (1, 3)]
-    events = [0.2, zeros[0], 0.5, zeros[1], 1.3]
-    ends = [strand.theta[-1 if backwards else 0], *zeros, strand.theta[0 if backwards else -1]]
-    for positive, wanted in ((True, [(ends[0], ends[1]), (ends[2], ends[3])]), (False, [(ends[1], ends[2])])):
-        pieces = fold_curves._one_sign(strand, events, FAMILY, positive=positive)
-        pieces = pieces[::-1] if backwards else pieces
-        assert len(pieces) == len(wanted)
-        for piece, (low, high) in zip(pieces, wanted, strict=True):
-            theta = piece.theta[::-1] if backwards else piece.theta
-            assert (np.diff(theta) > 0).all()
-            assert theta[[0, -1]].tolist() == [low, high]
-            np.testing.assert_allclose(piece.theta0, 1 + piece.theta, atol=1e-12)
-            np.testing.assert_allclose(piece.mu0, np.cos(5 * piece.theta), atol=1e-9)
-            assert (piece.mu0 >= 0).all() if positive else (piece.mu0 <= 0).all()
-            inner = strand.theta[(strand.theta > low) & (strand.theta < high)]
-            assert np.isin(inner, piece.theta).all()
-
-
 def test_a_change_of_sign_without_an_event_gets_no_point(monkeypatch: pytest.MonkeyPatch) -> None:
     """It is rounding, as it is for α = 0, where no fold is without friction."""
     strand = _drawn(monkeypatch, lambda theta: 1.0 + 0 * theta)
@@ -589,38 +456,6 @@ def test_an_event_is_in_no_stretch() -> None:
     first, second = fold_curves._by_stretch(parts, np.array([0.0, 0.3, 0.5, 0.7, math.pi / 2]))
     assert first.tolist() == [0.25, 0.3]
     assert second.tolist() == [0.7, parts[1].inside, math.pi / 2]
-
-
-def test_curves_without_friction_end_there(fixed: Fixed) -> None:
-    """Where a curve ends at μ₀ = 0 its last point solves the balance without friction: b = −a sin³ θ and d = −a cos³ θ."""
-    kappa, alpha, sigma, beta = fixed
-    for strand in _strands(fixed):
-        for end in (0, -1):
-            if strand.mu0[end] == 0 and alpha:
-                c, s = math.cos(strand.theta[end]), math.sin(strand.theta[end])
-                a = sigma * (1 + beta - alpha)
-                b = -(alpha + sigma) * ((beta + 1) * math.sin(strand.theta0[end]) + kappa)
-                d = (beta + 1 + sigma) * alpha * math.cos(strand.theta0[end])
-                assert b + a * s**3 == pytest.approx(0, abs=1e-14)
-                assert d + a * c**3 == pytest.approx(0, abs=1e-14)
-
-
-def test_pieces_of_a_curve_are_joined_however_they_lie() -> None:
-    t = np.linspace(0, 1, 31)
-    whole = fold_curves.Strand(0.2 + t, 3 - 2 * t, 0.5 + 30 * t**3)
-    cuts = [slice(0, 11), slice(10, 16), slice(15, 31)]
-    parts = [fold_curves.Strand(whole.theta[cut], whole.theta0[cut], whole.mu0[cut]) for cut in cuts]
-    for order in itertools.permutations(range(3)):
-        for turned in itertools.product((False, True), repeat=3):
-            given = [fold_curves._backward(parts[k]) if turn else parts[k] for k, turn in zip(order, turned, strict=True)]
-            for split in range(4):
-                (joined,) = fold_curves._joined(given[:split], given[split:])
-                way = 1 if joined.theta[0] < joined.theta[-1] else -1
-                for name in ("theta", "theta0", "mu0"):
-                    values = getattr(joined, name)[::way]
-                    np.testing.assert_array_equal(np.unique(values), np.unique(getattr(whole, name)))
-                assert (np.diff(joined.theta[::way]) >= 0).all()
-                assert joined.theta.size == 33
 
 
 def test_only_ends_that_are_one_point_are_joined() -> None:

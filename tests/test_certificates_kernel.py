@@ -309,36 +309,6 @@ def _true_code(rows: Array, state: dict[str, Array], nbar: int) -> Array:
     return np.where(flutter < 0, 3, np.where((least < 0) | (half < 0), 2, 1))
 
 
-@pytest.mark.parametrize("carrier", range(5))
-def test_a_code_outlives_every_error_within_the_uncertainty(carrier: int) -> None:
-    """cos, sin, L moved by as much as is uncertain; next to where discriminant or trace vanish, one term carrying the margin."""
-    rng = np.random.default_rng([9, carrier])
-    n = 40000
-    theta, L = rng.uniform(0.02, 3.12, n), 10.0 ** rng.uniform(-2, 1, n) * (1 if carrier else 0.1)
-    mu0, alpha, sigma, beta = (10.0 ** rng.uniform(-2, 1, n) for _ in range(4))
-    for index, value in enumerate((mu0, alpha, sigma, beta), start=1):
-        value *= 30.0 if index == carrier else 1.0
-    c, s, nbar = np.cos(theta), np.sin(theta), (rng.random(n) < 0.8) * 1.0
-    (K11, _), (K21, K22) = kernel.stiffness(c, s, L, 0.0, alpha, sigma, beta, nbar)
-    critical = -((K11 - K22) ** 2) / (4 * K21) - K21
-    near = (critical > 0) & (rng.random(n) < 0.6)
-    mu0 = np.where(near, critical * (1 + rng.choice([-1, 1], n) * 10.0 ** rng.uniform(-6, -1, n)), mu0)
-    uncertainty = 10.0 ** rng.uniform(-6, -2, n)
-    (K11, K12), (K21, K22) = kernel.stiffness(c, s, L, mu0, alpha, sigma, beta, nbar)
-    slope = L * (K11 * K22 - K12 * K21)
-    point = Point(0.0, 1.0, mu0, 1.0, alpha, sigma, beta, nbar)
-    said, certain = kernel.stability(Direction(c, s), L, slope, uncertainty, point)
-    for _ in range(12):
-        turn = theta + uncertainty * rng.choice([-1, 1], n) * np.minimum(s, 1)
-        stretch = L * (1 + uncertainty * rng.choice([-1, 1], n))
-        (K11, K12), (K21, K22) = kernel.stiffness(np.cos(turn), np.sin(turn), stretch, mu0, alpha, sigma, beta, nbar)
-        trace, _, flutter = kernel.invariants(K11, K12, K21, K22)
-        code = np.where(slope < 0, 2, np.where(flutter < 0, 3, np.where(trace < 0, 2, 1)))  # det K < 0: no flutter
-        assert (~certain | (said == code)).all()
-    sure = (uncertainty < 1e-5) & ~near
-    assert certain[sure].mean() > 0.8
-
-
 # ------------------------------------------------------------------------------------------ factors and their means
 
 
@@ -394,31 +364,6 @@ def test_the_resolvents_root_is_the_one_apart_to_a_few_roundings() -> None:
     assert worst < 8
 
 
-def test_the_outermost_root_is_one_newton_step_from_the_last_digit() -> None:
-    """One real root or three, of any size and sign, away from where the two cases meet; and where P, Q or both are 0."""
-    rng = np.random.default_rng(31)
-    n = 600
-    P = rng.choice([-1, 1], n) * 10.0 ** rng.uniform(-8, 8, n)
-    share = np.where(rng.random(n) < 0.5, rng.uniform(0, 0.99, n), 10.0 ** rng.uniform(0.01, 9, n))
-    Q = rng.choice([-1, 1], n) * np.abs(P) ** 1.5 * share
-    small = kernel.outermost(P, Q)
-    with mpmath.workdps(60):
-        for p, q, z in zip(P, Q, small, strict=True):
-            z0 = z = mpmath.mpf(float(z))
-            for _ in range(6):
-                z -= (z**3 + 3 * mpmath.mpf(float(p)) * z + 2 * mpmath.mpf(float(q))) / (3 * z * z + 3 * mpmath.mpf(float(p)))
-            assert abs(z0 - z) <= 1e-11 * abs(z)  # a Newton step follows
-            if p < 0:
-                assert z * z >= -p * 2.999
-            assert z * q <= 0
-    zero, one = np.float64(0.0), np.float64(1.0)
-    assert abs(kernel.outermost(zero, zero)) < 1e-100
-    assert kernel.outermost(zero, -4 * one) == pytest.approx(2.0, rel=1e-15)
-    assert kernel.outermost(one, zero) == 0
-    assert abs(kernel.outermost(-one, zero)) == pytest.approx(math.sqrt(3.0), rel=1e-15)
-    assert kernel.outermost(-one, -one) == pytest.approx(2.0, rel=1e-15)
-
-
 def test_a_step_that_leads_astray_is_not_taken() -> None:
     """Where the factors share a root, Newton's equations are singular; where all roots of the resolvent meet, its slope is 0."""
     same = kernel.polish(*map(np.float64, (0.0, -2.0, 0.0, 0.5, -1.0, 0.5, -1.0)))
@@ -462,20 +407,6 @@ def test_guesses_are_the_roots_that_may_be_equilibria(nbar: int) -> None:
         np.testing.assert_allclose(t[:count], roots, rtol=1e-6)
         assert np.isinf(t[count:]).all()
     assert seen == ({(1, True), (3, False)} if nbar else {(2, True), (4, False)})
-
-
-def test_guesses_say_where_a_pair_may_have_been_missed() -> None:
-    """f with a double root, or just none, and a u that leaves the sign of the discriminant open."""
-    s, c = math.sin(1.1), math.cos(1.1)
-    for off, certain in ((1e-3, False), (-1e-3, True)):
-        a, m = 0.3, 0.5
-        b, d = -(a * s**3 + m * s * s * c) * (1 + off), -a * c**3 + m * s * (1 + c * c)
-        line = Balance(a, b, d, m, a, d, 1.0)
-        for nbar in (0.0, 1.0):
-            for u, sure in ((2.0**-53, True), (0.1, certain)):
-                got = kernel.guesses(FINE._replace(nbar=nbar), Balance(*map(np.float64, line)), u)
-                assert bool(got.certain) == sure
-                assert int(got.count) == (3 if certain else 1) + (0 if nbar else 1)
 
 
 def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -585,14 +516,14 @@ def test_cosine_and_sine_to_a_unit_in_the_last_place() -> None:
     with mpmath.workdps(50):
         for value, c, s in zip(x, cosine, sine, strict=True):
             for got, true in ((c, mpmath.cos(float(value))), (s, mpmath.sin(float(value)))):
-                assert abs(mpmath.mpf(float(got)) - true) <= 0.9 * math.ulp(float(true))
+                assert abs(mpmath.mpf(float(got)) - true) <= 0.8 * math.ulp(float(true))
 
 
 def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
     """At random over decades, of both signs, and next to where its pieces meet."""
     rng = np.random.default_rng(16)
     places = np.array([0.4375, 0.5, 0.6875, 1.0, 1.1875, 1.5, 2.4375])
-    t = np.concatenate([10.0 ** rng.uniform(-12, 12, 400), rng.uniform(0, 3, 2500), places, np.nextafter(places, 0)])
+    t = np.concatenate([10.0 ** rng.uniform(-300, 300, 400), rng.uniform(0, 3, 2500), places, np.nextafter(places, 0)])
     t = np.concatenate([t, -t, [0.0]])
     with mpmath.workdps(50):
         for value, angle in zip(t, kernel.arctangent(t), strict=True):
@@ -792,22 +723,6 @@ def test_where_the_sine_is_stationary_its_second_order_counts() -> None:
         root = kernel.at_root(t, point, line, 0.0)
         assert root.y == pytest.approx(-share * sigma * radius**2 / (2 * q), rel=1e-6)
         assert bool(root.member) == member
-
-
-def test_a_length_that_may_be_negative_is_no_member() -> None:
-    """Where y leaves no doubt: β = 0, so that L = (σ s + κ)/(σ s) with sin θ < 0 and y > 0 as long as κ < σ (sin θ₀ − s)."""
-    theta, sigma = -1.0, 5.0
-    for radius, u in ((1e-5, 0.0), (0.0, 1e-4)):
-        for share in (0.97, 1.05):
-            kappa = -sigma * math.sin(theta)
-            point = Point(0.5, 0.8, 0.3, kappa, 0.2, sigma, 0.0, 0.0)
-            moved = _moved(theta, 1.0001 * radius, point)[1][0] * 2 + kernel.COUNT_STATE * u * 2
-            for side in (1, -1):
-                t, line = _forced(theta, radius)
-                shifted = point._replace(kappa=kappa * (1 - side * share * moved))
-                root = kernel.at_root(t, shifted, line, u)
-                assert bool(root.member) == (share > 1 and side > 0)
-                assert bool(root.outsider) == (share > 1 and side < 0)
 
 
 @pytest.mark.parametrize("nbar", [0, 1])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from fractions import Fraction
 from typing import Any
@@ -13,10 +12,6 @@ import pytest
 import spragsym as ss
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
-from spragsym.exact.polynomials import Undecided
-from spragsym.kang_nam import digits
-from spragsym.kang_nam.catastrophe import cusp_proofs
-from spragsym.kang_nam.catastrophe.fold_enclosures import Point
 from spragsym.kang_nam.statics import adaptive_precision
 from spragsym.parameters import NAMES
 from spragsym.parameters.ranges import Range
@@ -139,18 +134,6 @@ def test_the_arithmetic_asked_for_is_the_one_used() -> None:
         assert spy.used > 0
 
 
-@pytest.mark.parametrize("dps", [1, 8, 40, 150])
-def test_equilibria_have_the_digits_asked_for(dps: int) -> None:
-    """Against Newton's method on the forces."""
-    for point in ((0.5, 0.5, 0.0078125, 0.0078125, 0.125, 0.0), (1.25, 0.0, 0.5, 0.25, 1.0, 0.5)):
-        for contact in (True, False):
-            for state in ss.precise.equilibria(**dict(zip(NAMES, point, strict=True)), contact=contact, dps=dps):
-                with mpmath.workdps(dps + 40):
-                    true = reference.refine(state.x, state.y, *point, contact=contact, digits=dps + 40)
-                    for name, value in zip(("theta", "L", "x", "y"), true, strict=True):
-                        assert abs(getattr(state, name) - value) <= mpmath.mpf(10) ** -dps * max(1, abs(value))
-
-
 CUSPS = [("0.007", "0.007", "0.1", 0), ("0.3", 0, "1.7", "0.4"), ("0.2", "1.5", "0.9", "0.5")]
 
 
@@ -177,27 +160,3 @@ def test_the_radius_of_a_cusp_holds_every_number(dps: int, arith: Arithmetic) ->
             assert rough.count == len(rough.sines) > 0
             assert all(high - low <= Fraction(1, 2**64) for low, high in rough.sines)
     assert rough[0] is rough.cusps[0]
-
-
-def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith: Arithmetic) -> None:
-    """One interval of a cusp at a time blurred, by nearly as much as three digits allow, and by a little more."""
-    exact = (Fraction(1, 5), Fraction(3, 2), Fraction(9, 10), Fraction(1, 2))
-    with arith.precision(200), mpmath.workdps(40):
-        for point in itertools.islice(cusp_proofs.cusps(arith, exact, 200), 3):
-            fields = [*point.parameters[:2], point.theta, point.L, point.x, point.y]
-            for place, value in enumerate(fields):
-                middles = [sum(arith.ends(field)) / 2 for field in fields]
-                middle, sizes = middles[place], [max(Fraction(1), abs(one)) for one in middles]
-                for share, allowed in ((Fraction(99, 100), min(sizes[place:]) / 1000), (Fraction(101, 100), sizes[place] / 1000)):
-                    blurred = [*fields]
-                    blurred[place] = value + arith.between(-share * allowed, share * allowed)
-                    wide = Point((*blurred[:2], *point.parameters[2:]), *blurred[2:])
-                    if share > 1:
-                        with pytest.raises(Undecided):
-                            digits._cusp(arith, wide, 3)
-                        continue
-                    cusp = digits._cusp(arith, wide, 3)
-                    radius = ss.precise.as_exact("kappa", cusp.radius, ss.parameters.RANGES["kappa"])
-                    assert share * allowed <= radius <= share * allowed * (1 + Fraction(1, 10**6))
-                    found = (cusp.theta0, cusp.mu0, cusp.theta, cusp.L, cusp.x, cusp.y)
-                    assert abs(found[place] - middle) < 1e-11  # a radius has 30 bits, and its middle no finer ones

@@ -17,7 +17,7 @@ from spragsym.exact import adaptive_bits, line_roots, polynomials
 from spragsym.exact.intervals import Arithmetic, Balls
 from spragsym.exact.polynomials import Undecided
 from spragsym.kang_nam.catastrophe import cusp_proofs, fold_proofs
-from spragsym.kang_nam.catastrophe.fold_enclosures import Angles, Point, SineRoot, in_contact
+from spragsym.kang_nam.catastrophe.fold_enclosures import Angles, Point, SineRoot
 from spragsym.parameters import NAMES
 from tests.oracles import reference
 from tests.support import as_fraction, as_mpf, with_roots
@@ -84,23 +84,6 @@ def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
             assert low <= as_fraction(min(turns))
             assert as_fraction(max(turns)) <= high
             assert high - low < 0.05
-
-
-def test_what_vanishes_exactly_is_zero_and_what_may_is_undecided(arith: Arithmetic) -> None:
-    asked: list[bool] = []
-
-    def vanishes(answer: bool) -> bool:
-        asked.append(answer)
-        return answer
-
-    with arith.precision(60):
-        wide = arith.between(Fraction(-1), Fraction(1))
-        for value, expected in ((arith.exact(Fraction(1, 3)), 1), (arith.exact(Fraction(-1, 3)), -1)):
-            assert adaptive_bits.sign_or_zero(arith, value, "x", lambda: vanishes(True)) == expected
-        assert not asked  # a sign that is there needs no algebra
-        assert adaptive_bits.sign_or_zero(arith, wide, "x", lambda: vanishes(True)) == 0
-        with pytest.raises(Undecided, match="what it is"):
-            adaptive_bits.sign_or_zero(arith, wide, "what it is", lambda: vanishes(False))
 
 
 @pytest.mark.parametrize("size", [Fraction(1), Fraction(-1000), Fraction(1, 1000)])
@@ -355,18 +338,6 @@ def test_what_may_be_upright_is_open() -> None:
                 list(cusp_proofs._cusps_at(arith, exact, SineRoot(polynomial, Fraction(low), Fraction(high))))
 
 
-def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:
-    exact = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
-    with arith.precision(200):
-        point = next(cusp_proofs.cusps(arith, exact, 200))
-        assert cusp_proofs.is_versal(arith, point)
-        theta0, mu0, *rest = point.parameters
-        wide = arith.between(Fraction(-2), Fraction(2))
-        blurred = Point((theta0, mu0, *rest), point.theta + wide, point.L, point.x, point.y)
-        assert not cusp_proofs.is_versal(arith, blurred)
-        assert not cusp_proofs.is_versal(arith, Point((theta0 + wide, mu0, *rest), point.theta, point.L, point.x, point.y))
-
-
 def test_the_unfolding_is_full_where_the_derivatives_are_independent(arith: Arithmetic, monkeypatch: pytest.MonkeyPatch) -> None:
     with arith.precision(100):
         point = next(cusp_proofs.cusps(arith, (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0)), 100))
@@ -413,28 +384,6 @@ def test_no_positive_root_is_none(polynomial: str) -> None:
     """A constant has none at all, and 0 is not positive."""
     exact = tuple(map(Fraction, polynomial.split()))
     assert line_roots.roots_on_the_line(exact, polynomials.exact_sign, Fraction, 60, positive=True) == []
-
-
-def test_contact_needs_a_length_and_a_depth(arith: Arithmetic) -> None:
-    """By the forces: y = 0 where σ (s₀ − s) = κ, contact for larger s; L < 0 for a spring that points down."""
-    beta, sigma, kappa = Fraction(1, 2), Fraction(2), Fraction(1, 5)
-    c, c0, s0 = Fraction(4, 5), Fraction(4, 5), Fraction(3, 5)
-
-    def found(s: Fraction) -> list[Point]:
-        values = tuple(map(arith.exact, (kappa, Fraction(1), sigma, beta)))
-        return list(in_contact(arith, Angles(*map(arith.exact, (c, s, c0, s0))), arith.exact(Fraction(1, 3)), values))
-
-    with arith.precision(100):
-        (point,) = found(Fraction(3, 5))
-        L = (sigma * Fraction(3, 5) + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * Fraction(3, 5))
-        for value, expected in ((point.L, L), (point.x, c0 - L * c), (point.y, s0 - L * Fraction(3, 5))):
-            low, high = arith.ends(value)
-            assert low <= expected <= high
-            assert high - low < Fraction(1, 2**90)
-        assert found(Fraction(3, 5) - Fraction(101, 1000)) == []  # y > 0
-        assert found(-Fraction(3, 5)) == []  # L < 0 and y < 0
-        with pytest.raises(Undecided, match="y = 0"):
-            found(s0 - kappa / sigma)
 
 
 # -------------------------------------------------------------------------------------------- folds at coincidences

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
@@ -12,12 +11,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.derive.emit import language
-from spragsym.derive.emit.write import SOURCES
 from spragsym.exact.double_double import DoubleDouble, cosine_and_sine
 from spragsym.generated import double_double as dd
 from spragsym.generated import kernel
-from spragsym.kang_nam.statics import adaptive_precision, backends, block, compiled, solver
+from spragsym.kang_nam.statics import adaptive_precision, block, compiled
 from spragsym.parameters import NAMES
 from spragsym.results import state_columns
 from tests.oracles.families import FAMILIES
@@ -94,20 +91,6 @@ def test_the_roundoff_of_the_kernel_covers_every_operation() -> None:
                 assert abs(found - exact) <= 2 * kernel.WIDE_ROUNDOFF * abs(exact)
 
 
-def test_coefficients_of_the_series_are_reciprocals_of_factorials() -> None:
-    text = language.read(SOURCES / "emit" / "double_double.py").text
-    body = text[text.index("def dd_cosine_and_sine") :]
-    pairs = [
-        line.split("paired(")[1].rstrip(")").split(", ")
-        for line in body.splitlines()
-        if "dd_multiply(z, " in line and "paired" in line
-    ]
-    numbers = {abs(round(1 / float(high))): Fraction(float(high)) + Fraction(float(low)) for high, low in pairs}
-    assert len(numbers) == len(pairs) == 16
-    for order in range(2, 18):
-        assert abs(abs(numbers[math.factorial(order)]) * math.factorial(order) - 1) < Fraction(1, 2**104)
-
-
 def test_arrays_of_double_doubles_compute_as_numbers_do() -> None:
     rng = np.random.default_rng(45)
     x, y = (DoubleDouble(*np.array(_pairs(rng, 200)).T) for _ in range(2))
@@ -180,27 +163,3 @@ def test_c_and_numpy_have_the_same_bits(contact: bool) -> None:
     np.testing.assert_array_equal(found[0][1].count, found[1][1].count)
     for name in state_columns.COLUMNS:
         np.testing.assert_array_equal(found[0][1].padded(name), found[1][1].padded(name))
-
-
-def test_blocks_of_it_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    p = _hard(30)
-    ss.set_backend("numpy")
-    whole = ss.equilibria(p)
-    monkeypatch.setattr(solver, "WIDE_BLOCK", 7)
-    pieces = ss.equilibria(p)
-    ss.set_backend("auto")
-    for name in ("theta", "L", "count", "stability", "error", "escalated"):
-        np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
-
-
-@pytest.mark.parametrize("scale", [1e-60, 1e60])
-def test_numbers_that_could_under_or_overflow_go_on_to_intervals(scale: float) -> None:
-    """Products of two parts are exact between 1e-50 and 1e50 only, whatever else would be settled."""
-    assert backends.get_backend() == "auto"
-    given = {"theta0": 1.0, "mu0": 0.5, "kappa": 0.1, "alpha": 0.1, "sigma": 0.1, "beta": 0.1}
-    for name in ("kappa", "sigma", "alpha", "beta", "mu0"):
-        values = [np.array([value * (scale if name == key else 1.0)]) for key, value in given.items()]
-        with np.errstate(all="ignore"):
-            assert block.solve_widely(values, True, state_columns.Slots(1, 3), 0, 1).tolist() == [0]
-            if compiled.available():
-                assert compiled.solve_widely(values, True, state_columns.Slots(1, 3), 0, 1).tolist() == [0]

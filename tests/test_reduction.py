@@ -8,9 +8,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from spragsym.exact.ball_functions import XP
 from spragsym.exact.interval_arrays import Intervals
-from spragsym.exact.intervals import Ball, Balls
 from spragsym.exact.jets import Jet, variables
 from spragsym.exact.reduction import reduced_roots
 from spragsym.models.directions import direction
@@ -105,14 +103,3 @@ def test_roots_of_jets_have_all_of_their_terms():
                 enclosure = jet.derivative(*[0] * order) if order else jet.value
                 assert enclosure.low[0] - 1e-12 <= want <= enclosure.high[0] + 1e-12
                 assert enclosure.width[0] < 1e-6 * max(1, abs(want))
-
-
-@pytest.mark.parametrize("value", [0.0, 1.0, -1.0, 1e-30, -40.5, 300.25, 2.0**-40])
-def test_exponentials_of_balls(value):
-    numerator, denominator = value.as_integer_ratio()
-    low, high = Balls().ends(XP.exp(Ball(numerator, 0, 1 - denominator.bit_length(), 200)))
-    with mp.workdps(80):
-        want = mp.exp(mp.mpf(value))
-        ends = [mp.mpf(end.numerator) / end.denominator for end in (low, high)]
-        assert ends[0] * (1 - mp.mpf(10) ** -75) <= want <= ends[1] * (1 + mp.mpf(10) ** -75)
-        assert ends[1] - ends[0] < want * mp.mpf(10) ** -50

@@ -1,4 +1,4 @@
-"""One or three: every step holds, a broken assumption is noticed, and exact counts agree."""
+"""One or three: every step holds, each part of it is needed, a broken assumption is noticed, and exact counts agree."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
+import mpmath
 import pytest
 import sympy as sp
 
@@ -14,7 +15,11 @@ from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, stab
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.generated import equilibrium as generated
 from tests.support import few
-from tests.theorem_steps import balance, broken_steps, coefficients, derive_first, quartic, state
+
+#: The derivation as it is, also where a test puts something else in its place.
+quartic, coefficients, state, balance = (
+    elimination.quartic_in_t, elimination.f_coefficients, elimination.state, equilibrium.balance
+)  # fmt: skip
 
 
 @pytest.mark.thorough
@@ -27,8 +32,14 @@ def test_every_step_holds() -> None:
 
 @pytest.fixture(autouse=True, scope="module")
 def derived() -> None:
-    """Before anything is put in its place."""
-    derive_first()
+    """Each of these functions keeps what it gave first, which must be what is derived."""
+    for function in (quartic, coefficients, state, balance):
+        function()
+
+
+def broken_steps() -> list[str]:
+    """What is claimed by steps that do not hold."""
+    return [step.claim for step in theorem.one_or_three() if not step.holds]
 
 
 def _coefficient(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
@@ -37,6 +48,11 @@ def _coefficient(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Cal
 
 def _state(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
     return lambda: state() | {symbol: change(state()[symbol])}
+
+
+def deeper() -> sp.Expr:
+    """A y that grows with the depth."""
+    return sp.together(state()[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q)
 
 
 @pytest.mark.parametrize(
@@ -74,8 +90,27 @@ def _state(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[
                      "s* > 0: contact is θ* < θ < π − θ*, and f is negative before", id="f is not q s F_x"),
         pytest.param(stability, "characteristic", lambda K, C: sp.expand((stability.lam**2 * sp.eye(2) - K).det()),
                      "det K < 0 is divergence", id="sign of the stiffness in (27)"),
+        pytest.param(elimination, "quartic_in_t", lambda: (*quartic(), nm.fm), "begins with −b t⁴", id="a power too many"),
+        pytest.param(elimination, "quartic_in_t", lambda: (quartic()[0], quartic()[1] + nm.fm, *quartic()[2:]),
+                     "three positive roots need", id="coefficient of t alone"),
+        pytest.param(elimination, "quartic_in_t", lambda: (*quartic()[:2], quartic()[2] + nm.fm, *quartic()[3:]),
+                     "three positive roots need", id="coefficient of t² alone"),
+        pytest.param(elimination, "f_coefficients", lambda: coefficients() | {nm.fm: -coefficients()[nm.fm]},
+                     "three positive roots need", id="sign of m"),
+        pytest.param(elimination, "f_coefficients", lambda: coefficients() | {nm.fb: 0 * nm.fb},
+                     "−b is positive", id="b is zero"),
+        pytest.param(equilibrium, "balance", lambda: (balance()[0], balance()[1] - 2 * nm.kappa),
+                     "no equilibrium has sin θ = 0", id="preload"),
+        pytest.param(elimination, "state", lambda: state() | {nm.L: -state()[nm.L]}, "s > 0 gives L > 0", id="sign of L"),
+        pytest.param(elimination, "state", lambda: state() | {nm.L: 1 / (nm.s * nm.q)},
+                     "s < 0 excludes", id="length without preload"),
+        pytest.param(elimination, "state", lambda: state() | {nm.y: deeper()},
+                     "s > 0 ≥ s* gives y < 0", id="y that grows with the depth"),
+        pytest.param(elimination, "f_form", elimination.f_form + nm.fb * nm.c, "f is negative before", id="f at 0"),
+        pytest.param(elimination, "f_form", elimination.f_form + 2 * nm.fb * (nm.c + 1),
+                     "s* ≤ 0: contact is 0 < θ < π", id="f at 0 alone"),
     ], "sign of b", "length at the ends", "sign of the spring to ground", "slope", "sign of f at π", "f is not q s F_x",
-       "sign of the stiffness in (27)"),
+       "sign of the stiffness in (27)", "a power too many", "preload", "sign of L", "y that grows with the depth"),
 )  # fmt: skip
 def test_a_broken_assumption_is_noticed(
     module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
@@ -146,3 +181,153 @@ def test_what_is_small_without_friction_is_proved() -> None:
     steps = theorem.smallest_without_friction()
     assert [step.claim for step in steps if not step.holds] == []
     assert len(steps) == 4
+
+
+# ------------------------------------------------------------------------------ each part of a step is needed
+
+
+@pytest.mark.parametrize(("signs", "number"), [((-1, 0, 0, 1), 1), ((1, 0, 1), 0), ((-1, 1, -1, 0, 1), 3), ((), 0), ((0, -1), 0)])
+def test_changes_of_sign(signs: tuple[int, ...], number: int) -> None:
+    assert theorem._changes(signs) == number
+
+
+PARTS = [theorem._quartic, theorem._threshold_below_zero, theorem._threshold_above_zero, theorem._middle]
+PARTS += [theorem.smallest_without_friction]
+
+
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.__name__)
+def test_every_sign_that_is_claimed_is_needed(part: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With one of its polynomials not positive a part does not hold."""
+    calls = 0
+
+    def positive(*_: Any, **__: Any) -> bool:
+        nonlocal calls
+        calls += 1
+        return calls != failing
+
+    monkeypatch.setattr(theorem, "manifestly_positive", positive)
+    failing = 0
+    assert all(step.holds for step in part())
+    for failing in range(1, calls + 1):  # noqa: B007  # read by the function above
+        calls = 0
+        assert not all(step.holds for step in part())
+
+
+def test_what_must_be_positive_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """−b where the arc ends at 0 and π; q s*, −P s* and the difference of squares elsewhere; and both parts of L."""
+    kappa, sigma, alpha, beta, s0, threshold, excess, level, s = map(
+        sp.Rational, ("1/7", 2, 3, "1/2", "3/5", "1/3", "1/5", "1/4", "4/9")
+    )
+    values = {"kappa": kappa, "sigma": sigma, "s_0": s0, "alpha": alpha, "beta": beta, "s_star": threshold, "excess": excess}
+    values |= {"level": level, "s": s}
+
+    def asked(part: Callable[[], Any]) -> set[sp.Rational]:
+        found = [
+            polynomial.subs({symbol: values.get(symbol.name, 1) for symbol in symbols})
+            for polynomial, symbols in _asked(part, monkeypatch)
+        ]
+        return set(found)
+
+    push, squares = sigma * threshold - (sigma + alpha) * (threshold + excess), level + (threshold + excess) ** 2 - threshold**2
+    ends = {(1 + beta + sigma) * threshold, -push, push**2 * squares - (alpha * threshold) ** 2 * level}
+    assert asked(lambda: theorem._signs_at_the_ends(elimination.f_form)) == ends
+    assert asked(theorem._middle) == ends | {(alpha + sigma) * ((1 + beta) * s0 + kappa)}
+    numerator, denominator = sigma * s + (1 + beta) * s0 + kappa, (1 + beta + sigma) * s
+    assert {numerator, denominator} <= asked(theorem.smallest_without_friction)
+    assert {numerator, denominator} <= asked(theorem._threshold_below_zero)
+
+
+@pytest.mark.parametrize("e1", [-1, 0])
+@pytest.mark.parametrize("e2", few([-1, 0], -1))
+@pytest.mark.parametrize("e3", few([-1, 0, 1], -1, 1))
+def test_descartes_rule_is_asked_for_every_row_of_signs(e1: int, e2: int, e3: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(theorem, "manifestly_positive", lambda *_, **__: True)
+    monkeypatch.setattr(theorem, "_changes", lambda signs: 1 + (tuple(signs) == (-1, e1, e2, e3, 1)))
+    assert [step.claim for step in theorem._quartic() if not step.holds] == [
+        step.claim for step in theorem.one_or_three() if "three positive roots need" in step.claim
+    ]
+
+
+def test_the_push_at_the_ends_must_exceed_alpha(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With p = σ, without the α of p = α + σ, it does not."""
+    spelled = theorem._in_contact
+    monkeypatch.setattr(theorem, "_in_contact", lambda expression: spelled(expression.subs(nm.p, nm.sigma)))
+    assert any("−P > α" in step.claim for step in theorem._threshold_above_zero() if not step.holds)
+
+
+def test_both_parts_of_a_length_must_be_positive(monkeypatch: pytest.MonkeyPatch) -> None:
+    numerator, denominator = theorem._length_fraction()
+    for parts in ((-numerator, denominator), (numerator, -denominator)):
+        monkeypatch.setattr(theorem, "_length_fraction", lambda parts=parts: parts)
+        assert any("s > 0 gives L > 0" in step.claim for step in theorem._threshold_below_zero() if not step.holds)
+
+
+def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[tuple[sp.Expr, tuple[sp.Symbol, ...]]]:
+    """The polynomials that a part asks to be positive, each with its symbols."""
+    asked: list[tuple[sp.Expr, tuple[sp.Symbol, ...]]] = []
+
+    def remember(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], *_: Any, **__: Any) -> bool:
+        asked.append((polynomial, symbols))
+        return True
+
+    monkeypatch.setattr(theorem, "manifestly_positive", remember)
+    part()
+    return asked
+
+
+def test_the_claim_about_the_ends_is_the_difference_of_the_squares(monkeypatch: pytest.MonkeyPatch) -> None:
+    """P² cos² θ* − α² cos² θ₀ at rational sines, −P = α + λ, s₀ = s* + e."""
+    polynomial, symbols = _asked(theorem._threshold_above_zero, monkeypatch)[-1]
+    for given in ((1, 2, "1/3", "1/5"), (3, "1/7", "2/9", "1/2")):
+        alpha, surplus, threshold, excess = map(sp.Rational, given)
+        level = 1 - (threshold + excess) ** 2
+        here = polynomial.subs(dict(zip(symbols, (alpha, surplus, level, threshold, excess), strict=True)))
+        assert here == (alpha + surplus) ** 2 * (1 - threshold**2) - alpha**2 * level
+
+
+def test_the_sign_at_the_ends_is_that_of_the_difference_of_squares(monkeypatch: pytest.MonkeyPatch) -> None:
+    """s*² (P² cos² θ* − α² cos² θ₀) with P = σ − p L and L = s₀/s*, at rational sines."""
+    polynomial, symbols = _asked(lambda: theorem._signs_at_the_ends(elimination.f_form), monkeypatch)[-1]
+    for given in (("1/2", 3, 1, "1/3", "1/5"), (2, "1/7", 0, "2/9", "1/2")):
+        sigma, alpha, beta, threshold, excess = map(sp.Rational, given)
+        level = 1 - (threshold + excess) ** 2
+        here = polynomial.subs(dict(zip(symbols, (sigma, alpha, beta, threshold, excess, level), strict=True)))
+        push = sigma * threshold - (sigma + alpha) * (threshold + excess)
+        assert here == push**2 * (1 - threshold**2) - (alpha * threshold) ** 2 * level
+
+
+def test_the_slope_without_friction_is_that_of_the_force(monkeypatch: pytest.MonkeyPatch) -> None:
+    """s² c² times the slope of q F_x/cos θ = f/(sin θ cos θ), from the balance of forces and by differences in many digits."""
+    polynomial, symbols = _asked(theorem.smallest_without_friction, monkeypatch)[0]
+    with mpmath.workdps(40):
+        for given in ((0.7, 1.1, 0.3, 0.25, 0.01, 0.5), (1.4, 0.2, 0.02, 2.0, 3.0, 0.0), (0.1, 0.9, 1.7, 0.6, 0.0, 1.5)):
+            theta0, theta, kappa, sigma, alpha, beta = map(mpmath.mpf, given)
+            s0, c0, q = mpmath.sin(theta0), mpmath.cos(theta0), beta + 1 + sigma
+
+            def force(angle: mpmath.mpf, parts: tuple[mpmath.mpf, ...] = (s0, c0, q, kappa, sigma, alpha, beta)) -> mpmath.mpf:
+                s0, c0, q, kappa, sigma, alpha, beta = parts
+                s, c = mpmath.sin(angle), mpmath.cos(angle)
+                L = (sigma * s + (beta + 1) * s0 + kappa) / (q * s)
+                return q * (sigma * (1 - L) * c + alpha * (c0 - L * c)) / c
+
+            c, s = mpmath.cos(theta), mpmath.sin(theta)
+            here = dict(zip(symbols, (kappa, sigma, s0, alpha, beta, c, s, c0), strict=True))
+            value = sp.lambdify(symbols, polynomial, "mpmath")(*(here[symbol] for symbol in symbols))
+            assert abs(value - (c * s) ** 2 * mpmath.diff(force, theta)) < 1e-20
+
+
+@pytest.mark.parametrize(
+    ("name", "changed", "claim"),
+    [
+        pytest.param("f_form", elimination.f_form + nm.fa, "f = s c (a + b/s + d/c)", id="a term beside a, b, d"),
+        pytest.param("f_coefficients", lambda: coefficients() | {nm.fd: 2 * coefficients()[nm.fd]},
+                     "at cos θ = 0", id="the spring to ground in f"),
+        pytest.param("state", lambda: state() | {nm.x: 2 * nm.c0 - nm.L * nm.c}, "at cos θ = 0", id="x at cos θ = 0"),
+        pytest.param("state", lambda: state() | {nm.x: nm.c0 - nm.L * nm.c**3}, "where cos θ < 0", id="x where cos θ < 0"),
+    ],
+)  # fmt: skip
+def test_what_is_small_without_friction_needs_each_part(
+    name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(elimination, name, changed)
+    assert any(claim in step.claim for step in theorem.smallest_without_friction() if not step.holds)

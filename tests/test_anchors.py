@@ -11,9 +11,9 @@ import pytest
 
 import spragsym as ss
 from spragsym.exact.interval_arrays import Intervals
-from spragsym.models.balance import Balance
-from spragsym.models.regions import region
-from spragsym.models.remarks import of_boxes
+from spragsym.models.mechanics.balance import Balance
+from spragsym.models.statics.regions import region
+from spragsym.models.statics.remarks import of_boxes
 from tests.conftest import Once
 from tests.oracles.model_references import turned_spring
 from tests.support import few

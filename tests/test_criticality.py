@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
-from spragsym.models.normal_forms import BALLS, _pair, _Side, normal_form
+from spragsym.models.catastrophe.normal_forms import BALLS, _pair, _Side, normal_form
 from tests.support import needs_a_quick_integrator
 from tests.test_documents import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from validation import criticality as validate_criticality

@@ -52,9 +52,9 @@ def test_the_general_floor_knows_no_model() -> None:
         assert not any("kang_nam" in parts for parts in imported(path, derive)), path
 
 
-def arrows() -> dict[str, set[str]]:
-    """Rooms of spragsym in the picture, each with the rooms that it may import from."""
-    drawn = re.findall(r"^    (\w+) .*<- (.*)$", section("The house"), re.MULTILINE)
+def arrows(indent: int = 4) -> dict[str, set[str]]:
+    """Rooms of spragsym in the picture, or with a deeper indent those of its models, each with the rooms that it may import from."""
+    drawn = re.findall(rf"^ {{{indent}}}(\w+) .*<- (.*)$", section("The house"), re.MULTILINE)
     rooms: dict[str, set[str]] = {}
     for name, text in drawn:
         before = {*rooms, "generated"}
@@ -81,6 +81,12 @@ def test_the_picture_shows_every_room_and_every_import() -> None:
                 used -= {"derive"}  # loaded when a command asks for it
             if name == "parameters":
                 used -= {"models"}  # a set loads its model when it is asked for
+            assert used <= below, f"{path.relative_to(ROOT)} imports from {sorted(used - below)}"
+    inner = arrows(indent=6)
+    assert {path.parent.name for path in spragsym.glob("models/*/__init__.py")} == set(inner)
+    for name, below in inner.items():
+        for path in sorted((spragsym / "models" / name).glob("*.py")):
+            used = {parts[1] for parts in imported(path, spragsym) if parts[0] == "models"} - {name, "model"}
             assert used <= below, f"{path.relative_to(ROOT)} imports from {sorted(used - below)}"
 
 

@@ -16,7 +16,7 @@ from spragsym.exact.intervals import Ball, Balls
 from spragsym.exact.jets import Jet
 from spragsym.exact.wide_balls import XP as WIDE
 from spragsym.exact.wide_balls import WideBalls
-from spragsym.models.laws import XP as BOXES
+from spragsym.models.mechanics.laws import XP as BOXES
 
 #: Each function, and arguments: about 0 and far from it, and where it is 1 or 0.
 ARGUMENTS = {

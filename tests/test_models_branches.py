@@ -11,8 +11,8 @@ import pytest
 from scipy.optimize import fsolve
 
 import spragsym as ss
-from spragsym.models.balance import Balance
-from spragsym.models.branches import Along, _by_tubes, _states
+from spragsym.models.catastrophe.branches import Along, _by_tubes, _states
+from spragsym.models.mechanics.balance import Balance
 from tests.conftest import Once
 
 #: A pad with a shoe, which slides, dips and turns.

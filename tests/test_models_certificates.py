@@ -11,9 +11,9 @@ from scipy import stats
 
 import spragsym as ss
 from spragsym.exact.interval_arrays import Intervals
-from spragsym.models.certificates import ENDS, OPEN, SAFE, THIN, Splitting
-from spragsym.models.paths import first_end
-from spragsym.models.tube_regions import Parts
+from spragsym.models.catastrophe.paths import first_end
+from spragsym.models.design.certificates import ENDS, OPEN, SAFE, THIN, Splitting
+from spragsym.models.tubes.tube_regions import Parts
 from tests.support import few, model_of
 
 SEARCH = ss.load("kang_nam").search

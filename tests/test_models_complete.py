@@ -12,8 +12,8 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.errors import ParameterError, ParameterTypeError
-from spragsym.models.balance import Balance
-from spragsym.models.remarks import spans
+from spragsym.models.mechanics.balance import Balance
+from spragsym.models.statics.remarks import spans
 from tests.conftest import Once
 from tests.support import few
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.balance import Balance
-from spragsym.models.paths import first_end
-from spragsym.models.points import given_column
-from spragsym.models.tubes import carried
+from spragsym.models.catastrophe.paths import first_end
+from spragsym.models.catastrophe.points import given_column
+from spragsym.models.mechanics.balance import Balance
+from spragsym.models.tubes.tubes import carried
 from tests.support import few, lowest_sets
 
 SEARCH = ss.load("kang_nam").search

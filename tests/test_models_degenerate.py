@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
-from spragsym.models import near_zero
+from spragsym.models.catastrophe import near_zero
 from tests.support import few
 
 

@@ -13,8 +13,8 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.derive import folder, pages
-from spragsym.models import stability
-from spragsym.models.balance import Balance
+from spragsym.models.mechanics.balance import Balance
+from spragsym.models.statics import stability
 from tests.support import few
 
 

@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from spragsym.models.foremost import foremost
+from spragsym.models.statics.foremost import foremost
 from tests.support import model_of
 
 pytest.importorskip("sympy")

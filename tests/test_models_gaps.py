@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.paths import first_end
+from spragsym.models.catastrophe.paths import first_end
 from tests.conftest import Once
 from tests.oracles.gap_pages import HANDS
 from tests.support import few

@@ -19,8 +19,8 @@ from tests.support import model_of
 
 def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:
     """λ with 40 digits, from the matrices of floats."""
-    from spragsym.models.balance import Balance
-    from spragsym.models.stability import linearization
+    from spragsym.models.mechanics.balance import Balance
+    from spragsym.models.statics.stability import linearization
 
     given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
     q = np.array([[eq.coordinates[name][slot]] for name in model.coordinates])

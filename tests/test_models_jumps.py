@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.jumps import Followed
-from spragsym.models.paths import first_end
+from spragsym.models.catastrophe.paths import first_end
+from spragsym.models.design.jumps import Followed
 from tests.support import few
 
 ARTICLE = ss.load("kang_nam")

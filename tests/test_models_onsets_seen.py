@@ -13,8 +13,9 @@ from scipy.optimize import brentq
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.exact.certified_roots import Roots
-from spragsym.models import flutter, points, stability
-from spragsym.models.balance import Balance
+from spragsym.models.catastrophe import flutter, points
+from spragsym.models.mechanics.balance import Balance
+from spragsym.models.statics import stability
 from tests.conftest import Once
 from tests.support import model_of
 from validation import gaps as validate_gaps

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models import cusps, points
-from spragsym.models.balance import Balance
-from spragsym.models.bifurcation_conditions import Cusp
+from spragsym.models.catastrophe import cusps, points
+from spragsym.models.catastrophe.bifurcation_conditions import Cusp
+from spragsym.models.mechanics.balance import Balance
 from tests.oracles import families
 from tests.support import few
 from validation import models as validate_models

@@ -11,8 +11,8 @@ import pytest
 from scipy import optimize
 
 import spragsym as ss
-from spragsym.models.balance import Balance
-from spragsym.models.stability import linearization
+from spragsym.models.mechanics.balance import Balance
+from spragsym.models.statics.stability import linearization
 from tests.support import few, model_of
 from tests.test_documents import ROOT
 from validation.criticality import accelerations

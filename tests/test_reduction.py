@@ -11,7 +11,7 @@ import pytest
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.jets import Jet, variables
 from spragsym.exact.reduction import reduced_roots
-from spragsym.models.directions import direction
+from spragsym.models.mechanics.directions import direction
 
 
 def bent(roots):

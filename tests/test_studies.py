@@ -16,7 +16,7 @@ import pytest
 import spragsym as ss
 from spragsym.design.design_space import PHYSICAL, dimensionless
 from spragsym.kang_nam.design.events import have_jumped
-from spragsym.models.varying_units import BalanceInUnits
+from spragsym.models.mechanics.varying_units import BalanceInUnits
 from spragsym.studies import brake_quantities, friction, jump_verdicts, measurements, pages, redesigns, texts, tolerances
 from spragsym.studies.examples import example
 from spragsym.studies.jump_verdicts import Chance, certificate

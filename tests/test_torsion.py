@@ -23,8 +23,8 @@ from spragsym.exact.interval_functions import atan2
 from spragsym.exact.intervals import Balls
 from spragsym.exact.jets import Jet, argument, turned
 from spragsym.exact.polynomials import Undecided
-from spragsym.models.balance import Balance
-from spragsym.models.precise import ball
+from spragsym.models.mechanics.balance import Balance
+from spragsym.models.mechanics.precise_balance import ball
 from tests.conftest import Once
 from tests.test_documents import ROOT
 

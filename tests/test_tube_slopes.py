@@ -10,8 +10,8 @@ from spragsym.design.certificates import Unit
 from spragsym.exact import contractors
 from spragsym.exact.affine import Affine
 from spragsym.exact.interval_arrays import Intervals
-from spragsym.models.certificates import Splitting
-from spragsym.models.tube_regions import Parts, Region
+from spragsym.models.design.certificates import Splitting
+from spragsym.models.tubes.tube_regions import Parts, Region
 
 #: Models, and parameters with a tolerance; of the last one a unit has one too.
 BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] = (

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.models.paths import ModelEnd, first_end
+from spragsym.models.catastrophe.paths import ModelEnd, first_end
 from validation import parts
 
 MODELS = ("kang_nam", "two_springs", "inclined_belt", "cubic_contact", "damped")

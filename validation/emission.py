@@ -21,7 +21,7 @@ import numpy as np
 
 from spragsym.cli import main as command
 from spragsym.exact.interval_arrays import Intervals
-from spragsym.models.laws import XP
+from spragsym.models.mechanics.laws import XP
 from tests.oracles.forces_by_hand import DRAWN
 from tests.support import with_angles
 from validation.by_hand import load

@@ -21,7 +21,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.kang_nam.design.events import have_jumped
-from spragsym.models.paths import first_end
+from spragsym.models.catastrophe.paths import first_end
 from spragsym.parameters import NAMES
 from tests.oracles import families
 from validation import parts

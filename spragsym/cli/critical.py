@@ -10,8 +10,8 @@ import click
 import numpy as np
 
 from ..errors import ParameterError, SpragsymError
-from ..models.paths import first_end
-from ..models.points import ranges
+from ..models.catastrophe.paths import first_end
+from ..models.catastrophe.points import ranges
 from ..progress import show_progress
 from .of_model import Case, method, of_model
 from .options import as_json

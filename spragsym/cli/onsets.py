@@ -21,7 +21,7 @@ from .tables import print_json, print_table
 from .targets import force
 
 if TYPE_CHECKING:
-    from ..models.hopf_curves import OnsetCurve, OnsetCurves
+    from ..models.catastrophe.hopf_curves import OnsetCurve, OnsetCurves
 
 
 @of_model(statics=True)

@@ -89,7 +89,8 @@ def cycle(
         The number of the onset among them.
     amplitude : float, optional
         Of the cycle that is born there: half of the range of the coordinate that moves most, to a thousandth; see
-        :func:`spragsym.models.births.born`. The parameter along which the onsets were found takes the value that belongs to it.
+        :func:`spragsym.models.catastrophe.births.born`. The parameter along which the onsets were found takes the value that
+        belongs to it.
 
     Returns
     -------

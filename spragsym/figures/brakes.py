@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from ..errors import ConvergenceError
-from ..models.points import ranges
+from ..models.catastrophe.points import ranges
 from ..parameters import ParameterSet
 from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds

@@ -81,7 +81,8 @@ def branches(
     Notes
     -----
     Folds and onsets are solved for; between them equilibria are solved for at each point, and belong together where a tube joins
-    them, see :func:`spragsym.models.branches.links`. Where a curve leaves the contact it ends at the last of these points.
+    them, see :func:`spragsym.models.catastrophe.branches.links`. Where a curve leaves the contact it ends at the last of these
+    points.
     """
     model = p.model
     vary = model.axes[0] if vary is None else vary

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..models import Model
-from ..models.hopf_curves import OnsetCurves
+from ..models.catastrophe.hopf_curves import OnsetCurves
 from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
@@ -102,7 +102,7 @@ def draw_onsets(
     n : int
         Lines.
     """
-    from ..models.points import ranges
+    from ..models.catastrophe.points import ranges
 
     ax, model = own_axes(ax), p.model
     one, two = vary

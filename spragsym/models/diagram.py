@@ -145,8 +145,8 @@ def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any)
 
     Notes
     -----
-    Hopf points from which cycles are followed are those of :func:`spragsym.models.flutter.flutter_onsets`, proved; labels are
-    located on the branches by their test functions.
+    Hopf points from which cycles are followed are those of :func:`spragsym.models.catastrophe.flutter.flutter_onsets`, proved;
+    labels are located on the branches by their test functions.
 
     Examples
     --------

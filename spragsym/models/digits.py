@@ -13,23 +13,24 @@ from ..exact import boxes, certified_roots
 from ..exact.adaptive_bits import FIRST_BITS, as_numbers, with_enough_bits
 from ..exact.ball_functions import XP
 from ..exact.certified_roots import Roots
+from ..exact.determinants import cofactor
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Arithmetic, Balls, as_mpf
 from ..exact.krawczyk import narrowed
 from ..exact.polynomials import Undecided
 from ..results.equilibria import columns_of
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
-from .balance import Balance
-from .bifurcation_conditions import Cusp, cofactor
-from .cusps import isolated
-from .defining_systems import Augmented
-from .equilibria import balance_of, solved
-from .periodic_coordinates import once_around
-from .points import endless, ranges
-from .precise import PreciseBalance
-from .precise_points import PreciseAugmented
-from .regions import region
-from .spectrum import type_at
+from .catastrophe.bifurcation_conditions import Cusp
+from .catastrophe.cusps import isolated
+from .catastrophe.defining_systems import Augmented
+from .catastrophe.points import endless, ranges
+from .catastrophe.precise_points import PreciseAugmented
+from .mechanics.balance import Balance
+from .mechanics.periodic_coordinates import once_around
+from .mechanics.precise_balance import PreciseBalance
+from .statics.equilibria import balance_of, solved
+from .statics.regions import region
+from .statics.spectrum import type_at
 
 #: Bits that may be lost where forces are summed.
 ROOM = 96
@@ -120,7 +121,7 @@ def precise_cusps(
     model: Any, exact: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None,
     between: Mapping[str, tuple[float, float]] | None = None,
 ) -> CuspProof:  # fmt: skip
-    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`spragsym.models.cusps.cusps`.
+    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.catastrophe.cusps.cusps`.
 
     Each is proved for the exact parameters; that there are no more, only where all of these are floats.
     """

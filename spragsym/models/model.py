@@ -34,10 +34,10 @@ if TYPE_CHECKING:
     from ..results.precise_states import CuspProof, PreciseEquilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
+    from .catastrophe.hopf_curves import OnsetCurves
+    from .catastrophe.normal_forms import NormalForm
     from .diagram import Diagram
-    from .hopf_curves import OnsetCurves
-    from .normal_forms import NormalForm
-    from .stability import Linearized
+    from .statics.stability import Linearized
 
 
 class Model:
@@ -175,9 +175,9 @@ class Model:
     ) -> Equilibria:
         """Equilibria in contact, or in lift-off, each proved, and whether these are all; ``within={"x": (-5, 5)}`` is a box.
 
-        Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
+        Source: the balance of forces, searched over boxes; see :func:`spragsym.models.statics.equilibria.equilibria`.
         """
-        from .equilibria import equilibria
+        from .statics.equilibria import equilibria
 
         return equilibria(self, p, contact, within)
 
@@ -203,9 +203,9 @@ class Model:
 
         ``between={"mu0": (0, 1)}`` is the range of what varies.
 
-        Source: det K = 0 at an equilibrium; see :func:`spragsym.models.folds.folds`.
+        Source: det K = 0 at an equilibrium; see :func:`spragsym.models.catastrophe.folds.folds`.
         """
-        from .folds import folds
+        from .catastrophe.folds import folds
 
         return folds(self, p, self._one(vary), **options)
 
@@ -213,9 +213,9 @@ class Model:
     def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> Points:
         """Cusps in the plane of two parameters, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
-        See :func:`spragsym.models.cusps.cusps`.
+        See :func:`spragsym.models.catastrophe.cusps.cusps`.
         """
-        from .cusps import cusps
+        from .catastrophe.cusps import cusps
 
         return cusps(self, p, self.two(vary), **options)
 
@@ -223,9 +223,9 @@ class Model:
     def bifurcation_set(self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any) -> BifurcationSet:
         """Folds on ``n`` lines of either parameter, joined to curves, and the cusps, in the plane of both.
 
-        ``between`` as for :meth:`folds`. See :mod:`spragsym.models.bifurcation`.
+        ``between`` as for :meth:`folds`. See :mod:`spragsym.models.catastrophe.bifurcation`.
         """
-        from .bifurcation import bifurcation_set
+        from .catastrophe.bifurcation import bifurcation_set
 
         return bifurcation_set(self, p, self.two(vary), n, **options)
 
@@ -234,7 +234,7 @@ class Model:
         """The least friction at which the followed state ends, over a range of another parameter, proved or undecided.
 
         ``vary`` is mu0 and ``over`` is theta0 unless told otherwise; ``between={"mu0": (0, 1)}`` for their ranges. See
-        :func:`spragsym.models.critical.critical_friction`.
+        :func:`spragsym.models.catastrophe.critical.critical_friction`.
 
         Examples
         --------
@@ -244,15 +244,15 @@ class Model:
         >>> round(found.mu0, 6), found.kind, found.complete
         (0.207376, 'cusp', True)
         """
-        from .critical import critical_friction
+        from .catastrophe.critical import critical_friction
 
         return critical_friction(self, p, *self._rising_over(vary, over), **options)
 
     @question
     def cusp_friction(self, p: ParameterSet, vary: str | None = None, over: str | None = None, **options: Any) -> float:
         """The friction of the lowest cusp, or the least ``vary`` of one over a range of another parameter; see
-        :func:`spragsym.models.critical.cusp_friction`."""
-        from .critical import cusp_friction
+        :func:`spragsym.models.catastrophe.critical.cusp_friction`."""
+        from .catastrophe.critical import cusp_friction
 
         return cusp_friction(self, p, *self._rising_over(vary, over), **options)
 
@@ -274,9 +274,9 @@ class Model:
         """The value of a parameter at which the least friction at which the followed state ends is that of p.
 
         ``bracket`` are two values of it with the least friction on different sides of that; ``along`` is mu0 and ``over`` theta0
-        unless told otherwise. See :func:`spragsym.models.critical.critical_value`.
+        unless told otherwise. See :func:`spragsym.models.catastrophe.critical.critical_value`.
         """
-        from .critical import critical_value
+        from .catastrophe.critical import critical_value
 
         return critical_value(self, p, vary, bracket, *self._rising_over(along, over, "along"), **options)
 
@@ -284,9 +284,9 @@ class Model:
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> Path:
         """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
 
-        See :func:`spragsym.models.paths.quasi_static_path`.
+        See :func:`spragsym.models.catastrophe.paths.quasi_static_path`.
         """
-        from .paths import quasi_static_path
+        from .catastrophe.paths import quasi_static_path
 
         return quasi_static_path(self, p, vary, values, **options)
 
@@ -295,7 +295,8 @@ class Model:
         """Onsets of flutter along one parameter, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
-        :func:`spragsym.models.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation begins gently.
+        :func:`spragsym.models.catastrophe.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation
+        begins gently.
 
         Examples
         --------
@@ -305,7 +306,7 @@ class Model:
         >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
         ([0.101, 1.4035], ['gentle', 'dangerous'])
         """
-        from .flutter import flutter_onsets
+        from .catastrophe.flutter import flutter_onsets
 
         return flutter_onsets(self, p, self._one(vary), **options)
 
@@ -321,7 +322,7 @@ class Model:
         self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 30, **options: Any
     ) -> OnsetCurves:  # fmt: skip
         """Curves of Hopf points in the plane of two parameters, gentle or dangerous: see :func:`spragsym.onset_curves`."""
-        from .hopf_curves import onset_curves
+        from .catastrophe.hopf_curves import onset_curves
 
         return onset_curves(self, p, self.two(vary), n, **options)
 
@@ -415,7 +416,7 @@ class Model:
     @part
     def rest_index(self, p: ParameterSet, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
         """Slots, among the equilibria at the friction μ(V), of motions that rest at x, y, the first coordinates; −1 for none."""
-        from .equilibria import rest_index
+        from .statics.equilibria import rest_index
 
         return rest_index(self, p, x, y)
 
@@ -434,15 +435,15 @@ class Model:
 
     @part
     def linked(self, p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:
-        """Equilibria at neighbouring values of a parameter on one branch: see :func:`spragsym.models.branches.linked`."""
-        from .branches import linked
+        """Equilibria at neighbouring values of a parameter on one branch: see :func:`.catastrophe.branches.linked`."""
+        from .catastrophe.branches import linked
 
         return linked(self, p, vary, eq, turns)
 
     @question
     def have_jumped(self, p: ParameterSet, *, vary: str | None = None, begin: float | None = None) -> FloatArray:
         """1 where the followed state has ended at the value in p of what rises or below, else 0; NaN where that is not known."""
-        from .jumps import have_jumped
+        from .design.jumps import have_jumped
 
         return have_jumped(self, p, *self.rising(vary, begin))
 
@@ -472,7 +473,7 @@ class Model:
         """Prove a claim for every point of a box of parameters, or find a point at which it is false.
 
         For ``"no jump"`` ``vary`` is what rises, mu0 unless told otherwise, from ``begin``, the lower end of its range; the other
-        claims are ``"one equilibrium"`` and ``"no flutter"``: see :func:`spragsym.models.certificates.certify`.
+        claims are ``"one equilibrium"`` and ``"no flutter"``: see :func:`spragsym.models.design.certificates.certify`.
 
         Examples
         --------
@@ -482,7 +483,7 @@ class Model:
         >>> model.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
         'proved'
         """
-        from .certificates import certify
+        from .design.certificates import certify
 
         if claim == "no jump":
             vary, begin = self.rising(vary, begin)
@@ -494,7 +495,7 @@ class Model:
     ) -> JumpProbability:
         """The probability that the followed state ends, by samples, and between proved bounds if ``max_boxes`` is given.
 
-        See :func:`spragsym.models.probability.jump_probability`.
+        See :func:`spragsym.models.design.probability.jump_probability`.
 
         Examples
         --------
@@ -504,14 +505,14 @@ class Model:
         >>> found.low < found.proved[0] < found.proved[1] < found.high, found.proved[1] - found.proved[0] < 0.01
         (True, True)
         """
-        from .probability import jump_probability
+        from .design.probability import jump_probability
 
         vary, begin = self.rising(vary, begin)
         return jump_probability(self, distribution, vary=vary, begin=begin, **options)
 
     @question
     def jump_value(self, p: ParameterSet, vary: str | None = None, **options: Any) -> float | FloatArray:
-        """Where the followed state ends first as a parameter moves: see :func:`spragsym.models.jumps.jump_value`.
+        """Where the followed state ends first as a parameter moves: see :func:`spragsym.models.design.jumps.jump_value`.
 
         Examples
         --------
@@ -521,14 +522,14 @@ class Model:
         >>> np.round(model.jump_value(model.Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
         array([0.597422, 0.385931,      nan])
         """
-        from .jumps import jump_value
+        from .design.jumps import jump_value
 
         return jump_value(self, p, self.rising(vary, 0.0)[0], **options)
 
     @question
     def jump_gradient(self, p: ParameterSet, vary: str | None = None, **options: Any) -> JumpGradient:
-        """Derivatives of :meth:`jump_value` by all parameters: see :func:`spragsym.models.jumps.jump_gradient`."""
-        from .jumps import jump_gradient
+        """Derivatives of :meth:`jump_value` by all parameters: see :func:`spragsym.models.design.jumps.jump_gradient`."""
+        from .design.jumps import jump_gradient
 
         return jump_gradient(self, p, self.rising(vary, 0.0)[0], **options)
 
@@ -542,7 +543,7 @@ class Model:
         begin: float | None = None,
         prove: bool = False,
     ) -> JumpMargin:
-        """The nearest parameters at which the followed state ends: see :func:`spragsym.models.redesigns.jump_margin`.
+        """The nearest parameters at which the followed state ends: see :func:`spragsym.models.design.redesigns.jump_margin`.
 
         Examples
         --------
@@ -552,7 +553,7 @@ class Model:
         >>> round(margin.distance, 6)
         1.948441
         """
-        from .redesigns import jump_margin
+        from .design.redesigns import jump_margin
 
         vary, begin = self.rising(vary, begin)
         return jump_margin(self, p, scale, vary=vary, begin=begin, prove=prove)
@@ -567,8 +568,8 @@ class Model:
         *,
         begin: float | None = None,
     ) -> Redesign:
-        """The least change that keeps the end of the followed state beyond a target: see :mod:`spragsym.models.redesigns`."""
-        from .redesigns import redesign
+        """The least change that keeps the end of the followed state beyond a target: see :mod:`.models.design.redesigns`."""
+        from .design.redesigns import redesign
 
         return redesign(self, p, change, target, scale, begin=begin)
 
@@ -592,29 +593,29 @@ class Model:
         return sensitivity(p, V, d, **options)  # type: ignore[arg-type]  # a set of any model
 
     def normal_form(self, given: FloatArray, state: FloatArray, vary: str, radii: FloatArray) -> NormalForm:
-        """Of a Hopf point among :class:`~spragsym.Onsets`: see :func:`spragsym.models.normal_forms.normal_form`."""
-        from .normal_forms import normal_form
+        """Of a Hopf point among :class:`~spragsym.Onsets`: see :func:`spragsym.models.catastrophe.normal_forms.normal_form`."""
+        from .catastrophe.normal_forms import normal_form
 
         return normal_form(self, given, state, vary, radii)
 
     def born(
         self, given: FloatArray, state: FloatArray, vary: str, form: NormalForm, amplitude: float | None, backend: str | None
     ) -> Cycle:
-        """The cycle that is born at one of them: see :func:`spragsym.models.births.born`."""
-        from .births import born
+        """The cycle that is born at one of them: see :func:`spragsym.models.catastrophe.births.born`."""
+        from .catastrophe.births import born
 
         return born(self, given, state, vary, form, amplitude, backend)
 
     def ended(self, points: Points) -> Ended:
-        """What happens at :class:`~spragsym.Points`: see :func:`spragsym.models.fold_outcomes.ended`."""
-        from .fold_outcomes import ended
+        """What happens at :class:`~spragsym.Points`: see :func:`spragsym.models.catastrophe.fold_outcomes.ended`."""
+        from .catastrophe.fold_outcomes import ended
 
         return ended(points)
 
     def columns(self, eq: Equilibria) -> dict[str, FloatArray]:
         """What follows from where equilibria are: directions, lengths and tensions of inclined springs, the contact's force."""
         from ..dynamics.forces import told_of
-        from .stability import springs
+        from .statics.stability import springs
 
         q = [getattr(eq, name) for name in self.coordinates]
         given = [value[..., None] for value in self.arguments(eq.parameters, "motion")]
@@ -625,8 +626,8 @@ class Model:
     def linearized(
         self, eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None
     ) -> Linearized:
-        """What grows at equilibria: see :func:`spragsym.models.stability.linearized`."""
-        from .stability import linearized
+        """What grows at equilibria: see :func:`spragsym.models.statics.stability.linearized`."""
+        from .statics.stability import linearized
 
         return linearized(eq, states, around)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..parameters import ParameterSet
 
 if TYPE_CHECKING:
-    from .hopf_curves import OnsetCurves
+    from .catastrophe.hopf_curves import OnsetCurves
 
 
 def onset_curves(
@@ -44,8 +44,8 @@ def onset_curves(
 
     Notes
     -----
-    Source: F = 0 and Hurwitz's determinant along 2 n lines; see :mod:`spragsym.models.hopf_curves`. A curve that closes between
-    two lines is not seen.
+    Source: F = 0 and Hurwitz's determinant along 2 n lines; see :mod:`spragsym.models.catastrophe.hopf_curves`. A curve that
+    closes between two lines is not seen.
 
     Examples
     --------

@@ -55,7 +55,7 @@ class Onsets(Points):
 
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
-        """The :class:`~spragsym.models.normal_forms.NormalForm` of each, or why it has none."""
+        """The :class:`~spragsym.models.catastrophe.normal_forms.NormalForm` of each, or why it has none."""
         return tuple(self._normal_form(row) for row in range(len(self)))
 
     @cached_property
@@ -98,7 +98,7 @@ class Onsets(Points):
         )
 
     def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Any:
-        """The cycle that is born at one of the onsets: see :func:`spragsym.models.births.born`."""
+        """The cycle that is born at one of the onsets: see :func:`spragsym.models.catastrophe.births.born`."""
         if not isinstance(index, int | np.integer) or isinstance(index, bool):
             raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
         if not 0 <= index < len(self):

@@ -10,9 +10,9 @@ import numpy as np
 
 from ..exact.interval_arrays import Intervals, stacked
 from ..exact.jets import gradient, variables
-from ..models.balance import NOTHING, Balance
 from ..models.load import load
-from ..models.varying_units import BalanceInUnits
+from ..models.mechanics.balance import NOTHING, Balance
+from ..models.mechanics.varying_units import BalanceInUnits
 from ..parameters import FloatArray
 from . import brake_quantities
 from .tolerance_boxes import corners

@@ -11,9 +11,9 @@ import numpy as np
 from ..design.certificates import Unit
 from ..design.probability import estimated, probability_table, variable
 from ..display import Result, Table
-from ..models.certificates import Splitting
+from ..models.design.certificates import Splitting
+from ..models.design.probability import measured
 from ..models.load import load
-from ..models.probability import measured
 from ..parameters import FloatArray, Range
 from . import brake_quantities, rises, tolerance_boxes
 from .effort import effort
@@ -142,8 +142,8 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
 
     Notes
     -----
-    Source: :func:`spragsym.models.probability.measured` over the box of :func:`certificate`. Of the belt's speed and the law's
-    steepness only how much of μ₀ works is taken, from least to most.
+    Source: :func:`spragsym.models.design.probability.measured` over the box of :func:`certificate`. Of the belt's speed and the
+    law's steepness only how much of μ₀ works is taken, from least to most.
     """
     rise = rises.of(study)
     names = [name for name in varied(study) if name in (*brake_quantities.balanced(study.model), "mu0")]

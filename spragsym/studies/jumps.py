@@ -13,7 +13,7 @@ from ..display import Result
 from ..dynamics import forces
 from ..dynamics.regimes import Regime
 from ..errors import ConvergenceError
-from ..models.balance import Balance
+from ..models.mechanics.balance import Balance
 from ..names import hint
 from ..parameters import FloatArray
 from . import friction, rises

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import ParameterError
+from ..models.catastrophe.points import ranges
 from ..models.load import load
-from ..models.points import ranges
 from ..names import hint
 from ..parameters import as_number
 from . import brake_quantities, friction

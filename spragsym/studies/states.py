@@ -11,8 +11,8 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics import forces
-from ..models.balance import Balance
-from ..models.stability import linearization, roots
+from ..models.mechanics.balance import Balance
+from ..models.statics.stability import linearization, roots
 from ..names import hint
 from ..parameters import FloatArray
 from ..results.equilibria import Equilibria, Stability, columns_of

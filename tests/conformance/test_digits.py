@@ -17,7 +17,7 @@ from spragsym import precise
 from spragsym.exact.decimals import exactly
 from spragsym.exact.intervals import Balls
 from spragsym.exact.krawczyk import narrowed
-from spragsym.models.forces import undecorated
+from spragsym.models.mechanics.forces import undecorated
 from tests.conformance import models
 from tests.conformance.models import MODELS, load
 from tests.support import few

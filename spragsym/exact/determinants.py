@@ -1,0 +1,96 @@
+"""Determinants, characteristic polynomials and resultants over any number type."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+
+def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+    """By the first row; entries of any number type, integers 0 among them."""
+    if not rows:
+        return 1
+    total: Any = 0
+    for j, entry in enumerate(rows[0]):
+        if not _is_zero(entry):
+            total = total + entry * cofactor(rows, 0, j)
+    return total
+
+
+def cofactor(rows: Sequence[Sequence[Any]], i: int, j: int) -> Any:
+    """Cofactor of the entry in row i and column j: entry (j, i) of the adjugate."""
+    minor = determinant([[*row[:j], *row[j + 1 :]] for number, row in enumerate(rows) if number != i])
+    return -minor if (i + j) % 2 else minor
+
+
+class Polynomial:
+    """A polynomial in λ or κ with coefficients of any number type, the lowest first."""
+
+    def __init__(self, coefficients: Sequence[Any]) -> None:
+        self.coefficients = list(coefficients)
+
+    def padded(self, size: int) -> list[Any]:
+        """The coefficients, with zeros up to that number."""
+        return self.coefficients + [0] * (size - len(self.coefficients))
+
+    def __add__(self, other: Any) -> Polynomial:
+        two = other.coefficients if isinstance(other, Polynomial) else [other]
+        size = max(len(self.coefficients), len(two))
+        return Polynomial([a + b for a, b in zip(self.padded(size), Polynomial(two).padded(size), strict=True)])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Polynomial:
+        return Polynomial([-value for value in self.coefficients])
+
+    def __mul__(self, other: Any) -> Polynomial:
+        two = other.coefficients if isinstance(other, Polynomial) else [other]
+        out: list[Any] = [0] * (len(self.coefficients) + len(two) - 1)
+        for i, a in enumerate(self.coefficients):
+            for j, b in enumerate(two):
+                if not (_is_zero(a) or _is_zero(b)):
+                    out[i + j] = out[i + j] + a * b
+        return Polynomial(out)
+
+    __rmul__ = __mul__
+
+
+def of_pencil(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]]) -> list[Any]:
+    """Coefficients of det(λ² M + λ C + K), the lowest first."""
+    n = len(K)
+    rows = [[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
+    coefficients: list[Any] = determinant(rows).padded(2 * n + 1)
+    return coefficients
+
+
+def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Any:
+    """Hurwitz's determinant of that size of a polynomial, the lowest coefficient first.
+
+    Without a size the last but one: 0 if two roots have the sum 0.
+    """
+    a = coefficients[::-1]
+    size = len(a) - 2 if size is None else size
+    # Row i, column j: a of index 2 (j + 1) − (i + 1), where there is one.
+    places = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
+    return determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places])
+
+
+def _is_zero(value: Any) -> bool:
+    """0 by structure."""
+    return isinstance(value, int) and value == 0
+
+
+def trimmed(polynomial: Polynomial) -> list[Any]:
+    """Coefficients without the highest ones that are 0 by structure."""
+    coefficients = polynomial.coefficients
+    while len(coefficients) > 1 and _is_zero(coefficients[-1]):
+        coefficients = coefficients[:-1]
+    return coefficients
+
+
+def resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:
+    """Sylvester's determinant of two polynomials."""
+    m, n = len(one) - 1, len(two) - 1
+    rows = [[0] * shift + list(one[::-1]) + [0] * (n - 1 - shift) for shift in range(n)]
+    rows += [[0] * shift + list(two[::-1]) + [0] * (m - 1 - shift) for shift in range(m)]
+    return determinant(rows)

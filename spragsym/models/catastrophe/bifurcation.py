@@ -1,0 +1,220 @@
+"""The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...exact.interval_arrays import FloatArray, Intervals
+from ...parameters import as_count
+from ...progress import doing
+from ...results.bifurcation_sets import BifurcationSet, Curve
+from ...results.points import Points
+from ..mechanics.balance import Balance
+from ..mechanics.forces import Model
+from ..statics.regions import by_hand
+from ..statics.remarks import of_boxes
+from .bifurcation_conditions import Fold
+from .cusps import cusps
+from .defining_systems import Augmented, Condition
+from .fold_curves import FoldCurves
+from .points import given_column, ranges, search
+
+#: Rounds in which points are joined to those next to them.
+ROUNDS = 4
+#: Boxes looked at for one line of the plane.
+BUDGET = 20_000
+#: How near a line counts as on it, over the range of the parameter.
+ON_LINE = 1e-9
+
+
+def bifurcation_set(
+    model: Model,
+    p: Any,
+    vary: Sequence[str],
+    n: int = 60,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+) -> BifurcationSet:
+    """Where the number of equilibria in contact changes, in the plane of two parameters.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; those that vary are not used.
+    vary : pair of str
+        Two parameters.
+    n : int
+        Lines in each direction. On each all folds are found and proved.
+    between : mapping, optional
+        Ranges of the two, as for :func:`spragsym.models.catastrophe.folds.folds`.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.models.statics.equilibria.equilibria`.
+
+    Returns
+    -------
+    BifurcationSet
+
+    Notes
+    -----
+    Source: F = 0 and det K = 0 along 2 n lines, all searched at once; cusps by :func:`spragsym.models.catastrophe.cusps.cusps`;
+    points between these by :mod:`spragsym.models.catastrophe.fold_curves`. Two points are neighbours only if no line separates
+    them on which all folds are known. A curve that closes between two lines without a cusp is not seen.
+    """
+    as_count("n", n, 2)
+    found_cusps = cusps(model, p, vary, between=between, within=within)
+    balance = Balance(model, contact=True)
+    spans = ranges(model, vary, between or {})
+    given = given_column(p, balance.parameters, vary)
+    asked = by_hand(balance.coordinates, within)
+    found = on_lines(balance, vary, Fold(), given, spans, n, rows_of(balance, vary, found_cusps), asked)
+    curves = [Curve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains]
+    complete = found_cusps.complete and found.whole and not found.undecided.shape[0]
+    remarks = (*found.remarks, *(f"of cusps: {text}" for text in found_cusps.remarks))
+    return BifurcationSet(tuple(vary), tuple(curves), found_cusps, complete, found.lines, found.undecided, remarks)
+
+
+@dataclass(frozen=True)
+class OnLines:
+    """Points of a kind on lines, in order along curves, and the lines; boxes that are left, and what is known of them."""
+
+    curves: FoldCurves
+    chains: list[FloatArray]
+    lines: dict[str, FloatArray]
+    undecided: FloatArray
+    whole: bool
+    remarks: tuple[str, ...]
+
+
+def on_lines(
+    balance: Balance,
+    vary: Sequence[str],
+    condition: Condition,
+    given: FloatArray,
+    spans: FloatArray,
+    n: int,
+    more: FloatArray,
+    asked: FloatArray | None = None,
+) -> OnLines:
+    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well."""
+    rows, left, lines, decided, whole = [], [], {}, {}, True
+    for along, across in ((0, 1), (1, 0)):
+        # Inside of the range: its ends are often degenerate.
+        values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
+        lines[vary[across]] = values
+        column = np.repeat(given, n, axis=1)
+        column[balance.parameters.index(vary[across])] = values
+        with doing("{} lines along {}", n, vary[along]):
+            found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET, asked=asked)
+        whole &= bool(found.whole.all())
+        decided[across] = np.delete(values, found.roots.left_point)
+        rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
+        ends = np.stack([-found.roots.left[0], found.roots.left[1]])
+        left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
+    states = np.concatenate([*rows, more], axis=1)
+    undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
+    boxes = np.moveaxis(undecided, 0, -1)
+    boxes = np.stack([-boxes[:, 0], boxes[:, 1]])
+    varied = dict(zip(vary, Intervals(boxes[:, balance.n :]), strict=True))
+    remarks = of_boxes(balance, np.repeat(given, boxes.shape[2], axis=1), boxes, varied)
+    reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
+    scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
+    near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
+    curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
+    chains = [curves.smooth(states[:, places]) for places in _chains(curves, states, near)]
+    return OnLines(curves, chains, lines, undecided, whole, tuple(f"on lines: {text}" for text in remarks))
+
+
+def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
+    """Coordinates and both parameters in their order, from coordinates, the one that varied and the line's."""
+    pair = [middle[-1:], line[None]]
+    return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
+
+
+def rows_of(balance: Balance, vary: Sequence[str], found: Points) -> FloatArray:
+    """Coordinates and both parameters of points, shape (n + 2, points)."""
+    return np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)
+
+
+def _named(states: FloatArray, n: int) -> list[FloatArray]:
+    """Parameters first."""
+    return [*states[n:], *states[:n]]
+
+
+# ------------------------------------------------------------------------------------------------------- order of points
+
+
+def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> NDArray[np.bool_]:
+    """Of every two points whether none of the lines separates them: where a curve crosses a line, there is a point of its own."""
+    room = ON_LINE * (span[1] - span[0])
+    first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
+    together: NDArray[np.bool_] = np.maximum.outer(first, first) <= np.minimum.outer(last, last)
+    return together
+
+
+def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> list[NDArray[np.int64]]:
+    """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree.
+
+    ``near`` says which two may be neighbours, shape (points, points).
+    """
+    count = states.shape[1]
+    if count < 2:
+        return [np.arange(count)] if count else []
+    place, tangent = states / folds.scale[:, None], folds.tangents(states)
+    gap = place[:, None, :] - place[:, :, None]
+    distance = np.linalg.norm(gap, axis=0)
+    ahead = (gap * tangent[:, :, None]).sum(axis=0)
+    with np.errstate(all="ignore"):
+        straight = np.abs(ahead) / distance
+    cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
+    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link.
+    cost = np.stack([np.where(sign * ahead > 0, cost, np.inf) for sign in (1, -1)])
+    links: list[set[int]] = [set() for _ in range(count)]
+    free = np.ones((2, count), dtype=np.bool_)
+    for _ in range(ROUNDS):
+        _link(cost, free, links)
+    return _walked(links)
+
+
+def _link(cost: FloatArray, free: NDArray[np.bool_], links: list[set[int]]) -> None:
+    """Join points that are each other's nearest on sides that are free."""
+    count = free.shape[1]
+    # The side of the other point on which this one lies.
+    back = np.isfinite(cost[1]).T.astype(np.int64)
+    open_there = np.where(back == 1, free[1][None], free[0][None])
+    near = np.where(free[:, :, None] & open_there[None], cost, np.inf)
+    nearest = near.argmin(axis=2)
+    for side in (0, 1):
+        for one in range(count):
+            other = int(nearest[side, one])
+            if not np.isfinite(near[side, one, other]) or not free[side, one]:
+                continue
+            there = int(back[one, other])
+            if free[there, other] and nearest[there, other] == one:
+                links[one].add(other)
+                links[other].add(one)
+                free[side, one] = free[there, other] = False
+
+
+def _walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
+    """Chains of a graph, open ones from an end, closed ones from anywhere."""
+    seen: set[int] = set()
+    chains = []
+    for start in sorted(range(len(links)), key=lambda i: len(links[i])):
+        if start in seen:
+            continue
+        chain = [start]
+        seen.add(start)
+        while ahead := [i for i in sorted(links[chain[-1]]) if i not in seen]:
+            chain.append(ahead[0])
+            seen.add(ahead[0])
+        if len(links[start]) == 2 and start in links[chain[-1]] and len(chain) > 2:
+            chain.append(start)
+        chains.append(np.array(chain))
+    return chains

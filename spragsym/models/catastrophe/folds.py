@@ -1,0 +1,81 @@
+"""Folds of a model along one parameter, each proved, and whether these are all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ...exact.interval_arrays import FloatArray
+from ...results.points import Points
+from ..mechanics.balance import Balance
+from ..mechanics.forces import Model
+from ..statics.regions import by_hand
+from .bifurcation_conditions import Fold
+from .defining_systems import Augmented
+from .degenerate_ends import vanishes
+from .points import Found, arranged, endless, given_column, ranges, search
+from .symmetry import with_pitchforks
+
+
+def folds(
+    model: Model,
+    p: Any,
+    vary: str,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+) -> Points:
+    """Folds in contact along one parameter, the others fixed; ``complete`` of the result says whether these are all.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; the one that varies is not used.
+    vary : str
+        A parameter.
+    between : mapping, optional
+        Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range; one without an end is searched to ten times
+        the base value, and to 10 at least, which the result says.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.models.statics.equilibria.equilibria`.
+
+    Returns
+    -------
+    Points
+        Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three become one, all of them in one
+        point, in a model that is its own mirror image. Other degenerate points are no regular roots and stay among the undecided
+        boxes.
+
+    Notes
+    -----
+    Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the parameter moves the state across the
+    fold and the fold is quadratic: otherwise their Jacobian would be singular. Pitchforks:
+    :mod:`spragsym.models.catastrophe.symmetry`.
+    """
+    balance = Balance(model, contact=True)
+    spans = ranges(model, (vary,), between or {})
+    given = given_column(p, balance.parameters, (vary,))
+    found = search(balance, (vary,), Fold(), given, spans, asked=by_hand(balance.coordinates, within))
+    found, pitchforks = with_pitchforks(balance, vary, given, spans[0], found)
+    kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
+    return arranged(
+        balance, p, (vary,), given, found, kind,
+        endless=endless(model, (vary,), between or {}), remarks=_remarks(balance, vary, given, spans[0], found),
+    )  # fmt: skip
+
+
+def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[str, ...]:
+    """Of boxes that are left at an end of the range where det K is 0 whatever the state."""
+    left, system = found.roots.left, Augmented(balance, (vary,), Fold())
+    remarks = []
+    for end in span if left.shape[2] else ():
+        here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
+        if here.shape[2] and vanishes(system, given, float(end), here).any():
+            remarks.append(
+                f"at {vary} = {end:g} det K is 0 in every state: equilibria there form curves, or there are none; "
+                f"for folds beside it give between with another end for {vary}"
+            )
+    return tuple(remarks)

@@ -1,0 +1,341 @@
+"""Curves of Hopf points of a damped model in the plane of two parameters, and the points at which their kind changes."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...display import Result
+from ...exact import contractors
+from ...exact.certified_roots import concatenated
+from ...exact.interval_arrays import FloatArray, Intervals
+from ...exact.polynomials import Undecided
+from ...parameters import as_count
+from ...results.named_columns import Columns
+from ...results.onsets import criticality
+from ...results.points import Points
+from ..mechanics.balance import Balance
+from ..statics import stability
+from ..statics.damping import only_damped, slope_ends
+from .bifurcation import on_lines, rows_of
+from .bifurcation_conditions import (
+    BogdanovTakens,
+    Damped,
+    DoubleHopf,
+    FoldWithoutDamping,
+    Hopf,
+    NoDamping,
+    UndampedMode,
+    ZeroHopf,
+)
+from .defining_systems import Condition
+from .fold_curves import FoldCurves
+from .normal_forms import NormalForm, normal_form
+from .points import arranged, given_column, picked, ranges, search
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+#: Points of the plane that are nearer than this share of its scales are one.
+SAME = 1e-9
+#: Halvings by which a point with l₁ = 0 is enclosed.
+HALVINGS = 30
+#: C over K below which a state is as good as undamped.
+UNDAMPED = 1e-6
+#: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
+KINDS: Mapping[str, type[Damped]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "HH": DoubleHopf}
+
+
+@dataclass(frozen=True, eq=False)
+class OnsetCurve(Columns, held_in="values"):
+    """Hopf points in order along a curve, their columns attributes under their names.
+
+    Those are the parameters that vary, the coordinates, ``omega``, and ``lyapunov`` with its bound ``lyapunov_error``, NaN and
+    inf where there is no coefficient.
+    """
+
+    values: Mapping[str, FloatArray] = field(repr=False)
+
+    @property
+    def criticality(self) -> NDArray[np.str_]:
+        """As of :class:`spragsym.Onsets`, of every point."""
+        return criticality(self.lyapunov, self.lyapunov_error)
+
+
+@dataclass(frozen=True, eq=False)
+class OnsetCurves(Result):
+    """Hopf points on lines of the plane, joined to curves, and the points at which they end or change.
+
+    Attributes
+    ----------
+    vary : tuple of str
+        The two parameters.
+    curves : tuple of OnsetCurve
+        Hopf points in the order in which they follow each other. Each is proved; that they are joined in the right order is not.
+    points : Points
+        All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"`` (zero–Hopf: it meets a fold) and
+        ``"HH"`` (double Hopf: two curves meet; sought with two coordinates), proved.
+    changes : mapping
+        Generalized Hopf points (GH), where l₁ changes its sign along a curve: columns of the two parameters, of the coordinates,
+        and ``error``, the distance of the two proved points with opposite signs between which it lies.
+    lines : mapping
+        For each parameter the values at which all Hopf points along the other one are known.
+    complete : bool
+        Whether all onsets on all lines, and all points, are decided.
+    undecided : ndarray
+        Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2): coordinates, then parameters.
+    remarks : tuple of str
+        Why the result is not complete: what is known of these boxes, and what was not searched.
+    """
+
+    vary: tuple[str, ...]
+    curves: tuple[OnsetCurve, ...]
+    points: Points
+    changes: Mapping[str, FloatArray]
+    lines: Mapping[str, FloatArray] = field(repr=False)
+    complete: bool
+    undecided: FloatArray
+    remarks: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.curves)
+
+
+def onset_curves(
+    model: Model,
+    p: Any,
+    vary: Sequence[str],
+    n: int = 30,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+) -> OnsetCurves:
+    """All Hopf points of a damped model on ``n`` lines of either parameter, joined to curves, with the points that end them.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; those that vary are not used.
+    vary : pair of str
+        Two parameters.
+    n : int
+        Lines in each direction.
+    between : mapping, optional
+        Ranges of the two, as for :func:`spragsym.models.catastrophe.folds.folds`.
+
+    Returns
+    -------
+    OnsetCurves
+
+    Notes
+    -----
+    Source: F = 0 and Hurwitz's determinant along 2 n lines, as for :func:`spragsym.models.catastrophe.flutter.flutter_onsets`;
+    two points are neighbours only if no line separates them. A curve that closes between two lines is not seen. Where the only
+    coordinate that is damped has no damping, by a falling friction law against a damper, every pair crosses, and each is a curve
+    without l₁.
+    """
+    as_count("n", n, 2)
+    balance = Balance(model, contact=True)
+    spans = ranges(model, vary, between or {})
+    given = given_column(p, balance.parameters, vary)
+    only = only_damped(balance, given, vary, spans) if balance.n > 1 else None
+    dampers = bool(model.about["dampers"])
+    points = _points(balance, p, vary, given, spans, only)
+    ends = rows_of(balance, vary, points)[:, points.kind == "BT"]
+    free = _hardly_damped(balance, vary, given, ends) & (only is not None)
+    rest, ends = ends[:, free], ends[:, ~free]
+    found = on_lines(balance, vary, Hopf() if only is None else UndampedMode(only), given, spans, n, ends)
+    lines = _Lines(model, balance, tuple(vary), given, found.curves, ends)
+    curves, changes = [], []
+    for chain in found.chains:
+        for states in lines.oscillating(chain):
+            forms = lines.forms(states)
+            curves.append(lines.curve(states, lines.omegas(states), forms))
+            changes += lines.changes(states, forms)
+    undecided, whole, said = found.undecided, found.whole, found.remarks
+    if only is not None and not dampers:
+        low, high = slope_ends(balance, given, vary, spans)
+        if low < 0 < high:  # an end of the range at which friction vanishes is none
+            text = (
+                "where the slope of the friction law is 0 nothing damps and every pair crosses: flutter_onsets lists these onsets"
+            )
+            whole, said = False, (*said, f"{text}; the slope is between {low:.3g} and {high:.3g} here")
+    if only is not None and dampers:
+        flat = on_lines(balance, vary, NoDamping(only), given, spans, n, rest)
+        lines = _Lines(model, balance, tuple(vary), given, flat.curves, rest)
+        curves += [curve for chain in flat.chains for curve in lines.of_all_pairs(chain)]
+        undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
+    names = (*vary, *balance.coordinates, "error")
+    rows = np.array(changes).reshape(-1, len(names)).T
+    complete = points.complete and whole and not len(undecided)
+    remarks = (*said, *_undamped(balance, vary, given, undecided), *(f"of points: {it}" for it in points.remarks))
+    return OnsetCurves(
+        tuple(vary), tuple(curves), points, dict(zip(names, rows, strict=True)), found.lines, complete, undecided, remarks
+    )  # fmt: skip
+
+
+def _hardly_damped(balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+    """Where C is next to nothing beside K."""
+    if not states.shape[1]:
+        return np.zeros(0, dtype=np.bool_)
+    point = np.repeat(given, states.shape[1], axis=1)
+    point[[balance.parameters.index(name) for name in vary]] = states[balance.n :]
+    with np.errstate(all="ignore"):
+        _, C, K = stability.linearization(balance, states[: balance.n], point)
+        hardly: NDArray[np.bool_] = np.abs(C).max(axis=(0, 1)) <= UNDAMPED * np.abs(K).max(axis=(0, 1))
+    return hardly
+
+
+def _undamped(balance: Balance, vary: Sequence[str], given: FloatArray, undecided: FloatArray) -> tuple[str, ...]:
+    """Of boxes in whose middle hardly anything damps: where C is 0 every pair crosses at once, and no root is isolated."""
+    number = int(_hardly_damped(balance, vary, given, undecided.mean(axis=2).T).sum()) if len(undecided) else 0
+    if not number:
+        return ()
+    text = f"of {len(undecided)} undecided boxes C is at most {UNDAMPED:g} times K: where it vanishes every pair crosses at once"
+    return (f"on lines: in {number} {text}, and such onsets are not isolated",)
+
+
+def _points(
+    balance: Balance, p: Any, vary: Sequence[str], given: FloatArray, spans: FloatArray, only: int | None
+) -> Points:  # fmt: skip
+    """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
+    kinds, parts = [], []
+    sought: list[tuple[str, Condition]] = [(kind, condition(only)) for kind, condition in KINDS.items()]
+    if only is not None and balance.model.about["dampers"]:
+        sought.insert(1, ("BT", FoldWithoutDamping(only)))
+    for kind, condition in sought:
+        # With one coordinate damped the coefficient of λ³ is that damping times a mass.
+        if (kind == "HH" and (balance.n != 2 or only is not None)) or (kind == "ZH" and balance.n < 2):
+            continue
+        found = search(balance, vary, condition, given, spans)
+        middle = found.roots.middle
+        kept = np.array([kind == "BT" or _oscillates(balance, given, vary, state, kind) for state in middle.T], dtype=np.bool_)
+        parts.append(replace(found, roots=picked(found.roots, kept)))
+        kinds += [kind] * int(kept.sum())
+    every = concatenated([part.roots for part in parts], balance.n + 2)
+    return arranged(balance, p, vary, given, replace(parts[0], roots=every), np.array(kinds, dtype=np.str_))
+
+
+def _roots(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray) -> NDArray[np.complex128]:
+    point = given.copy()
+    point[[balance.parameters.index(name) for name in vary], 0] = state[balance.n :]
+    M, C, K = (part[:, :, 0] for part in stability.linearization(balance, state[: balance.n, None], point))
+    return stability.roots(M, C, K)
+
+
+def frequencies(roots: NDArray[np.complex128]) -> list[float]:
+    """ω of the pairs ± i ω among the roots of a state that nothing damps, ascending."""
+    return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
+
+
+def _oscillates(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray, kind: str) -> bool:
+    """Whether the pair with the sum 0 is imaginary: both of them at a double Hopf point."""
+    roots = _roots(balance, given, vary, state)
+    pairs = 2 if kind == "HH" else 1
+    return int((np.abs(roots.real) < 1e-5 * np.abs(roots.imag)).sum()) >= 2 * pairs
+
+
+@dataclass(frozen=True)
+class _Lines:
+    """What is asked of the points of curves."""
+
+    model: Model
+    balance: Balance
+    vary: tuple[str, ...]
+    given: FloatArray
+    curves: FoldCurves
+    ends: FloatArray  #: Bogdanov–Takens points, one a column
+
+    def oscillating(self, states: FloatArray) -> list[FloatArray]:
+        """The parts of a chain on which a pair is imaginary; on the others two real eigenvalues have the sum 0.
+
+        At a Bogdanov–Takens point both are 0, and rounding would say what they are: it belongs to the curve that ends there.
+        """
+        if not states.shape[1]:
+            return []
+        omega = self.omegas(states)
+        off = np.abs(states[:, :, None] - self.ends[:, None]) / self.curves.scale[:, None, None]
+        kept = (omega > 0) | (off.max(axis=0) < SAME).any(axis=1)
+        cuts = np.flatnonzero(np.diff(kept)) + 1
+        return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[0]]
+
+    def of_all_pairs(self, chain: FloatArray) -> list[OnsetCurve]:
+        """A curve for each pair, on the parts of a chain of states without damping that have as many."""
+        modes = [frequencies(_roots(self.balance, self.given, self.vary, state)) for state in chain.T]
+        cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
+        return [
+            self.curve(chain[:, part], np.array([modes[row][mode] for row in part]), [None] * len(part))
+            for part in np.split(np.arange(len(modes)), cuts)
+            for mode in range(len(modes[part[0]]) if len(part) else 0)
+        ]
+
+    def omegas(self, states: FloatArray) -> FloatArray:
+        """ω at each point."""
+        return np.array([self.omega(state) for state in states.T])
+
+    def omega(self, state: FloatArray) -> float:
+        """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
+        return stability.frequency(_roots(self.balance, self.given, self.vary, state))
+
+    def forms(self, states: FloatArray) -> list[NormalForm | None]:
+        """The normal form at each point, over a box that is proved to hold one."""
+        if not states.shape[1]:
+            return []
+        ends, good = self.curves.enclosed(states, np.abs(self.curves.tangents(states)).argmax(axis=0))
+        middle = Intervals(ends).middle
+        radii = contractors.distance(ends, middle)
+        return [
+            self._form(state, radius) if known else None for state, radius, known in zip(middle.T, radii.T, good, strict=True)
+        ]
+
+    def _form(self, state: FloatArray, radii: FloatArray) -> NormalForm | None:
+        n, point = self.balance.n, self.given[:, 0].copy()
+        point[[self.balance.parameters.index(name) for name in self.vary]] = state[n:]
+        try:
+            return normal_form(self.model, point, state[:n], self.vary, radii)
+        except Undecided:
+            return None
+
+    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | None]) -> OnsetCurve:
+        """The points with what is known of them."""
+        n = self.balance.n
+        values = dict(zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True))
+        values["omega"] = omega
+        values["lyapunov"] = np.array([np.nan if form is None else form.lyapunov for form in forms])
+        values["lyapunov_error"] = np.array([np.inf if form is None else form.lyapunov_error for form in forms])
+        return OnsetCurve(values)
+
+    def changes(self, states: FloatArray, forms: Sequence[NormalForm | None]) -> list[list[float]]:
+        """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""
+        known = [k for k, form in enumerate(forms) if told(form) != "undecided"]
+        rows = []
+        for one, two in itertools.pairwise(known):
+            # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
+            if told(forms[one]) != told(forms[two]) and self._side(states[:, one]) == self._side(states[:, two]):
+                rows.append(self._between(states[:, one], states[:, two], told(forms[one])))
+        return rows
+
+    def _side(self, state: FloatArray) -> bool:
+        return bool(np.prod(_roots(self.balance, self.given, self.vary, state)).real > 0)
+
+    def _between(self, one: FloatArray, two: FloatArray, first: str) -> list[float]:
+        for _ in range(HALVINGS):
+            chord = (two - one) / self.curves.scale
+            length = float(np.linalg.norm(chord))
+            found, good = self.curves.on_curve((0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length]))
+            kind = told(self.forms(found)[0]) if good[0] else "undecided"
+            if kind == "undecided":
+                break
+            one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])
+        middle, n = 0.5 * (one + two), self.balance.n
+        return [*middle[n:], *middle[:n], float(np.abs(two - one).max())]
+
+
+def told(form: NormalForm | None) -> str:
+    """gentle, dangerous or undecided."""
+    return "undecided" if form is None else str(criticality(form.lyapunov, form.lyapunov_error))

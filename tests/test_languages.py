@@ -53,7 +53,7 @@ def test_the_general_floor_knows_no_model() -> None:
 
 
 def arrows(indent: int = 4) -> dict[str, set[str]]:
-    """Rooms of spragsym in the picture, or with a deeper indent those of its models, each with the rooms that it may import from."""
+    """Rooms of spragsym in the picture, or with a deeper indent those of its models, and the rooms that each may import from."""
     drawn = re.findall(rf"^ {{{indent}}}(\w+) .*<- (.*)$", section("The house"), re.MULTILINE)
     rooms: dict[str, set[str]] = {}
     for name, text in drawn:

@@ -15,7 +15,7 @@ from spragsym.cli import cli
 from spragsym.derive import folder, pages
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics import stability
-from tests.support import few
+from tests.support import few, model_of
 
 
 @pytest.mark.thorough
@@ -212,3 +212,42 @@ def _crosses(model, p, found, vary):
             parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(Balance(model, True), states, given))
             unstable.append((stability.roots(*parts).real > 0).sum(axis=-1))
         assert sorted(np.abs(unstable[1] - unstable[0]).tolist())[-1] == 2
+
+
+#: f sin φ − g cos φ + a sin φ cos φ = 0 with a = r² − u² − v² has folds where f^(2/3) + g^(2/3) = |a|^(2/3): on a circle about 0.
+CIRCLE = '''"""A rod whose folds lie on a circle in the plane of two parameters."""
+from spragsym.derive.model import Page, cos, sin
+
+page = Page("A rod whose folds lie on a circle.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+l = page.unit("l", "m", "length")
+r = page.parameter("r", "1", "without it two states are left", "> 0", 0.7)
+u = page.parameter("u", "1", "one of two", "real", 0.0)
+v = page.parameter("v", "1", "the other", "real", 0.0)
+phi = page.coordinate("phi", "rad", "angle")
+page.kinetic(m * l**2 * page.rate(phi) ** 2 / 2)
+page.potential(-k * l**2 * (cos(phi) + 2 * sin(phi) + 25 * (r**2 - u**2 - v**2) * cos(2 * phi)) / 100)
+'''
+
+
+@pytest.fixture(scope="module")
+def circle(tmp_path_factory):
+    return model_of(CIRCLE, "circle", tmp_path_factory.mktemp("own"))
+
+
+@pytest.mark.parametrize("radius", [0.03, 1e-3, 1e-5])
+@pytest.mark.parametrize(("u", "v", "angle"), [
+    ((-5.5, 2.5), (-2.5, 5.5), 2 * np.pi), ((0.9, 5.0), (-4.0, 3.0), 2 * np.arccos(0.9)),
+    ((-4.0, 3.0), (0.9, 5.0), 2 * np.arccos(0.9)), ((0.7, 5.0), (0.7, 4.0), np.arccos(0.7) - np.arcsin(0.7)),
+])  # fmt: skip
+def test_a_curve_of_folds_between_lines_is_seen_however_small(circle, radius, u, v, angle):
+    """Whole, or the part of it that a side or a corner of the range cuts off."""
+    r = np.sqrt(radius**2 + (0.01 ** (2 / 3) + 0.02 ** (2 / 3)) ** 1.5)
+    between = {"u": (radius * u[0], radius * u[1]), "v": (radius * v[0], radius * v[1])}
+    found = circle.bifurcation_set(circle.Parameters(r=r), ("u", "v"), 3, between=between)
+    assert found.complete
+    (curve,) = found.curves
+    np.testing.assert_allclose(np.hypot(curve.u, curve.v), radius, rtol=1e-6)
+    turned = np.unwrap(np.arctan2(curve.v, curve.u))
+    assert abs(turned[-1] - turned[0]) == pytest.approx(angle, rel=1e-4)

@@ -45,7 +45,8 @@ class BifurcationSet(Result):
     cusps : Points
         All cusps of the region, proved.
     complete : bool
-        Whether these are all: of closed forms always; of a search all folds on all ``lines``, and all cusps.
+        Whether these are all: of closed forms always; of a search where all folds on all ``lines``, and all extrema and ends of
+        curves, cusps among them, are proved: between two of these is a line, so that no curve is missed, however small.
     lines : mapping
         For each parameter the values at which all folds along the other one are known; empty where closed forms need none.
     undecided : ndarray

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,17 +17,24 @@ from ...results.points import Points
 from ..mechanics.balance import Balance
 from ..mechanics.forces import Model
 from ..statics.regions import by_hand
-from ..statics.remarks import of_boxes
+from ..statics.remarks import of_boxes, of_ranges
 from .bifurcation_conditions import Fold
-from .cusps import cusps
 from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
-from .points import given_column, ranges, search
+from .fold_extrema import extrema
+from .points import endless, given_column, ranges, search
 
 #: Rounds in which points are joined to those next to them.
 ROUNDS = 4
 #: Boxes looked at for one line of the plane.
 BUDGET = 20_000
+#: Extrema and ends of curves, as remarks call them.
+_WHERE = {
+    "cusp": "of cusps",
+    "turn": "where curves turn back",
+    "end": "where curves end",
+    "border": "where curves leave the contact",
+}
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
 
@@ -51,7 +58,8 @@ def bifurcation_set(
     vary : pair of str
         Two parameters.
     n : int
-        Lines in each direction. On each all folds are found and proved.
+        Lines in each direction, and one more wherever none of them passes between two extrema of curves. On each all folds are
+        found and proved.
     between : mapping, optional
         Ranges of the two, as for :func:`spragsym.models.catastrophe.folds.folds`.
     within : mapping, optional
@@ -63,21 +71,33 @@ def bifurcation_set(
 
     Notes
     -----
-    Source: F = 0 and det K = 0 along 2 n lines, all searched at once; cusps by :func:`spragsym.models.catastrophe.cusps.cusps`;
-    points between these by :mod:`spragsym.models.catastrophe.fold_curves`. Two points are neighbours only if no line separates
-    them on which all folds are known. A curve that closes between two lines without a cusp is not seen.
+    Source: F = 0 and det K = 0 along these lines, all searched at once; extrema of curves in the second parameter, cusps among
+    them, and ends of curves by :func:`spragsym.models.catastrophe.fold_extrema.extrema`: where all of these are known, no curve
+    is missed, however small it is. Points between by :mod:`spragsym.models.catastrophe.fold_curves`. Two points are neighbours
+    only if no line separates them on which all folds are known.
     """
     as_count("n", n, 2)
-    found_cusps = cusps(model, p, vary, between=between, within=within)
+    spans, unsaid = ranges(model, vary, between or {}), endless(model, vary, between or {})
+    known = list(extrema(model, p, vary, between or {}, within))
     balance = Balance(model, contact=True)
-    spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
+    more = np.concatenate([rows_of(balance, vary, points) for _, points in known], axis=1)
     asked = by_hand(balance.coordinates, within)
-    found = on_lines(balance, vary, Fold(), given, spans, n, rows_of(balance, vary, found_cusps), asked)
+    found = on_lines(balance, vary, Fold(), given, spans, n, more, asked, more[-1])
     curves = [Curve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains]
-    complete = found_cusps.complete and found.whole and not found.undecided.shape[0]
-    remarks = (*found.remarks, *(f"of cusps: {text}" for text in found_cusps.remarks))
-    return BifurcationSet(tuple(vary), tuple(curves), found_cusps, complete, found.lines, found.undecided, remarks)
+    complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
+    remarks = (*found.remarks, *_said(known, of_ranges(unsaid, spans[[list(vary).index(name) for name in unsaid]])))
+    return BifurcationSet(tuple(vary), tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
+
+
+def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
+    """That ranges are ``cut``, and each other remark on extrema and ends of curves once, with those of which it is said."""
+    yield from cut
+    said: dict[str, dict[str, None]] = {}
+    for kind, points in known:
+        for text in points.remarks:
+            said.setdefault(text, {})[_WHERE[kind]] = None
+    yield from (f"{', '.join(kinds)}: {text}" for text, kinds in said.items() if text not in cut)
 
 
 @dataclass(frozen=True)
@@ -101,16 +121,22 @@ def on_lines(
     n: int,
     more: FloatArray,
     asked: FloatArray | None = None,
+    apart: FloatArray | None = None,
 ) -> OnLines:
-    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well."""
+    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well.
+
+    Between any two of the values ``apart`` of the second parameter there is a line of the first one.
+    """
     rows, left, lines, decided, whole = [], [], {}, {}, True
     for along, across in ((0, 1), (1, 0)):
         # Inside of the range: its ends are often degenerate.
         values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
+        if across == 1 and apart is not None:
+            values = np.sort(np.append(values, _between(apart, spans[across], values)))
         lines[vary[across]] = values
-        column = np.repeat(given, n, axis=1)
+        column = np.repeat(given, values.size, axis=1)
         column[balance.parameters.index(vary[across])] = values
-        with doing("{} lines along {}", n, vary[along]):
+        with doing("{} lines along {}", values.size, vary[along]):
             found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET, asked=asked)
         whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
@@ -129,6 +155,14 @@ def on_lines(
     curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
     chains = [curves.smooth(states[:, places]) for places in _chains(curves, states, near)]
     return OnLines(curves, chains, lines, undecided, whole, tuple(f"on lines: {text}" for text in remarks))
+
+
+def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatArray:
+    """Middles of the intervals between values next to each other, in a range, in which no line is; none where two are alike."""
+    ends = np.unique([*span, *values])
+    empty = np.searchsorted(lines, ends[:-1], "right") == np.searchsorted(lines, ends[1:], "left")
+    middles: FloatArray = 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
+    return middles
 
 
 def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
@@ -172,7 +206,7 @@ def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> l
     ahead = (gap * tangent[:, :, None]).sum(axis=0)
     with np.errstate(all="ignore"):
         straight = np.abs(ahead) / distance
-    cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
+        cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
     # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link.
     cost = np.stack([np.where(sign * ahead > 0, cost, np.inf) for sign in (1, -1)])
     links: list[set[int]] = [set() for _ in range(count)]

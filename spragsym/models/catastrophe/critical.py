@@ -21,11 +21,12 @@ from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
 from ..statics.remarks import of_ranges
 from ..tubes.tubes import carried
-from .bifurcation_conditions import FoldOnBorder, Touch, TouchTurn, Turn
+from .bifurcation_conditions import Touch, TouchTurn
 from .cusps import cusps
+from .fold_extrema import extrema, isolated
 from .folds import folds
 from .paths import OVER_BORDER, ModelEnd, first_end
-from .points import arranged, endless, given_column, ranges, search
+from .points import endless, given_column, ranges
 
 #: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
 ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
@@ -218,33 +219,14 @@ class _Search:
         return sorted(found, key=lambda one: one.value), open_from, tuple(remarks)
 
     def points(self) -> Iterator[tuple[str, Points]]:
-        """Cusps, turns, ends; and the same of the border, if the model has one."""
+        """Extrema and ends of curves of folds, and the same of the border, if the model has one."""
         both = (self.over, self.vary)
-        between = {name: (float(low), float(high)) for name, (low, high) in zip(both, self.spans, strict=True)}
-        with doing("cusps over {} and {}", *both):
-            found = cusps(self.model, self.p, both, between=between)
-        yield "cusp", found
-        yield "turn", self.of(self.balance, Turn(), both)
-        for end in self.spans[0]:
-            yield (
-                "end",
-                folds(self.model, self.p.replace(**{self.over: float(end)}), self.vary, between={self.vary: between[self.vary]}),
-            )
+        yield from extrema(self.model, self.p, both, dict(zip(both, map(tuple, self.spans.tolist()), strict=True)))
         if self.balance.opens:
             beyond = Balance(self.model, contact=True, room=OVER_BORDER)
-            yield "border", self.of(beyond, FoldOnBorder(), both)
-            yield "border", self.of(beyond, TouchTurn(), both)
+            yield "border", isolated(beyond, self.p, TouchTurn(), both, self.spans)
             for end in self.spans[0]:
-                yield "border", self.of(beyond, Touch(), (self.vary,), {self.over: float(end)})
-
-    def of(self, balance: Balance, condition: Any, vary: Sequence[str], changed: Mapping[str, float] | None = None) -> Points:
-        """Points of one condition."""
-        p = self.p.replace(**(changed or {}))
-        given = given_column(p, balance.parameters, vary)
-        spans = self.spans[[(self.over, self.vary).index(name) for name in vary]]
-        with doing("other candidates over {}", " and ".join(vary)):
-            found = search(balance, vary, condition, given, spans)
-        return arranged(balance, p, vary, given, found, np.full(found.roots.point.size, "candidate"))
+                yield "border", isolated(beyond, self.p.replace(**{self.over: float(end)}), Touch(), (self.vary,), self.spans[1:])
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""

@@ -191,7 +191,7 @@ def _solves(drawn: Drawn, values: Values, contact: bool, root: Any) -> bool:
                 lambda *q: drawn.forces(q, [mp.mpf(0)] * len(q), p, mp, contact, mu), [mp.mpf(float(part)) for part in root],
                 tol=mp.mpf(10) ** (-DIGITS), maxsteps=30,
             )  # fmt: skip
-        except (ZeroDivisionError, ValueError):
+        except (ZeroDivisionError, ValueError, TypeError):  # the last one where no pivot is a number
             return False
         exact = list(exact) if isinstance(exact, mp.matrix) else [exact]
         if any(mp.im(part) != 0 for part in exact):

@@ -236,7 +236,7 @@ def attack(name: str, count: int, seed: int, done: dict[str, Any], store: Path |
             done[key] = attacked(model, drawn, name, seed, number)
             if store is not None:
                 with store.open("a", encoding="utf-8") as file:
-                    file.write(json.dumps([key, done[key]]) + "\n")
+                    file.write(json.dumps([key, done[key]], default=np.ndarray.tolist) + "\n")
         outcome = done[key]
         wrong = [f"{kind}: {text}" for kind, part in outcome.items() if kind != "values" for text in part["wrong"]]
         for kind, part in outcome.items():

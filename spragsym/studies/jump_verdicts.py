@@ -80,8 +80,7 @@ def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
     if point is not None:
         return BoxCertificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
-    along = rises.of(study).along
-    found = load(study.model).certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units, **along)
+    found = load(study.model).certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units, **rises.along(study))
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
     outcome = found.outcome if found.outcome == "proved" else "undecided"
     return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
@@ -122,13 +121,19 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
 
 def ending(study: Study, values: Mapping[str, Any], target: float | None = None) -> FloatArray:
     """The same of brakes by their quantities in SI: up to a target, or up to the own value of each that works."""
-    found: FloatArray = load(study.model).have_jumped(rises.risen(study, values, target), **rises.of(study).along)
+    found: FloatArray = load(study.model).have_jumped(rises.risen(study, values, target), **rises.along(study, values))
     return found
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Corners between which all brakes lie, as of :func:`tolerance_boxes.corners`, with the μ₀ of the friction that works."""
+    """Corners between which all brakes lie, as of :func:`tolerance_boxes.corners`, with the μ₀ of the friction that works.
+
+    Of what rises from ``begin`` no less than that: a brake in which it is less has come to no end.
+    """
     low, high, units = tolerance_boxes.corners(study)
+    rise = rises.of(study)
+    if not rise.is_friction:
+        low = low.replace(**{rise.name: max(rises.begin(study), float(getattr(low, rise.name)))})
     if not _all_works(study):
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in zip((low, high), bounds(study), strict=True))
     return low, high, units
@@ -150,7 +155,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     if not names or len(names) > _MOST_SIDES or correlated(study) or not (rise.is_friction or _all_works(study)):
         return 0.0, 1.0
     low, high, units = box(study)
-    splitting, sides = Splitting(low, high, rise.name, rise.begin, units), tolerance_boxes.sides(study)
+    splitting, sides = Splitting(low, high, rise.name, rises.begin(study), units), tolerance_boxes.sides(study)
     laws = {side: _shares(study, *sides[side]) for side in splitting.free}
     up_to = (_shares(study, *sides[rise.name]),) * 2
     if rise.is_friction:

@@ -226,3 +226,14 @@ def test_a_sentence_tells_a_load_from_where_it_jumps(share: float, tmp_path: Pat
     verdict = truss(tmp_path, P=f"{share * LOAD!r} N").report(**QUICKLY).verdict
     jump, yours = (float(number) for number in re.findall(r"([0-9.]+) N", verdict))
     assert (yours < jump) == (share < 1)
+
+
+@pytest.mark.thorough
+def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Path) -> None:
+    """A bar that is 12 % softer has snapped at 250 N, and would end nowhere above that."""
+    study = truss(tmp_path, P="260 N", begin="250 N")
+    found = study.report(oscillation=False, probability=False, safety=1.4)
+    assert {name for one in found.redesign for name in one.after} == {"k", "b", "h"}
+    for one in found.redesign:
+        values = {**study.values, **one.after}
+        assert one.jump_at == pytest.approx(snaps(values["k"], values["b"], values["h"]), rel=1e-9)

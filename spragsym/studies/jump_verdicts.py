@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from ..design.certificates import Unit
 from ..design.probability import estimated, probability_table, variable
 from ..display import Result, Table
+from ..errors import ConvergenceError
 from ..models.certificates import Splitting
 from ..models.load import load
 from ..models.probability import measured
@@ -137,6 +138,27 @@ def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     if not _all_works(study):
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in zip((low, high), bounds(study), strict=True))
     return low, high, units
+
+
+def begins_alike(study: Study, after: Mapping[str, float]) -> bool:
+    """Whether the state that is followed in a changed brake is the one that is followed in the brake as drawn.
+
+    Where what rises begins behind its end in the changed brake, a state is taken up there that may end nowhere.
+    """
+    if rises.of(study).is_friction:
+        return True
+    ends = {name: sorted((study.values[name], value)) for name, value in after.items()}
+    moved = {name: replace(study.quantities[name].alone, low=low, high=high) for name, (low, high) in ends.items()}
+    alone = {name: one.alone for name, one in study.quantities.items()}
+    low, high, units = box(study.with_quantities({**alone, **moved}))
+    of = tolerance_boxes.sides(study)
+    try:
+        way = Splitting(low, high, rises.of(study).name, rises.begin(study), units)
+        least, most = way.whole.low[:-1, 0], way.whole.high[:-1, 0]
+        upward = np.array([after.get(name, 0.0) > study.values[name] for name in (of[side][0] for side in way.free)], dtype=bool)
+        return way.begins_alike(np.where(upward, least, most), np.where(upward, most, least))
+    except ConvergenceError:
+        return False
 
 
 def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:

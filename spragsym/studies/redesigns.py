@@ -21,7 +21,7 @@ from ..models.load import load
 from ..parameters import FloatArray
 from . import brake_quantities, rises
 from .effort import effort
-from .jump_verdicts import certificate, counterexample, ending, jumping
+from .jump_verdicts import begins_alike, certificate, counterexample, ending, jumping
 from .study import Study
 from .tolerances import corners, samples, values_at, varied
 from .units import factor
@@ -276,6 +276,8 @@ class _Search:
         try:
             jump = rises.told(new, rises.jump(new))
         except SpragsymError:
+            return None
+        if not begins_alike(study, after):
             return None
         outcome, (few, many) = certificate(new, hasty=True).outcome, self.effort.shares
         if outcome == "refuted" or (outcome == "undecided" and (proof_only or counterexample(new, many) is not None)):

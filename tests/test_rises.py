@@ -6,11 +6,14 @@ The truss snaps where P(u) = k u (l/r − 1), r² = b² + u², has its maximum o
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.studies.jump_verdicts import ending
 from tests.conformance.models import TESTS, derived
 from tests.support import written_brake
 
@@ -37,6 +40,16 @@ def truss(folder: Path, **changes: str) -> ss.Study:
 
 
 LOAD = snaps(1.5e6, 0.038, 0.0114)
+
+
+def weighted(folder: Path, **changes: str) -> ss.Study:
+    """The same under a weight of 400 N too: it snaps at a load that is negative, which holds it up."""
+    text = (TESTS / "snapping_truss.py").read_text(encoding="utf-8").replace('">= 0", 0.004', '"real", 0.0')
+    weight = 'page.parameter("G", "N", "weight", ">= 0", 0.007, becomes="gam")'
+    page = folder / "weighted_truss.py"
+    page.write_text(f"{text}page.force({weight}, along=w)\n", encoding="utf-8")
+    rows = {**TRUSS, "P": "-200 N ± 10 %", "G": "400 N", "vary": "P", "begin": "-500 N"}
+    return ss.Study.from_file(written_brake(folder, {"model": derived(page).as_posix(), **rows, **changes}))
 
 
 @pytest.mark.thorough
@@ -117,6 +130,7 @@ def test_another_quantity_meets_the_same_fold_as_the_friction(tmp_path: Path) ->
         ({"vary": "F_L", "begin": "500 N"}, ("begin = 500", "F_L = 420")),
         ({"vary": "F_L", "begin": "5 mm"}, ("begin = '5 mm'", "420 N")),
         ({"begin": "5 N"}, ("begin = '5 N'", "vary")),
+        ({"vary": "mu0", "begin": "0.2"}, ("begin = 0.2", "leave begin out")),
     ],
 )
 def test_what_can_t_rise_is_said_with_its_line(rows: dict[str, str], named: tuple[str, ...], tmp_path: Path) -> None:
@@ -152,3 +166,74 @@ def test_where_nothing_is_said_to_rise_a_report_has_its_states(tmp_path: Path) -
     assert found.jump_at is None
     assert len(found.states) == 3
     assert any("vary =" in one for one in found.warnings)
+
+
+@pytest.mark.thorough
+def test_a_load_may_be_negative(tmp_path: Path) -> None:
+    found = weighted(tmp_path).report(**QUICKLY)
+    assert found.jump_at == pytest.approx(LOAD - 400, rel=1e-10)
+    assert found.distance == pytest.approx((LOAD - 400 + 200) / 20, rel=1e-9)
+    assert found.margin_percent == pytest.approx(100 * (LOAD - 400 + 180) / 180)
+    assert "35 % above the largest that you have, -180 N" in found.verdict
+    assert "full slip" not in found.text()
+
+
+@pytest.mark.thorough
+def test_where_nothing_is_applied_it_may_have_jumped_already(tmp_path: Path) -> None:
+    found = weighted(tmp_path, P="0 N").report(oscillation=False)
+    assert found.facts.jumped
+    assert found.margin_percent == -math.inf
+    assert not found.redesign
+    assert any("1.2 times P = 0 N" in one for one in found.warnings)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("k", [0.9e6, 3e6])
+def test_every_brake_begins_at_the_same_load(k: float, tmp_path: Path) -> None:
+    """Of a bar half as stiff the same number of the model is half of that load, at which it has snapped."""
+    end = snaps(k, 0.038, 0.0114) - 400
+    study = weighted(tmp_path, begin="-231 N", P="-230 N", k=f"[{k!r}, 3e6] N/m")
+    assert study.changed({"k": k}).report(**QUICKLY).jump_at == pytest.approx(end, rel=1e-9)
+    values = {name: np.full(2, value) for name, value in study.values.items()}
+    beside = end + np.array([-1e-6, 1e-6])
+    assert ending(study, {**values, "k": np.full(2, k), "P": beside}).tolist() == [0, 1]
+
+
+@pytest.mark.thorough
+def test_brakes_below_where_it_begins_have_not_jumped(tmp_path: Path) -> None:
+    found = truss(tmp_path, P="[180, 300] N", begin="190 N").report(**QUICKLY, n=256)
+    assert found.probability is not None
+    low, high = found.probability.proved
+    assert low < (300 - LOAD) / 120 < high < low + 1e-3
+    at = truss(tmp_path, begin="200 N", k="1500 N/mm ± 5 %").report(**QUICKLY, n=64)
+    assert at.certificate is not None
+    assert at.certificate.outcome == "proved"
+
+
+def test_where_it_begins_is_compared_with_the_values_of_the_study() -> None:
+    """A value that its tolerance does not hold is the middle of that."""
+    values, model = dict(m=0.35, k=1.5e6, b=0.038, h=0.0114, P=200.0, c=70.0), str(derived(TESTS / "snapping_truss.py"))
+    with pytest.raises(ss.errors.ParameterError, match="begin = 100 is above P = 15"):
+        ss.Study(values, {"P": (10.0, 20.0)}, model=model, vary="P", begin=100.0)
+    study = ss.Study(values, model=model, vary="P", begin=100.0)
+    less = study.quantities["P"].scaled(50.0, False)
+    with pytest.raises(ss.errors.ParameterError, match="begin = 100 is above P = 50"):
+        study.with_quantities({**study.quantities, "P": less})
+
+
+@pytest.mark.parametrize("share", [1 - 1e-4, 1 + 1e-4])
+def test_a_sentence_tells_a_load_from_where_it_jumps(share: float, tmp_path: Path) -> None:
+    verdict = truss(tmp_path, P=f"{share * LOAD!r} N").report(**QUICKLY).verdict
+    jump, yours = (float(number) for number in re.findall(r"([0-9.]+) N", verdict))
+    assert (yours < jump) == (share < 1)
+
+
+@pytest.mark.thorough
+def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Path) -> None:
+    """A bar that is 12 % softer has snapped at 250 N, and would end nowhere above that."""
+    study = truss(tmp_path, P="260 N", begin="250 N")
+    found = study.report(oscillation=False, probability=False, safety=1.4)
+    assert {name for one in found.redesign for name in one.after} == {"k", "b", "h"}
+    for one in found.redesign:
+        values = {**study.values, **one.after}
+        assert one.jump_at == pytest.approx(snaps(values["k"], values["b"], values["h"]), rel=1e-9)

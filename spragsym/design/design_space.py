@@ -37,7 +37,8 @@ class Design:
     """One design, whatever its quantities are: ``given`` by name with their ``ranges``, and what they are for the model.
 
     ``parameters`` gives the model's own from the quantities, of any number type; ``made`` another design, of the caller's kind,
-    from those that changed; ``of_model`` is the class of the model's sets.
+    from those that changed; ``of_model`` is the class of the model's sets. ``begins``, from the quantities, is where what rises
+    begins in the model's units, if that differs among designs.
     """
 
     given: Mapping[str, Any]
@@ -45,6 +46,7 @@ class Design:
     parameters: Callable[[Mapping[str, Any]], dict[str, Any]]
     made: Callable[[Mapping[str, float]], Any]
     of_model: type[ParameterSet]
+    begins: Callable[[Mapping[str, Any]], Any] | None = None
 
 
 @dataclass(frozen=True)
@@ -62,9 +64,8 @@ class Space:
         if not np.iscomplexobj(values):  # z at a limit, rounded
             low, high = self.limits()
             values = np.clip(values, self.origin + low * self.scale, self.origin + high * self.scale)
-            values = np.maximum(
-                np.where((z <= low) & (low * self.scale == -self.origin), 0.0, values), 0.0
-            )  # no lower end is less
+            least = [self.design.ranges[name].low for name in self.names]
+            values = np.maximum(np.where((z <= low) & (low * self.scale == -self.origin), 0.0, values), least)
         return {**self.design.given, **{name: values[..., j] for j, name in enumerate(self.names)}}
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:
@@ -74,6 +75,10 @@ class Space:
     def sets(self, z: FloatArray) -> ParameterSet:
         """The same as a set of the model, of the shape of z without its last axis."""
         return self.design.of_model(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
+
+    def begin(self, z: FloatArray, usual: float) -> Any:
+        """Where what rises begins in designs z: as the design says, or as usual."""
+        return usual if self.design.begins is None else self.design.begins(self.quantities(z))
 
     def slopes(self, z: FloatArray) -> dict[str, FloatArray]:
         """Slopes of each parameter by z at one design: by a complex step, exact to rounding."""

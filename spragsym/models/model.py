@@ -441,7 +441,9 @@ class Model:
         return linked(self, p, vary, eq, turns)
 
     @question
-    def have_jumped(self, p: ParameterSet, *, vary: str | None = None, begin: float | None = None) -> FloatArray:
+    def have_jumped(
+        self, p: ParameterSet, *, vary: str | None = None, begin: float | FloatArray | None = None
+    ) -> FloatArray:  # fmt: skip
         """1 where the followed state has ended at the value in p of what rises or below, else 0; NaN where that is not known."""
         from .design.jumps import have_jumped
 
@@ -636,7 +638,7 @@ class Model:
             raise ParameterError(f"{self.name} has no parameters, so that nothing can vary")
         return self.axes[0] if vary is None else vary
 
-    def rising(self, vary: str | None, begin: float | None) -> tuple[str, float]:
+    def rising(self, vary: str | None, begin: float | FloatArray | None) -> tuple[str, Any]:
         """What rises unless told otherwise, the friction at full slip, and from where."""
         if vary is None and "mu0" not in self.parameters:
             raise ParameterError(

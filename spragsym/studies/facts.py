@@ -53,7 +53,15 @@ class Facts(Result):
     @property
     def slow(self) -> bool:
         """Whether friction at the belt's speed falls short of that at full slip by more than the digits that are printed."""
-        return self.working[2] < 0.995 * self.full[2]
+        return self.working[2] < self.full[2] - 0.005 * abs(self.full[2])
+
+
+def percent_beyond(value: float, other: float) -> float:
+    """By how much a value exceeds another, in percent of the size of that; infinite where that is 0."""
+    gap = value - other
+    if other:
+        return 100 * gap / abs(other)
+    return math.copysign(math.inf, gap) if abs(gap) > 0 else gap
 
 
 def facts(
@@ -74,5 +82,5 @@ def facts(
         None if odds is None else odds.probability > 0,
         tuple(name for name in study.unbounded if name != "m"),  # of which no equilibrium depends
         top,
-        "" if study.rise is None else f"{study.rise.word}{'' if math.isinf(top) else f' up to {rises.amount(study, top)}'}",
+        "" if study.rise is None else rises.looked(study),
     )  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from ..design.certificates import Unit
 from ..design.probability import estimated, probability_table, variable
 from ..display import Result, Table
+from ..errors import ConvergenceError
 from ..models.design.certificates import Splitting
 from ..models.design.probability import measured
 from ..models.load import load
@@ -80,8 +81,7 @@ def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
     if point is not None:
         return BoxCertificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
-    along = rises.of(study).along
-    found = load(study.model).certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units, **along)
+    found = load(study.model).certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units, **rises.along(study))
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
     outcome = found.outcome if found.outcome == "proved" else "undecided"
     return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
@@ -122,16 +122,43 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
 
 def ending(study: Study, values: Mapping[str, Any], target: float | None = None) -> FloatArray:
     """The same of brakes by their quantities in SI: up to a target, or up to the own value of each that works."""
-    found: FloatArray = load(study.model).have_jumped(rises.risen(study, values, target), **rises.of(study).along)
+    found: FloatArray = load(study.model).have_jumped(rises.risen(study, values, target), **rises.along(study, values))
     return found
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Corners between which all brakes lie, as of :func:`tolerance_boxes.corners`, with the μ₀ of the friction that works."""
+    """Corners between which all brakes lie, as of :func:`tolerance_boxes.corners`, with the μ₀ of the friction that works.
+
+    Of what rises from ``begin`` no less than that: a brake in which it is less has come to no end.
+    """
     low, high, units = tolerance_boxes.corners(study)
+    rise = rises.of(study)
+    if not rise.is_friction:
+        low = low.replace(**{rise.name: max(rises.begin(study), float(getattr(low, rise.name)))})
     if not _all_works(study):
         low, high = (p.replace(mu0=max(0.0, value)) for p, value in zip((low, high), bounds(study), strict=True))
     return low, high, units
+
+
+def begins_alike(study: Study, after: Mapping[str, float]) -> bool:
+    """Whether the state that is followed in a changed brake is the one that is followed in the brake as drawn.
+
+    Where what rises begins behind its end in the changed brake, a state is taken up there that may end nowhere.
+    """
+    if rises.of(study).is_friction:
+        return True
+    ends = {name: sorted((study.values[name], value)) for name, value in after.items()}
+    moved = {name: replace(study.quantities[name].alone, low=low, high=high) for name, (low, high) in ends.items()}
+    alone = {name: one.alone for name, one in study.quantities.items()}
+    low, high, units = box(study.with_quantities({**alone, **moved}))
+    of = tolerance_boxes.sides(study)
+    try:
+        way = Splitting(low, high, rises.of(study).name, rises.begin(study), units)
+        least, most = way.whole.low[:-1, 0], way.whole.high[:-1, 0]
+        upward = np.array([after.get(name, 0.0) > study.values[name] for name in (of[side][0] for side in way.free)], dtype=bool)
+        return way.begins_alike(np.where(upward, least, most), np.where(upward, most, least))
+    except ConvergenceError:
+        return False
 
 
 def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
@@ -150,7 +177,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     if not names or len(names) > _MOST_SIDES or correlated(study) or not (rise.is_friction or _all_works(study)):
         return 0.0, 1.0
     low, high, units = box(study)
-    splitting, sides = Splitting(low, high, rise.name, rise.begin, units), tolerance_boxes.sides(study)
+    splitting, sides = Splitting(low, high, rise.name, rises.begin(study), units), tolerance_boxes.sides(study)
     laws = {side: _shares(study, *sides[side]) for side in splitting.free}
     up_to = (_shares(study, *sides[rise.name]),) * 2
     if rise.is_friction:

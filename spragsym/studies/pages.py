@@ -106,7 +106,7 @@ def planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         one, scale = study.quantities[rise.quantity], rises.scale(study)
         low, high = low / scale, high / scale
         across = f"{rise.quantity} in {one.unit}" if one.unit else rise.quantity
-        options |= {**rise.along, "size": study.in_file(rise.quantity, scale), "across": across}
+        options |= {**rises.along(study), "size": study.in_file(rise.quantity, scale), "across": across}
     yield (
         picture(lambda ax: brakes.draw_rising(p, (low, high), ax=ax, **options)),
         f"{_capital(first['meaning'])} as {_what(rise)} rises (red, with its jumps); grey: all states, full where stable. "

@@ -21,7 +21,7 @@ from ..models.load import load
 from ..parameters import FloatArray
 from . import brake_quantities, rises
 from .effort import effort
-from .jump_verdicts import certificate, counterexample, ending, jumping
+from .jump_verdicts import begins_alike, certificate, counterexample, ending, jumping
 from .study import Study
 from .tolerances import corners, samples, values_at, varied
 from .units import factor
@@ -84,7 +84,7 @@ def distance(study: Study) -> float:
     scale = {name: size for name, size in study.tolerances.items() if name in names}
     if not scale:
         return math.nan
-    return float(load(study.model).jump_margin(design(study), scale, **rises.of(study).along).distance)
+    return float(load(study.model).jump_margin(design(study), scale, **rises.along(study)).distance)
 
 
 def design(study: Study) -> Design:
@@ -97,6 +97,7 @@ def design(study: Study) -> Design:
         partial(brake_quantities.groups, study.model),
         dict,
         model.Parameters,
+        None if rises.of(study).is_friction else lambda values: rises.along(study, values)["begin"],
     )
 
 
@@ -208,7 +209,7 @@ class _Search:
             names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
             scale = {name: self.scale[name] for name in names}
             target = {rise.name: self.target / rises.scale(study)}
-            start = {} if rise.is_friction else {"begin": rise.begin}
+            start = {} if rise.is_friction else {"begin": rises.begin(study)}
             after = load(study.model).redesign(design(study), names, target, scale, **start).parameters
         except SpragsymError:
             return None
@@ -226,7 +227,7 @@ class _Search:
         """Quantities by how far one tolerance of each moves the jump."""
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
-        found = load(self.study.model).jump_gradient(designs.sets(z), **rises.of(self.study).along).slopes
+        found = load(self.study.model).jump_gradient(designs.sets(z), **rises.along(self.study)).slopes
         slopes = designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
@@ -275,6 +276,8 @@ class _Search:
         try:
             jump = rises.told(new, rises.jump(new))
         except SpragsymError:
+            return None
+        if not begins_alike(study, after):
             return None
         outcome, (few, many) = certificate(new, hasty=True).outcome, self.effort.shares
         if outcome == "refuted" or (outcome == "undecided" and (proof_only or counterexample(new, many) is not None)):

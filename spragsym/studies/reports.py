@@ -16,7 +16,7 @@ from ..results.points import Points
 from . import brake_quantities, rises
 from .cautions import cautions
 from .effort import effort
-from .facts import Facts, facts
+from .facts import Facts, facts, percent_beyond
 from .friction import of_statics, speed_for
 from .jump_verdicts import BoxCertificate, Chance, bracket, certificate, chance
 from .jumps import JumpPeak, jump_peak
@@ -210,9 +210,13 @@ class _Asked:
             points = self.known(f"folds along {vary} are", partial(p.model.folds, p, vary))
             if points is not None:
                 found[vary] = points
-        name = None if self.study.rise is None else self.study.rise.name
-        if name in found and not found[name].complete:
-            self.remarks.append(f"that the folds below are all along {name} is not proved: {'; '.join(found[name].remarks)}")
+        rise = self.study.rise
+        if rise is not None and rise.name in found and not found[rise.name].complete:
+            why = "; ".join(found[rise.name].remarks)
+            unit = "" if rises.scale(self.study) == 1 else (
+                f"; {rise.name} = 1 of the model is {rises.amount(self.study, rises.scale(self.study))}"
+            )  # fmt: skip
+            self.remarks.append(f"that the folds below are all along {rise.quantity} is not proved: {why}{unit}")
         return found
 
 
@@ -267,12 +271,14 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     needed = wanted and target > 0 and plain and within
     if wanted and not plain:
         asked.remarks.append("what to change is not looked for: statics of this model does not take mu0 itself for the friction")
+    if wanted and not target > 0:
+        times = f"{safety:g} times {rises.named(study, so.working[2])}"
+        asked.remarks.append(f"what to change is not looked for: {times} does not lie beyond it")
     tell("what to change" if needed else "")
     changed = changes(study.at_full_slip() if faster else study, target) if needed else ()
     tell("the nearest jump" if rise is not None else "")
     nearest = asked.known("the nearest jump is", partial(distance, study)) if rise is not None else None
-    high = so.working[2]
-    margin = None if jump is None else 100 * (jump / high - 1) if high > 0 else math.inf
+    margin = None if jump is None else percent_beyond(jump, so.working[2])
     parts: dict[str, Any] = dict(
         vary=None if rise is None else rise.quantity, jump_at=jump, mu_jump=jump if of_friction else None,
         theta0_jump_deg=theta0_jump, mu0_jump=value if of_friction else None,

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Rise:
-    """What rises: its quantity in the file, the parameter that it is in the model, and the value of that from which it rises.
+    """What rises: its quantity in the file, the parameter that it is in the model, and from where it rises, in SI.
 
     Friction is told as the friction of the law, of which :mod:`~spragsym.studies.friction` says how much works; of any other
     quantity values are told as they are, in SI, and the friction stays.
@@ -35,11 +35,6 @@ class Rise:
     def is_friction(self) -> bool:
         """Whether it is the friction at full slip."""
         return self.name == "mu0"
-
-    @property
-    def along(self) -> dict[str, Any]:
-        """What rises as an argument of the model's questions, which take friction at full slip unless told otherwise."""
-        return {} if self.is_friction else {"vary": self.name, "begin": self.begin}
 
     @property
     def word(self) -> str:
@@ -72,9 +67,18 @@ def rise_of(model: str, vary: str | None, begin: float | None, values: Mapping[s
     if begin is None and not allowed.contains(allowed.low):
         raise ParameterError(f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises")
     start = allowed.low if begin is None else as_number("begin", begin, allowed)
-    if start > values[vary]:
-        raise ParameterError(f"begin = {start:g} is above {vary} = {values[vary]:g}; begin where it is lower")
-    return Rise(vary, names[vary], start / _scale(model, vary, values))
+    if names[vary] == "mu0" and start != allowed.low:
+        raise ParameterError(f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out")
+    rise = Rise(vary, names[vary], start)
+    check(rise, values)
+    return rise
+
+
+def check(rise: Rise, values: Mapping[str, float]) -> None:
+    """An error for a brake in which what rises is below where it begins."""
+    if rise.begin > values[rise.quantity]:
+        above = f"begin = {rise.begin:g} is above {rise.quantity} = {values[rise.quantity]:g}"
+        raise ParameterError(f"{above}; begin where it is lower")
 
 
 def may_rise(model: str) -> tuple[str, ...]:
@@ -122,11 +126,32 @@ def told(study: Study, value: float) -> float:
     return friction.of_statics(study, value) if of(study).is_friction else value * scale(study)
 
 
+def begin(study: Study) -> float:
+    """From where it rises, as its parameter in the units of the brake as drawn."""
+    return float(_begin(study, study.values))
+
+
+def _begin(study: Study, values: Mapping[str, Any]) -> Any:
+    """The same in the units of other brakes, of which each begins at the same value in SI."""
+    rise = of(study)
+    allowed = load(study.model).Parameters.ranges[rise.name]
+    return np.maximum(rise.begin / _scale(study.model, rise.quantity, values), allowed.reached(allowed.low))
+
+
+def along(study: Study, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """What rises as arguments of the model's questions, which take friction at full slip unless told otherwise.
+
+    Of the brake as drawn, or of brakes by their quantities in SI.
+    """
+    rise = of(study)
+    return {} if rise.is_friction else {"vary": rise.name, "begin": _begin(study, values or study.values)}
+
+
 def jump(study: Study) -> float:
     """Where the state jumps, as the parameter that rises; NaN where it does not."""
     rise, model = of(study), load(study.model)
     p = study.dimensionless if rise.is_friction else study.at_work
-    return float(model.jump_value(p, **rise.along))
+    return float(model.jump_value(p, **along(study)))
 
 
 def of(study: Study) -> Rise:
@@ -156,6 +181,12 @@ def top(study: Study) -> float:
     if rise.is_friction and "jump_value" in model.closed:
         return np.inf
     return told(study, float(ranges(model, (rise.name,), {})[0, 1]))
+
+
+def looked(study: Study) -> str:
+    """Where a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20 N``."""
+    end = top(study)
+    return of(study).word if np.isinf(end) else f"{of(study).word} up to {amount(study, end)}"
 
 
 def risen(study: Study, values: Mapping[str, Any], target: float | None) -> Any:

@@ -16,7 +16,7 @@ from ..models.statics.stability import linearization, roots
 from ..names import hint
 from ..parameters import FloatArray
 from ..results.equilibria import Equilibria, Stability, columns_of
-from . import friction
+from . import friction, rises
 from .study import Study
 
 #: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
@@ -96,7 +96,8 @@ def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
     if rise is None:
         return {name: float(column[0]) for name, column in eq.coordinates.items()} if int(eq.count) == 1 else None
     (value,) = at.scalars(rise.name)
-    path = at.model.quasi_static_path(at, rise.name, [rise.begin, value] if value > rise.begin else [rise.begin])
+    begin = rises.begin(study)
+    path = at.model.quasi_static_path(at, rise.name, [begin, value] if value > begin else [begin])
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 

@@ -85,7 +85,7 @@ class Study:
             name: _measured(name, given[name], off.get(name), units[name], ranges[name]) for name in units if name in given
         }
         self.model, self.source, self.fit, self.correlation = model, "", None, dict(correlation or {})
-        self.rise = rises.rise_of(model, vary, begin, given)
+        self.rise = rises.rise_of(model, vary, begin, self.values)
         dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
 
     @classmethod
@@ -112,6 +112,8 @@ class Study:
         study.quantities = quantities
         study.model, study.source, study.fit, study.correlation = self.model, self.source, self.fit, self.correlation
         study.rise = self.rise
+        if study.rise is not None:
+            rises.check(study.rise, study.values)
         return study
 
     source: str

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..models.load import USUAL
 from . import rises
-from .facts import Facts
+from .facts import Facts, percent_beyond
 from .fold_rows import fold_rows
 from .jump_verdicts import Chance
 from .jumps import AWAY
@@ -22,6 +22,8 @@ from .units import ENDS
 RESOLVED = 0.2
 #: Of the names of rows.
 WIDTH = 32
+#: Digits of a sentence at most.
+MOST_DIGITS = 8
 
 if TYPE_CHECKING:
     from .reports import Report
@@ -60,31 +62,43 @@ def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
         state = f"at {study.shown('theta0', study.values['theta0'])} {state}"
     if jump is None or rise is None:
         return _unknown(study, parts)
+    digits = _apart(study, jump, (low, high, full))
     if so.reach in ("never", "beyond"):
         if so.reach == "never":
             what = "has no jump at this angle"
             if parts["mu_lowest"] is None or math.isinf(parts["mu_lowest"]):
                 what = f"has no jump at any {so.looked}"
         else:
-            what = f"jumps at {rises.named(study, jump)}"
-            if full > 0:
-                what += f", {100 * (jump / full - 1):.0f} % above the largest that you have, {rises.amount(study, full, 3)}"
+            what = f"jumps at {rises.named(study, jump, digits)}"
+            if full:
+                what += (
+                    f", {percent_beyond(jump, full):.0f} % above the largest that you have, {rises.amount(study, full, digits)}"
+                )
         begin = "As drawn it does not sprag" if so.within == "refuted" or so.hits else "It does not sprag"
         return f"{begin}{model}: {state} {what}{_within(study, parts)}."
     if so.reach == "faster":
         at = "the belt's speed" if study.belt is None else study.shown(study.belt, study.values[study.belt], 3)
         above = "at a higher speed" if math.isnan(so.speed) else f"above {study.shown_speed(so.speed, 3)}"
-        works = f"only {high:.3g} of your {full:.3g}" if high < full else f"{high:.3g}"
+        works = f"only {high:.{digits}g} of your {full:.{digits}g}" if high < full else f"{high:.{digits}g}"
         if study.belt is not None and so.speed < study.values[study.belt]:
             above = f"at lower speeds, from {study.shown_speed(so.speed, 3)} on"
         return (
-            f"It sprags{model} {above}: {state} jumps at a friction of {jump:.4g}; at {at} {works} "
+            f"It sprags{model} {above}: {state} jumps at {rises.named(study, jump, digits)}; at {at} {works} "
             f"works, and it does not jump{_within(study, parts)}."
         )
-    ends = [rises.amount(study, end, 3) for end in ((low, high) if high > low else (high,))]
+    ends = [rises.amount(study, end, digits) for end in ((low, high) if high > low else (high,))]
     where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
     yours = f"{where} {rise.word} {' to '.join(ends)}"
-    return f"It sprags{model}: {state} jumps at {rises.named(study, jump)}, {yours}{_within(study, parts)}."
+    return f"It sprags{model}: {state} jumps at {rises.named(study, jump, digits)}, {yours}{_within(study, parts)}."
+
+
+def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
+    """The digits, from four on, in which the jump and what it is compared with are told apart."""
+    others = [end for end in ends if end != jump]
+    for digits in range(4, MOST_DIGITS):
+        if rises.amount(study, jump, digits) not in {rises.amount(study, end, digits) for end in others}:
+            return digits
+    return MOST_DIGITS
 
 
 def _unknown(study: Study, parts: Mapping[str, Any]) -> str:
@@ -189,10 +203,10 @@ def _rise(report: Report) -> Iterator[tuple[str, str]]:
     own = "" if report.mu0_jump == report.mu_jump else f", mu0 = {report.mu0_jump:.6g}"
     at = "at this angle" if rise.is_friction else f"as {rise.word} rises"
     yield (f"jump {at}", _or_unknown(report.jump_at, lambda value: f"at {rise.word} {rises.amount(study, value, 6)}{own}", never))
-    if not math.isnan(jump) and high > 0:
+    if not math.isnan(jump) and high:
         yield (f"margin to the largest {rise.word}", f"{report.margin_percent:+.1f} %")
         if so.slow:
-            yield ("the same at full slip", f"{100 * (jump / so.full[2] - 1):+.1f} %")
+            yield ("the same at full slip", f"{percent_beyond(jump, so.full[2]):+.1f} %")
     if study.moves and report.mu_jump is not None:
         begins = "at no speed" if math.isnan(so.speed) else f"{study.shown(str(study.belt), so.speed)}, with the largest friction"
         yield ("speed at which it begins to jump", begins)
@@ -374,8 +388,10 @@ def _one_corner(so: Facts) -> bool:
     return so.within == "refuted" and so.hits is False
 
 
-def _never(report: Report) -> str:
-    return "then it never jumps" if math.isinf(report.facts.top) else f"then it jumps at no {report.facts.looked}"
+def _never(report: Report, after: Mapping[str, float]) -> str:
+    """Of a change where no jump was found: that depends on its units up to where one was looked for."""
+    looked = rises.looked(report.study.changed(after))
+    return "then it never jumps" if looked == rises.of(report.study).word else f"then it jumps at no {looked}"
 
 
 def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
@@ -422,7 +438,7 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after
         )
-        then = _never(report) if math.isnan(one.jump_at) else f"then it jumps at {rises.amount(study, one.jump_at)}"
+        then = _never(report, one.after) if math.isnan(one.jump_at) else f"then it jumps at {rises.amount(study, one.jump_at)}"
         known = "undecided within the tolerances: of the brakes that were tried none jumps"
         if one.outcome == "proved":
             known = f"proved for everything within {within}"

@@ -119,6 +119,14 @@ class Splitting:
         first: FloatArray = states[:, foremost(np.abs(states[0]), states, eq.error[stable])]
         return first
 
+    def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
+        """Whether the state that is taken up at one point becomes, while all moves to another, the one that is taken up there."""
+        places = []
+        for free in (one, other):
+            at = np.append(free, self.begin)[:, None]
+            places.append(self.tubes.place(self._parts(at, at), np.append(self._first(free), self.begin)[:, None], self.tubes.n))
+        return bool(self._linked(one[:, None], places[0], other[:, None], places[1])[0])
+
     def point(self, values: FloatArray) -> Any:
         """The parameters at a point of the box."""
         fixed = dict(zip(self.balance.parameters, self.fixed[:, 0].tolist(), strict=True))

@@ -12,7 +12,7 @@ from ...design.gradients import JumpGradient
 from ...design.values import FROM_LOWER_END, told
 from ...errors import ConvergenceError, ParameterError
 from ...exact.interval_arrays import FloatArray
-from ...parameters import Range, as_number, as_numbers
+from ...parameters import Range, as_numbers
 from ...results.equilibria import Stability
 from ..catastrophe.paths import first_end
 from ..catastrophe.points import FAR
@@ -102,8 +102,10 @@ def jump_gradient(
     return JumpGradient(vary, found.value, asked.slopes(found))
 
 
-def have_jumped(model: Any, p: Any, vary: str, begin: float) -> FloatArray:
+def have_jumped(model: Any, p: Any, vary: str, begin: float | FloatArray) -> FloatArray:
     """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where tubes don't decide it.
+
+    It rises from ``begin``, one value for all points or one for each.
 
     Returns
     -------
@@ -122,7 +124,7 @@ class Followed:
     """States of many points, followed as one parameter moves, up or down, from where to where: see :func:`jump_value`."""
 
     def __init__(
-        self, model: Any, p: Any, vary: str, direction: str, begin: float | None, until: float | FloatArray | None
+        self, model: Any, p: Any, vary: str, direction: str, begin: float | FloatArray | None, until: float | FloatArray | None
     ) -> None:
         if direction not in ("up", "down"):
             raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
@@ -133,7 +135,7 @@ class Followed:
                 raise ParameterError(f"direction = 'down': {vary} rises from its lower end; give begin, or direction = 'up'")
             begin = allowed.reached(allowed.low)
         if begin is not None:
-            p = p.replace(**{vary: as_number("begin", begin, allowed)})
+            p = p.replace(**{vary: as_numbers("begin", begin, allowed)})
         # Where the parameter that moves is the only one of several values, its ends alone say of how many points it is.
         self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
         self.balance = Balance(model, contact=True)

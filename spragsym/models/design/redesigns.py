@@ -44,10 +44,10 @@ def jump_margin(model: Any, p: Any, scale: Mapping[str, float], *, vary: str, be
     designs = space(p, scale, None)
 
     def ending(z: FloatArray) -> NDArray[np.bool_]:
-        some = designs.sets(z)
+        some, first = designs.sets(z), designs.begin(z, begin)
         # A design below where the parameter begins has not come to any end.
         return ~np.isnan(
-            Followed(model, some, vary, "up", begin, np.maximum(begin, getattr(some, vary))).ends(patient=False).value
+            Followed(model, some, vary, "up", first, np.maximum(first, getattr(some, vary))).ends(patient=False).value
         )
 
     def safe(radius: float) -> bool:

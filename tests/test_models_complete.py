@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,13 +13,12 @@ from spragsym.cli import cli
 from spragsym.errors import ParameterError, ParameterTypeError
 from spragsym.models.balance import Balance
 from spragsym.models.remarks import spans
-from tests.conftest import Once
-from tests.support import few
+from tests.support import few, model_of
 
 #: Two springs without length that couple both directions, on a belt that hardens.
 COUPLED = '''r"""A mass on two inclined guides."""
 from spragsym.derive.model import Abs, Page, exp, sgn
-from tests.support import few
+from tests.support import few, model_of
 page = Page("A mass on two springs that lean, and a belt that hardens.")
 m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
@@ -44,17 +42,9 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0
 
 
 @pytest.fixture(scope="module")
-def coupled(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def coupled() -> Any:
     pytest.importorskip("sympy")
-    from spragsym.derive import folder
-
-    def derived() -> str:
-        out = tmp_path_factory.mktemp("coupled")
-        (out / "coupled.py").write_text(COUPLED, encoding="utf-8")
-        folder.write_page(out / "coupled.py", out / "coupled")
-        return str(out / "coupled")
-
-    return ss.load(Path(once("coupled", derived)))
+    return model_of(COUPLED, "coupled")
 
 
 def by_hand(p: Any, mu: float) -> np.ndarray:

@@ -13,8 +13,7 @@ from scipy import optimize
 import spragsym as ss
 from spragsym.models.balance import Balance
 from spragsym.models.stability import linearization
-from tests.support import few, model_of
-from tests.test_documents import ROOT
+from tests.support import few, model_of, shipped_page
 from validation.criticality import accelerations
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
@@ -139,10 +138,10 @@ page.friction(x, V, lambda v: 2 * mu_s * v * v_s / (v**2 + v_s**2))
 
 
 @pytest.mark.thorough
-def test_a_double_hopf_point_in_closed_form(tmp_path: Path) -> None:
+def test_a_double_hopf_point_in_closed_form() -> None:
     """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its roots are imaginary."""
     pytest.importorskip("sympy")
-    p = model_of(TWO_MODES, "two_modes", tmp_path).Parameters()
+    p = model_of(TWO_MODES, "two_modes").Parameters()
     fed = 2 * 0.5 * 0.5 * (1.0**2 - 0.5**2) / (1.0**2 + 0.5**2) ** 2
     curves = ss.onset_curves(p, vary=("kappa", "zeta"), n=12, between={"kappa": (0.2, 2.5), "zeta": (0.0, 0.8)})
     points = curves.points
@@ -285,19 +284,21 @@ def test_what_is_refused() -> None:
         ss.onset_curves(p, ("mu0", "nu"))
 
 
-def falling(folder: Path) -> Any:
+def falling() -> Any:
     """The article's model with a friction that falls with the speed, and a damper along the belt alone."""
-    text = (ROOT / "derive/models/stribeck.py").read_text(encoding="utf-8").replace("from ..model", "from spragsym.derive.model")
     damper = 'c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.001, becomes="zeta_x")\n'
-    text = text.replace("d = page.parameter(", f"{damper}d = page.parameter(")
-    return model_of(text.replace("page.friction(", "page.damper(c_x, along=x)\npage.friction("), "falling", folder)
+    more = (
+        ("\nd = page.parameter(", f"\n{damper}d = page.parameter("),
+        ("page.friction(", "page.damper(c_x, along=x)\npage.friction("),
+    )
+    return model_of(shipped_page("stribeck", *more), "falling")
 
 
 @pytest.mark.thorough
-def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses(tmp_path: Path) -> None:
+def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses() -> None:
     """The trace of A is 0 there, by hand. Each pair has a curve: of three states two have two, the one that diverges one."""
     pytest.importorskip("sympy")
-    p = falling(tmp_path).Parameters(theta0=0.8)
+    p = falling().Parameters(theta0=0.8)
     found = ss.onset_curves(p, ("V", "zeta_x"), 10, between={"V": (0.2, 2.0), "zeta_x": (0.0, 0.01)})
     assert found.complete
     assert found.remarks == ()

@@ -22,7 +22,7 @@ from spragsym.studies.examples import example
 from spragsym.studies.jump_verdicts import Chance, certificate
 from tests.conftest import Run
 from tests.oracles import article_motion
-from tests.support import few, model_of, written_brake
+from tests.support import derived, few, model_of, shipped_page, written_brake
 from validation import reports as validate_reports
 
 #: A brake's file: quantity and value.
@@ -679,7 +679,7 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
 def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
     """A law may say more at the belt's speed than μ₀, up to which the state was followed."""
     law = "mu0 * (1 - exp(-d * Abs(v))) * (1 + 2 * exp(-d * Abs(v))) * sgn(v)"
-    model = with_law(tmp_path, law, ", at_rest=mu0")
+    model = with_law(law, ", at_rest=mu0")
     study = studied(tmp_path, {"model": model, "mu0": "[0.2, 0.22]", "V": "[0.1, 0.2] m/s"})
     _, high, _ = jump_verdicts.box(study)
     # the law at its largest, 9/8, where exp(−d V) is 1/4: inside of the range of V
@@ -706,18 +706,11 @@ SLOW = {
 JUMPS = 0.591571854569
 
 
-def with_law(tmp_path: Path, law: str, at_rest: str, more: str = "") -> str:
+def with_law(law: str, at_rest: str, more: str = "") -> str:
     """The article's page with another friction law, in a folder."""
     pytest.importorskip("sympy")
-    from spragsym.derive import folder, pages
-
-    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
     given = "page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)"
-    assert text.count(given) == 1
-    text = text.replace(given, f"{more}page.friction(x, V, lambda v: {law}{at_rest})")
-    (tmp_path / "page.py").write_text(text.replace("from ..model import", "from spragsym.derive.model import"), encoding="utf-8")
-    folder.write_page(tmp_path / "page.py", tmp_path / "other")
-    return str(tmp_path / "other")
+    return str(derived(shipped_page("kang_nam", (given, f"{more}page.friction(x, V, lambda v: {law}{at_rest})")), "other"))
 
 
 def told(tmp_path: Path, model: str, rows: dict[str, str | None], **options: Any) -> ss.Report:
@@ -763,7 +756,7 @@ def test_a_motion_falls_only_where_steady_sliding_holds_it(tmp_path: Path) -> No
 
 @pytest.mark.thorough
 def test_without_at_rest_the_friction_is_that_at_the_belts_speed(tmp_path: Path) -> None:
-    model = with_law(tmp_path, "mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
+    model = with_law("mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
     works = -math.expm1(-0.7)
     found = told(tmp_path, model, {"V": "0.7 m/s", "mu0": "1.3"}, probability=False)
     assert found.facts.reach == "jumped"
@@ -778,7 +771,7 @@ def test_without_at_rest_the_friction_is_that_at_the_belts_speed(tmp_path: Path)
 @pytest.mark.thorough
 def test_a_key_of_critical_and_report_means_one_thing(tmp_path: Path, run: Run) -> None:
     """Where a part of mu0 works, mu0 at the jump and the friction there are two numbers."""
-    model = with_law(tmp_path, "mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
+    model = with_law("mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
     file = written(tmp_path, {"model": model, "V": "0.7 m/s", "mu0": "1.3"}, SLOW)
     report = ss.Study.from_file(file).report(**QUICKLY).to_dict()
     critical = json.loads(run("critical", "--data", str(file), "--vary", "mu0=0:2", "--json"))
@@ -792,7 +785,7 @@ def test_a_key_of_critical_and_report_means_one_thing(tmp_path: Path, run: Run) 
 @pytest.mark.thorough
 def test_a_law_may_say_more_than_at_full_slip(tmp_path: Path) -> None:
     law = "mu0 * (1 + exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v)"
-    model = with_law(tmp_path, law, ", at_rest=mu0", FALL)
+    model = with_law(law, ", at_rest=mu0", FALL)
     found = told(tmp_path, model, {"v_s": "2 m/s", "V": "2 m/s", "mu0": "0.55"}, oscillation=True, probability=False)
     assert found.facts.reach == "jumped"
     assert found.peak is not None
@@ -808,7 +801,7 @@ def test_a_law_may_say_more_than_at_full_slip(tmp_path: Path) -> None:
 @pytest.mark.thorough
 def test_the_worst_of_the_tolerances_may_change_with_the_speed(tmp_path: Path) -> None:
     law = "mu0 * (1 + 2 * Abs(v) / v_s * exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v)"
-    model = with_law(tmp_path, law, ", at_rest=mu0", FALL)
+    model = with_law(law, ", at_rest=mu0", FALL)
     found = told(tmp_path, model, {"v_s": "[0.5, 8] m/s", "V": "8 m/s", "mu0": "0.6"}, probability=False)
     speeds, falls = np.linspace(0.7, 1.0, 3001)[:, None], np.linspace(0.5, 8, 1000)
     most = (0.6 * (1 + 2 * speeds / falls * np.exp(-speeds / falls)) * -np.expm1(-speeds)).max(axis=1)
@@ -819,7 +812,7 @@ def test_the_worst_of_the_tolerances_may_change_with_the_speed(tmp_path: Path) -
 @pytest.mark.thorough
 def test_a_law_that_mu0_does_not_scale_is_taken_at_full_slip(tmp_path: Path) -> None:
     more = 'mu_1 = page.parameter("mu_1", "1", "more friction", ">= 0", 0.1)\n'
-    model = with_law(tmp_path, "(mu_1 + mu0) * (1 - exp(-d * Abs(v))) * sgn(v)", ", at_rest=mu0 + mu_1", more)
+    model = with_law("(mu_1 + mu0) * (1 - exp(-d * Abs(v))) * sgn(v)", ", at_rest=mu0 + mu_1", more)
     found = told(tmp_path, model, {"V": "0.7 m/s", "mu_1": "0.1"}, probability=False)
     assert found.facts.working == pytest.approx((0.6, 0.6, 0.6))
     assert found.mu_jump == pytest.approx(JUMPS)
@@ -1039,14 +1032,12 @@ def test_a_remark_names_places_in_the_units_of_the_file(study: ss.Study) -> None
 def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_path: Path) -> None:
     """What is stable is so with the law's own damping, and an oscillation is looked for, by any name."""
     pytest.importorskip("sympy")
-    page = (Path(ss.__file__).resolve().parent.parent / "derive" / "models" / "damped.py").read_text(encoding="utf-8")
     told = {}
     for name in ("V", "U"):
         folder = tmp_path / name
         folder.mkdir()
-        text = page.replace('V = page.parameter("V"', f'{name} = page.parameter("{name}"').replace("(x, V,", f"(x, {name},")
-        assert text.count(f"{name} = page") == 1
-        model = model_of(text, "own", folder)
+        called = ('V = page.parameter("V"', f'{name} = page.parameter("{name}"'), ("(x, V,", f"(x, {name},")
+        model = model_of(shipped_page("damped", *called), "own")
         (folder / "brake.toml").write_text(example(model), encoding="utf-8")
         found = ss.Study.from_file(folder / "brake.toml").report(n=64, redesign=False)
         assert found.study.moves
@@ -1060,10 +1051,8 @@ def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_
 def test_what_the_friction_law_alone_takes_may_be_left_out_whatever_it_is_called(tmp_path: Path) -> None:
     """Friction is μ₀ then, as for changes where a faster belt makes it jump; of another law nothing may be missing."""
     pytest.importorskip("sympy")
-    page = (Path(ss.__file__).resolve().parent.parent / "derive" / "models" / "damped.py").read_text(encoding="utf-8")
-    model = model_of(
-        page.replace('V = page.parameter("V"', 'U = page.parameter("U"').replace("(x, V,", "(x, U,"), "own", tmp_path
-    )
+    called = ('V = page.parameter("V"', 'U = page.parameter("U"'), ("(x, V,", "(x, U,")
+    model = model_of(shipped_page("damped", *called), "own")
     whole, less = tmp_path / "whole.toml", tmp_path / "less.toml"
     whole.write_text(example(model), encoding="utf-8")
     lines = example(model).splitlines(keepends=True)

@@ -91,6 +91,7 @@ def test_a_torsion_spring_that_vanishes_leaves_what_is_there_without_it(model: A
         assert np.nanmax(np.abs(with_it.x - without.x), initial=0.0) < 1e-10
 
 
+@pytest.mark.thorough
 def test_turned_by_half_a_turn_it_pushes_away_from_the_ray(model: Any) -> None:
     """The ray φ = ±π has no equilibrium on it, however the parameters lie: states beside it have the least turning."""
     rng = np.random.default_rng(5)

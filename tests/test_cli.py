@@ -387,6 +387,7 @@ def test_no_command_is_usage(capsys: pytest.CaptureFixture[str]) -> None:
     assert said.startswith("Usage: spragsym")
 
 
+@pytest.mark.thorough
 def test_completion_of_commands_and_options(start: Start) -> None:
     for words, place, meant in (("spragsym equi", "1", "equilibria"), ("spragsym equilibria --ka", "2", "--kappa")):
         process = start(_SPRAGSYM_COMPLETE="bash_complete", COMP_WORDS=words, COMP_CWORD=place)
@@ -458,6 +459,7 @@ def test_a_typo_gets_the_name_that_was_meant(typed: str, meant: str, run: Run) -
     assert said.count("\n") == 1
 
 
+@pytest.mark.thorough
 def test_figures_may_be_listed_with_commas(tmp_path: Path, run: Run) -> None:
     pytest.importorskip("matplotlib")
     run("figures", "--only", "3,12", "--format", "svg", "--quiet", "-j", "1", "--out", str(tmp_path))

@@ -815,6 +815,7 @@ def test_chaos_is_proved_by_exponents() -> None:
     assert "not told from 0" in short.why
 
 
+@pytest.mark.thorough
 def test_rounding_is_no_chaos() -> None:
     """x″ + x = 0, both exponents of which are 0, and whose orbits lie in a plane."""
     model = ss.load("stick_slip")

@@ -72,7 +72,7 @@ MODULES = sorted(
 LONG_EXAMPLES = (
     "spragsym.cycles.fate_boundaries", "spragsym.cycles.branch", "spragsym.cycles.two_parameters",
     "spragsym.cycles.basin_boundaries", "spragsym.models.model", "spragsym.models.planes", "spragsym.models.diagram",
-    "spragsym.figures.curves",
+    "spragsym.figures.curves", "spragsym.precise",
 )  # fmt: skip
 
 

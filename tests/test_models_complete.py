@@ -6,13 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli import cli
 from spragsym.errors import ParameterError, ParameterTypeError
 from spragsym.models.balance import Balance
 from spragsym.models.remarks import spans
+from tests.conftest import Run
 from tests.support import few, model_of
 
 #: Two springs without length that couple both directions, on a belt that hardens.
@@ -111,16 +110,11 @@ def test_a_range_that_was_cut_is_not_complete() -> None:
 
 
 @pytest.mark.thorough
-def test_commands_say_what_was_searched() -> None:
-    run = CliRunner().invoke
-    told = run(cli, ["folds", "--method", "search", "--theta0", "60"]).output
-    assert "searched mu0 in [0, 10]" in told
-    told = run(cli, ["equilibria", "--theta0", "30", "--within", "x=0:0.5"]).output
-    assert "searched within x in [0, 0.5]" in told
-    told = run(cli, ["folds", "--theta0", "60", "--vary", "mu0=4:5"]).output
-    assert "Folds along mu0: none" in told
-    told = run(cli, ["folds", "--model", "stick_slip", "--vary", "V"]).output
-    assert "none" not in told
+def test_commands_say_what_was_searched(run: Run) -> None:
+    assert "searched mu0 in [0, 10]" in run("folds", "--method", "search", "--theta0", "60")
+    assert "searched within x in [0, 0.5]" in run("equilibria", "--theta0", "30", "--within", "x=0:0.5")
+    assert "Folds along mu0: none" in run("folds", "--theta0", "60", "--vary", "mu0=4:5")
+    assert "none" not in run("folds", "--model", "stick_slip", "--vary", "V")
 
 
 @pytest.mark.parametrize(

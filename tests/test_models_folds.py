@@ -157,6 +157,7 @@ def _distance(point, line):
     return np.linalg.norm(begin + part * step - point[:, None], axis=0).min()
 
 
+@pytest.mark.thorough
 def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
     # dμ/dv = μ₀ d e^(−d V) is never 0, and Stribeck's with μ_k = 0 is e^(−V/v_s) times what is 0 at one v_s only, beyond 10.
     article = ss.load("kang_nam").search

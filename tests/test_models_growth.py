@@ -166,6 +166,7 @@ def test_columns_are_those_of_the_search_in_shapes_and_lift_off() -> None:
     assert (closed.region.shape, closed.whole.shape, closed.complete) == ((2, 3, 2, 2), (2, 3), True)
 
 
+@pytest.mark.thorough
 def test_growth_at_the_ends_of_floats_is_no_error() -> None:
     rng = np.random.default_rng(8)
     for _ in range(60):

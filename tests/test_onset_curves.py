@@ -13,6 +13,7 @@ from scipy import optimize
 import spragsym as ss
 from spragsym.models.balance import Balance
 from spragsym.models.stability import linearization
+from tests.conftest import Run
 from tests.support import few, model_of, shipped_page
 from validation.criticality import accelerations
 
@@ -238,9 +239,9 @@ def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
 
 
 @pytest.mark.thorough
-def test_the_command_lists_the_curves_and_the_points_on_them(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_the_command_lists_the_curves_and_the_points_on_them(run: Run, tmp_path: Path) -> None:
     asked = ["onsets", "--model", "stick_slip", "--vary", "V=0:1", "--vary", "zeta=0:2", "--n", "8"]
-    told = json.loads(_printed([*asked, "--json"], capsys))
+    told = json.loads(run(*asked, "--json"))
     assert list(told) == ["model", "parameters", "curves", "points", "complete", "undecided", "remarks"]
     found = ss.onset_curves(ss.load("stick_slip").Parameters(), ("V", "zeta"), 8, between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
     assert [curve["V"] for curve in told["curves"]] == [curve.V.tolist() for curve in found.curves]
@@ -248,29 +249,14 @@ def test_the_command_lists_the_curves_and_the_points_on_them(capsys: pytest.Capt
     (point,) = told["points"]
     assert point["kind"] == "GH"
     assert abs(point["V"] - found.changes["V"][0]) < 1e-12
-    text = _printed([*asked, "--plot", str(tmp_path / "map.svg")], capsys)
+    text = run(*asked, "--plot", str(tmp_path / "map.svg"))
     assert "gentle, dangerous" in text
     assert "a curve that closes between two of them is not seen" in text
     assert "GH" in (tmp_path / "map.svg").read_text(encoding="utf-8")
 
 
-def _printed(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
-    from spragsym.cli import main
-
-    with pytest.raises(SystemExit) as stop:
-        main(words)
-    told = capsys.readouterr()
-    assert stop.value.code == 0, told.err
-    return told.out
-
-
-def test_one_parameter_has_no_plane(capsys: pytest.CaptureFixture[str]) -> None:
-    from spragsym.cli import main
-
-    with pytest.raises(SystemExit) as stop:
-        main(["onsets", "--model", "mode_coupling"])
-    assert stop.value.code == 2
-    assert "give two different parameters with --vary" in capsys.readouterr().err
+def test_one_parameter_has_no_plane(run: Run) -> None:
+    assert "give two different parameters with --vary" in run("onsets", "--model", "mode_coupling", code=2)
 
 
 def test_what_is_refused() -> None:

@@ -19,6 +19,7 @@ from spragsym.cli import COMMANDS
 from spragsym.cli.of_model import OfModel
 from spragsym.derive import limits, pages, reserved
 from spragsym.derive.model import PageError
+from tests.conftest import Run
 from tests.support import few, model_of, replaced
 
 ROOT = Path(__file__).parent.parent
@@ -247,15 +248,10 @@ def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -
         pages.read(written(tmp_path, ('"a", "1"', f'"{name}", "1"')))
 
 
-def test_a_parameter_may_be_named_speed(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_parameter_may_be_named_speed(run: Run) -> None:
     """Then the belt's speed V goes by its own letter."""
-    from spragsym.cli import main
-
     model = loaded(('"a", "1"', '"speed", "1"'))
-    with pytest.raises(SystemExit) as ended:
-        main(["simulate", "--model", model.where, "--speed", "0.25", "--V", "0.3", "--t-end", "1"])
-    assert ended.value.code == 0
-    assert "rms" in capsys.readouterr().out
+    assert "rms" in run("simulate", "--model", model.where, "--speed", "0.25", "--V", "0.3", "--t-end", "1")
 
 
 @pytest.mark.parametrize("name", few(["w0", "w1", "v", "u", "x_2", "root0", "base0", "speed", "creep"], "v"))
@@ -287,21 +283,15 @@ def test_what_varies_by_itself_is_a_parameter_of_the_model() -> None:
 
 
 @pytest.mark.parametrize("name", ["two_springs", "mode_coupling"])
-def test_along_what_varies_already_is_refused_at_once(name: str, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
+def test_along_what_varies_already_is_refused_at_once(name: str, run: Run, monkeypatch) -> None:
     """Before anything is searched."""
-    from spragsym.cli import main
     from spragsym.models.model import Model
 
     asked = []
     for search in ("folds", "flutter_onsets", "cusps"):
         monkeypatch.setattr(Model, search, lambda model, p, vary, between: asked.append(vary) or 1 / 0)
-    with pytest.raises(SystemExit) as ended:
-        main(["bifurcation", "--model", name, "--vary", "mu0", "--vary", "mu0"])
-    assert ended.value.code == 2
-    assert "two different ones" in capsys.readouterr().err
-    with pytest.raises(SystemExit) as ended:
-        main(["bifurcation", "--model", name, "--vary", "mu0", "--vary", "nothing"])
-    assert ended.value.code == 2
+    assert "two different ones" in run("bifurcation", "--model", name, "--vary", "mu0", "--vary", "mu0", code=2)
+    run("bifurcation", "--model", name, "--vary", "mu0", "--vary", "nothing", code=2)
     assert not asked
 
 

@@ -276,6 +276,7 @@ def test_a_contact_that_holds_on_both_sides_may_be_as_soft_as_the_springs() -> N
     assert not any("should be the stiffest" in one for one in told.warnings)
 
 
+@pytest.mark.thorough
 def test_a_belt_known_within_limits_makes_the_friction_less_sure(tmp_path: Path) -> None:
     study = studied(tmp_path, {"V": "[0, 0.3] m/s", "d": "[5, 10] s/m"})
     found = study.report(oscillation=False, redesign=False, n=1 << 12)
@@ -344,6 +345,7 @@ def test_no_text_of_a_page_is_taken_for_html(report: ss.Report) -> None:
     assert text.endswith("</html>\n")
 
 
+@pytest.mark.thorough
 def test_without_a_belt_no_map_says_where_oscillation_sets_in(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     study = studied(tmp_path, {"V": None, "d": None})
@@ -487,7 +489,9 @@ def test_another_model_answers_what_the_article_s_answers_where_it_is_the_same(t
     assert (found["certificate"]["outcome"], found["probability"]) == ("proved", None)
 
 
-@pytest.mark.parametrize(("friction", "outcome"), [(0.38, "refuted"), (0.3, "proved"), (0.0, "proved")])
+@pytest.mark.parametrize(
+    ("friction", "outcome"), [(0.38, "refuted"), pytest.param(0.3, "proved", marks=pytest.mark.thorough), (0.0, "proved")]
+)
 def test_with_another_model_the_brake_as_drawn_is_looked_at_first(tmp_path: Path, friction: float, outcome: str) -> None:
     """Its jump is at 0.366."""
     found = certificate(studied(tmp_path, EXACT | CUBIC | {"mu0": f"[0, {friction}]" if friction else "0"}))
@@ -516,6 +520,7 @@ def test_a_changed_brake_is_proved_in_few_boxes(after: dict[str, float], study: 
     assert not jump_verdicts.jumping(new, tolerances.samples(new, 4096)).any()
 
 
+@pytest.mark.thorough
 def test_within_a_tolerance_as_narrow_as_rounding_is_the_probability_stays_open() -> None:
     """This brake jumps at each friction within it; where the ends of parts are rounded is as wide as the tolerance."""
     found = [jump_verdicts.bracket(ss.Study(brake(mu0=0.45), tolerance={"mu0": width})) for width in ("1 %", "1e-12 %")]
@@ -872,7 +877,7 @@ def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> N
 # ------------------------------------------------------------------------------------------------------- one set of facts
 
 
-@pytest.mark.parametrize("seed", few(list(range(7, 40)), 7, 8, 11, 12))
+@pytest.mark.parametrize("seed", few(list(range(7, 40)), 7, 8, 11))
 def test_no_two_statements_of_a_report_contradict_each_other(seed: int) -> None:
     text = validate_reports.brake(1, seed).report(n=64, oscillation=seed % 4 == 0, redesign=False).text()
     assert len(validate_reports.statements(text)) >= 5

@@ -61,11 +61,12 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     Examples
     --------
     >>> import spragsym as ss
-    >>> model, told = ss.load("inclined_belt"), []
+    >>> model, told = ss.load("stick_slip"), []
+    >>> cycle = model.cycle(model.Parameters(V=0.2))
     >>> with ss.show_progress(to=told.append):
-    ...     found = model.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
+    ...     found = model.cycle_branch(cycle, "V", (0.19, 0.21), points=4)
     >>> told[0]
-    'cusps over theta0 and mu0'
+    'cycle 1 in one direction of the branch, beside 0.2'
     """
     if not isinstance(part, str) or not (to is None or callable(to)):
         raise ParameterTypeError(

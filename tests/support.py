@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import hashlib
 import importlib
 import inspect
 import math
@@ -9,6 +11,7 @@ import os
 import subprocess
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -16,6 +19,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from filelock import FileLock
 
 import spragsym as ss
 import spragsym.generated as generated_package
@@ -23,6 +27,8 @@ from spragsym.dynamics import integrators
 from spragsym.exact import intervals
 from spragsym.kang_nam.catastrophe import flutter_proofs
 from validation.folds import random_fixed
+
+ROOT = Path(__file__).parents[1]
 
 #: For what other systems do in another way: signals to other processes, shells, links that anyone may make.
 needs_posix = pytest.mark.skipif(os.name != "posix", reason="signals, shells and links of POSIX")
@@ -76,13 +82,43 @@ def as_mpf(value: Fraction) -> mpmath.mpf:
     return mpmath.mpf(value.numerator) / value.denominator
 
 
-def model_of(text: str, name: str, place: Path) -> Any:
-    """The model of a page, derived in a folder."""
-    from spragsym.derive import folder
+def replaced(text: str, *changes: tuple[str, str]) -> str:
+    """A text with pieces, each of which stands there once, replaced."""
+    for before, after in changes:
+        assert text.count(before) == 1, before
+        text = text.replace(before, after)
+    return text
 
-    (place / f"{name}.py").write_text(text, encoding="utf-8")
-    folder.write_page(place / f"{name}.py", place / name)
-    return ss.load(place / name)
+
+def shipped_page(name: str, *changes: tuple[str, str]) -> str:
+    """A page of the package as a user's, with pieces of its text replaced."""
+    text = (ROOT / "derive/models" / f"{name}.py").read_text(encoding="utf-8")
+    return replaced(text, ("from ..model import", "from spragsym.derive.model import"), *changes)
+
+
+def derived(text: str, name: str) -> Path:
+    """The folder of a page: derived once, also for later runs, and again after a change of the page or of the derivation."""
+    from spragsym.derive.folder import write_page
+
+    place = ROOT / ".pytest_cache/pages" / _derivation() / hashlib.sha256(text.encode()).hexdigest()[:16]
+    place.mkdir(parents=True, exist_ok=True)
+    with FileLock(place / f"{name}.lock"):
+        if not (place / name).is_dir():
+            (place / f"{name}.py").write_text(text, encoding="utf-8")
+            write_page(place / f"{name}.py", place / name)
+    return place / name
+
+
+@functools.cache
+def _derivation() -> str:
+    from spragsym.derive.emit.write import source_hash
+
+    return f"{source_hash()[:16]}-{version('sympy')}"
+
+
+def model_of(text: str, name: str) -> Any:
+    """The model of a page."""
+    return ss.load(derived(text, name))
 
 
 def generated(name: str) -> ModuleType:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import mpmath as mp
@@ -14,31 +13,19 @@ from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics.regions import region
 from spragsym.models.statics.remarks import of_boxes
-from tests.conftest import Once
 from tests.oracles.model_references import turned_spring
-from tests.support import few
+from tests.support import few, model_of, replaced
 from tests.test_documents import ROOT
 
 pytest.importorskip("sympy")
 
-PAGE = ROOT / "tests/soft_brake.py"
+PAGE = (ROOT / "tests/soft_brake.py").read_text(encoding="utf-8")
 NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
 
 
-def derived(once: Once, tmp_path_factory: pytest.TempPathFactory, name: str, page: Path) -> Any:
-    from spragsym.derive import folder
-
-    def write() -> str:
-        out = tmp_path_factory.mktemp("anchors") / name
-        folder.write_page(page, out)
-        return str(out)
-
-    return ss.load(once(f"anchors_{name}", write))
-
-
 @pytest.fixture(scope="module")
-def model(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
-    return derived(once, tmp_path_factory, "soft_brake", PAGE)
+def model() -> Any:
+    return model_of(PAGE, "soft_brake")
 
 
 def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool) -> None:
@@ -104,6 +91,7 @@ def test_a_torsion_spring_that_vanishes_leaves_what_is_there_without_it(model: A
         assert np.nanmax(np.abs(with_it.x - without.x), initial=0.0) < 1e-10
 
 
+@pytest.mark.thorough
 def test_turned_by_half_a_turn_it_pushes_away_from_the_ray(model: Any) -> None:
     """The ray φ = ±π has no equilibrium on it, however the parameters lie: states beside it have the least turning."""
     rng = np.random.default_rng(5)
@@ -139,17 +127,10 @@ def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
 
 
 @pytest.mark.thorough
-def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open(
-    once: Once, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    text = PAGE.read_text(encoding="utf-8")
+def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open() -> None:
     line = "page.torsion(k_t, mass, anchor, rest=theta0)\n"
-    assert line in text
-    page = tmp_path_factory.mktemp("page") / "two_torsions.py"
-    page.write_text(
-        text.replace(line, line + "page.torsion(k_t, mass, (-anchor[0], anchor[1]), rest=theta0)\n"), encoding="utf-8"
-    )
-    two = derived(once, tmp_path_factory, "two_torsions", page)
+    more = "page.torsion(k_t, mass, (-anchor[0], anchor[1]), rest=theta0)\n"
+    two = model_of(replaced(PAGE, (line, line + more)), "two_torsions")
     eq = two.equilibria(two.Parameters(), contact=False)
     assert eq.whole.all()
     assert eq.complete or any("resists turning" in remark for remark in eq.remarks)

@@ -202,7 +202,7 @@ def test_a_choice_after_the_jump_is_taken() -> None:
     assert len(path.jumps) == len(seen) == 1
 
 
-@pytest.mark.parametrize("vary", few(NAMES, "theta0", "mu0", "kappa"))
+@pytest.mark.parametrize("vary", few(NAMES, "theta0"))
 def test_paths_through_folds_are_those_of_a_creeping_particle(vary: str) -> None:
     rng = np.random.default_rng(18 + NAMES.index(vary))
     assert sum(check(*random_path(rng, vary))[-1] for _ in range(8)) == 0

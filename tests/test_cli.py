@@ -162,7 +162,7 @@ def test_a_check_that_takes_long_says_what_it_is_at(
     assert re.search(rf"{said}.*: 0 s so far", capsys.readouterr().err)
 
 
-@pytest.mark.parametrize("theta0_deg", ["30", "49", "1e-9", "179.99"])
+@pytest.mark.parametrize("theta0_deg", few(["30", "49", "1e-9", "179.99"], "49", "179.99"))
 @pytest.mark.parametrize("command", ["equilibria", "bifurcation"])
 def test_tables_fit_a_terminal_of_80_columns(command: str, theta0_deg: str, run: Run) -> None:
     angle = ["--theta0", theta0_deg] if command == "equilibria" else ["--mu0", str(float(theta0_deg) / 100)]
@@ -324,6 +324,7 @@ def test_a_file_has_the_degrees_that_were_typed(tmp_path: Path, run: Run) -> Non
     assert pandas.read_csv(tmp_path / "a.csv", comment="#").theta0_deg.tolist() == typed
 
 
+@pytest.mark.thorough
 @given(st.lists(st.text(max_size=30), min_size=1, max_size=4))
 def test_any_text_is_one_cell_to_every_reader(words: list[str]) -> None:
     with TemporaryDirectory() as folder:
@@ -386,6 +387,7 @@ def test_no_command_is_usage(capsys: pytest.CaptureFixture[str]) -> None:
     assert said.startswith("Usage: spragsym")
 
 
+@pytest.mark.thorough
 def test_completion_of_commands_and_options(start: Start) -> None:
     for words, place, meant in (("spragsym equi", "1", "equilibria"), ("spragsym equilibria --ka", "2", "--kappa")):
         process = start(_SPRAGSYM_COMPLETE="bash_complete", COMP_WORDS=words, COMP_CWORD=place)
@@ -457,6 +459,7 @@ def test_a_typo_gets_the_name_that_was_meant(typed: str, meant: str, run: Run) -
     assert said.count("\n") == 1
 
 
+@pytest.mark.thorough
 def test_figures_may_be_listed_with_commas(tmp_path: Path, run: Run) -> None:
     pytest.importorskip("matplotlib")
     run("figures", "--only", "3,12", "--format", "svg", "--quiet", "-j", "1", "--out", str(tmp_path))
@@ -516,7 +519,7 @@ def test_a_reader_that_leaves_is_no_error(start: Start) -> None:
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a disk that is always full")
 @pytest.mark.parametrize(
-    "arguments", few([ONE, [*ONE, "--json"], ["--version"], ["--help"], [*ONE, "--help"]], ONE, ["--version"]), ids=" ".join
+    "arguments", few([ONE, [*ONE, "--json"], ["--version"], ["--help"], [*ONE, "--help"]], ONE), ids=" ".join
 )
 def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
     with open("/dev/full", "w", encoding="utf-8") as full:
@@ -529,7 +532,7 @@ def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
 
 
 @needs_posix
-@pytest.mark.parametrize("stream", ["<&-", ">&-", "2>&-"])
+@pytest.mark.parametrize("stream", few(["<&-", ">&-", "2>&-"], ">&-"))
 def test_streams_that_are_closed(stream: str) -> None:
     call = f"{shlex.quote(sys.executable)} -m spragsym {' '.join(ONE)} {stream}"
     done = subprocess.run(["sh", "-c", call], capture_output=True, text=True, timeout=60)

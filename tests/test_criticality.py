@@ -18,7 +18,7 @@ import spragsym as ss
 from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.catastrophe.normal_forms import BALLS, _pair, _Side, normal_form
-from tests.support import needs_a_quick_integrator
+from tests.support import ROOT, model_of, needs_a_quick_integrator
 from tests.test_documents import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from validation import criticality as validate_criticality
 
@@ -73,12 +73,9 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
 
 
 @pytest.mark.thorough
-def test_a_torsion_spring_against_equations_written_by_hand(tmp_path: Path) -> None:
+def test_a_torsion_spring_against_equations_written_by_hand() -> None:
     pytest.importorskip("sympy")
-    from spragsym.derive import folder
-
-    folder.write_page(Path(__file__).parent / "soft_brake.py", tmp_path / "soft_brake")
-    model = ss.load(tmp_path / "soft_brake")
+    model = model_of((ROOT / "tests/soft_brake.py").read_text(encoding="utf-8"), "soft_brake")
     onsets = model.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
     exact = validate_criticality.reference_of(onsets, 0)
     assert abs(mpmath.mpf(float(onsets.lyapunov[0])) - exact.lyapunov) <= onsets.lyapunov_error[0] < 1e-9

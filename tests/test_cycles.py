@@ -208,6 +208,7 @@ SADDLE_LOOP = field_of(
 )  # fmt: skip
 
 
+@pytest.mark.thorough
 def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
     branch = ss.cycle_branch(finding.cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", (-0.3, 0.3), longest=0.2)
     shrunk, (homoclinic,) = branch.of("end")[0], branch.of("homoclinic")
@@ -231,25 +232,27 @@ TWO_CIRCLES = field_of(
 )  # fmt: skip
 
 
-def test_switching_at_a_fold_goes_to_its_other_side() -> None:
-    outer = finding.cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0))
-    branch = ss.cycle_branch(outer, "e", (-1.5, -0.4), longest=0.3)
-    (fold,) = branch.of("fold")
+@pytest.fixture(scope="module")
+def folding() -> ss.CycleBranch:
+    return ss.cycle_branch(finding.cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3)
+
+
+def test_switching_at_a_fold_goes_to_its_other_side(folding: ss.CycleBranch) -> None:
+    (fold,) = folding.of("fold")
     assert fold.value == pytest.approx(-1, abs=1e-9)
-    sides = {round(branch.cycles[i].amplitude ** 2 - 1, 6) > 0 for i in (0, -1)}
+    sides = {round(folding.cycles[i].amplitude ** 2 - 1, 6) > 0 for i in (0, -1)}
     assert sides == {True, False}
-    other = branch.switch(fold)
-    assert (other.amplitude > 1) == (branch.cycles[-1].amplitude > 1)
+    other = folding.switch(fold)
+    assert (other.amplitude > 1) == (folding.cycles[-1].amplitude > 1)
     assert other.amplitude**4 - 2 * other.amplitude**2 == pytest.approx(other.values[0], abs=1e-10)
 
 
-def test_a_figure_is_full_up_to_the_change_of_stability() -> None:
+def test_a_figure_is_full_up_to_the_change_of_stability(folding: ss.CycleBranch) -> None:
     """The stable part was drawn to the next point beyond the fold, in the line style of what is stable."""
     figures = pytest.importorskip("spragsym.figures", reason="the extra plot is not installed")
-    branch = ss.cycle_branch(finding.cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3)
-    ((place, fold),) = branch.changes()
-    assert (fold.kind, {bool(side) for side in branch.stable[place - 1 : place + 1]}) == ("fold", {True, False})
-    left, right = figures.branch_figure(branch).axes[:2]
+    ((place, fold),) = folding.changes()
+    assert (fold.kind, {bool(side) for side in folding.stable[place - 1 : place + 1]}) == ("fold", {True, False})
+    left, right = figures.branch_figure(folding).axes[:2]
     for axis, least in ((left, np.sqrt(0.5)), (right, 2 * np.pi)):  # of x = cos t, at r = 1
         full = next(line for line in axis.lines if line.get_linestyle() == "-").get_xydata()
         full = full[np.isfinite(full).all(axis=1)]
@@ -258,7 +261,7 @@ def test_a_figure_is_full_up_to_the_change_of_stability() -> None:
         assert axis.get_xlabel()
 
 
-@pytest.mark.parametrize("apart", [0.2, 0.05, 0.02])
+@pytest.mark.parametrize("apart", few([0.2, 0.05, 0.02], 0.05))
 def test_two_folds_within_a_step_are_seen(apart: float) -> None:
     """Circles with e = s³ / 3 − apart² s, s = r² − 1.5: nothing changes its sign from one point to the next."""
 
@@ -528,6 +531,7 @@ def next_to_a_grazing() -> ss.CycleBranch:
     return ss.cycle_branch(begun, "theta0", (1.0564, 1.0567))
 
 
+@pytest.mark.thorough
 def test_a_branch_of_doubled_cycles_ends_where_its_halves_are_hardly_apart(next_to_a_grazing: ss.CycleBranch) -> None:
     """It went on over its end, and back to where it began, with the end as a fold."""
     assert [event.kind for event in next_to_a_grazing.events].count("period_doubling") == 1
@@ -536,6 +540,7 @@ def test_a_branch_of_doubled_cycles_ends_where_its_halves_are_hardly_apart(next_
     assert not next_to_a_grazing.of("fold")
 
 
+@pytest.mark.thorough
 def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: ss.CycleBranch) -> None:
     """Its halves differ by 1e-6: as a cycle of half the period it had the multiplier −1.38."""
     (doubling,) = next_to_a_grazing.of("period_doubling")
@@ -810,6 +815,7 @@ def test_chaos_is_proved_by_exponents() -> None:
     assert "not told from 0" in short.why
 
 
+@pytest.mark.thorough
 def test_rounding_is_no_chaos() -> None:
     """x″ + x = 0, both exponents of which are 0, and whose orbits lie in a plane."""
     model = ss.load("stick_slip")
@@ -933,15 +939,15 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
 
 
 @pytest.mark.parametrize(
-    ("degrees", "start", "t_end", "kind"),
+    ("degrees", "kind"),
     [
-        (42.0, (0, 0, 0, 0), 4000.0, "cycle"), (35.0, (0, 0, 0, 0), 4000.0, "rest"),
-        (60.0, (0, 0, 0, 0), 4000.0, "undecided"), (70.0, (0, 0, 0, 0), 4000.0, "undecided"),
+        pytest.param(42.0, "cycle", marks=pytest.mark.thorough), (35.0, "rest"),
+        pytest.param(60.0, "undecided", marks=pytest.mark.thorough), (70.0, "undecided"),
     ],
 )  # fmt: skip
-def test_exponents_that_are_not_resolved_decide_nothing(degrees: float, start: Any, t_end: float, kind: str) -> None:
+def test_exponents_that_are_not_resolved_decide_nothing(degrees: float, kind: str) -> None:
     """The last two are transients with a positive exponent; at 42 degrees two exponents are below their errors."""
-    found = ss.lyapunov(at(degrees), **BELT, start=start, t_end=t_end)
+    found = ss.lyapunov(at(degrees), **BELT, start=(0, 0, 0, 0), t_end=4000.0)
     assert found.kind == kind, found.why
     if kind == "undecided":
         assert "not told from 0" in found.why
@@ -1045,7 +1051,7 @@ def test_failures_of_loaded_models_are_told_as_well() -> None:
         ss.load("stick_slip").cycle(damped)
 
 
-@pytest.mark.parametrize(("V", "d"), [(0.0, 10.0), (0.5, 1e4)])
+@pytest.mark.parametrize(("V", "d"), [(0.0, 10.0), pytest.param(0.5, 1e4, marks=pytest.mark.thorough)])
 def test_extremes_end_in_time(V: float, d: float) -> None:
     found = None
     with contextlib.suppress(ss.ConvergenceError):

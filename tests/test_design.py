@@ -272,6 +272,7 @@ def test_a_proof_does_not_lean_on_the_search_for_counterexamples(claim: str) -> 
     assert not proved.any()
 
 
+@pytest.mark.thorough
 def test_a_box_that_touches_the_fold_ends_undecided() -> None:
     low = BASE.replace(theta0=0.5, mu0=0.5)
     (fold,) = (float(value) for value in ss.folds(low, "mu0").mu0)
@@ -387,7 +388,7 @@ def test_chunks_are_the_parts_of_one_sequence() -> None:
     assert max(task.size for task in sampling.chunks(10**9, 16, range(16))) <= 1 << 18
 
 
-@pytest.mark.parametrize("share", few([0.3, 0.002], 0.002))
+@pytest.mark.parametrize("share", few([0.3, 0.002]))
 def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""
     limit = math.sqrt(2 * share)

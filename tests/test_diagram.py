@@ -7,7 +7,6 @@ import importlib.util
 import json
 import math
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -89,10 +88,10 @@ page.friction(x, V, lambda v: 2 * mu_s * v_s * v / (v_s**2 + v**2))
 
 
 @pytest.mark.thorough
-def test_a_neutral_saddle_is_no_hopf_point(tmp_path: Path) -> None:
+def test_a_neutral_saddle_is_no_hopf_point() -> None:
     """At V = v_s nothing damps on the hill: λ = ±1 have the sum 0, and another pair is complex."""
     pytest.importorskip("sympy")
-    model = model_of(HILL, "hill", tmp_path)
+    model = model_of(HILL, "hill")
     found = ss.diagram(model.Parameters(), "V", (0.1, 1.0), points=5)
     (rest,) = found.equilibria
     assert not rest.stable.any()

@@ -45,8 +45,8 @@ def _installed() -> list[str]:
 
 @pytest.fixture(scope="module")
 def base() -> dict[str, Trajectory]:
-    """The article's Figure 7a at the tightest tolerance, by each backend."""
-    return {name: simulate(BASE, **BELT, rtol=1e-13, backend=name) for name in _installed()}
+    """A quarter of the article's Figure 7a at the tightest tolerance, by each backend."""
+    return {name: simulate(BASE, **BELT, rtol=1e-13, t_end=500.0, backend=name) for name in _installed()}
 
 
 def test_two_integrators_agree_on_the_base_case(base: dict[str, Trajectory]) -> None:
@@ -77,11 +77,12 @@ def test_chunks_of_steps_do_not_show(backend: str, monkeypatch: pytest.MonkeyPat
     np.testing.assert_array_equal(pieces.events.t, whole.events.t)
 
 
-def test_crossings_of_the_base_case(base: dict[str, Trajectory]) -> None:
+@pytest.mark.parametrize("backend", [pytest.param("scipy", marks=pytest.mark.thorough), *BACKENDS[1:]])
+def test_crossings_of_the_base_case(backend: str) -> None:
     # Counted by other integrators, that step over the kinks, as sign changes of dense output: 155 and 104.
-    for tr in base.values():
-        assert len(tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED)) == 155
-        assert len(tr.events.of(Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)) == 104
+    tr = simulate(BASE, **BELT, rtol=1e-13, backend=backend)
+    assert len(tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED)) == 155
+    assert len(tr.events.of(Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)) == 104
 
 
 def test_events_lie_on_the_kinks_and_alternate(base: dict[str, Trajectory]) -> None:
@@ -229,7 +230,7 @@ def through_a_thin_layer() -> np.ndarray:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("rtol", few([1e-7, 1e-9, 1e-11, 1e-13], 1e-9, 1e-13))
+@pytest.mark.parametrize("rtol", few([1e-7, 1e-9, 1e-11, 1e-13], 1e-9))
 def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, through_a_thin_layer: np.ndarray) -> None:
     if (backend, rtol) != ("scipy", 1e-13):  # that is the reference
         assert np.abs(_through_a_thin_layer(rtol, backend) - through_a_thin_layer).max() < 3000 * rtol
@@ -378,11 +379,11 @@ def test_arrays_and_missing_parameters_are_errors() -> None:
 
 def test_measures_refuse_what_they_cannot_measure(base: dict[str, Trajectory]) -> None:
     tr = base["scipy"]
-    for bad, named in (({"transient": 2000.0}, "transient = 2000"), ({"of": "z"}, "of = 'z'"), ({"about": "median"}, "'median'")):
+    for bad, named in (({"transient": 500.0}, "transient = 500"), ({"of": "z"}, "of = 'z'"), ({"about": "median"}, "'median'")):
         with pytest.raises(ss.ParameterError, match=named):
             tr.rms(**bad)
     with pytest.raises(ss.ParameterError, match="not within the trajectory"):
-        tr(2000.1)
+        tr(500.1)
 
 
 def test_scipy_is_the_fallback(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -60,8 +60,8 @@ QUIET = SCALED.replace('x = page.coordinate("x"', 'q = page.coordinate("q", "m",
 
 
 @pytest.fixture(scope="module")
-def scaled(tmp_path_factory: pytest.TempPathFactory) -> Any:
-    return model_of(SCALED, "scaled", tmp_path_factory.mktemp("pages"))
+def scaled() -> Any:
+    return model_of(SCALED, "scaled")
 
 
 def in_length(scaled: Any, unit: float, V: float) -> Any:
@@ -106,9 +106,9 @@ def test_a_curve_of_folds_goes_on_where_multipliers_are_known_to_ten_digits() ->
 
 
 @pytest.mark.parametrize("start", [(0.5, 1.0), (2.0, 0.0)])
-def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float], tmp_path: Any) -> None:
+def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float]) -> None:
     """Flight and contact, a half of a harmonic swing and more: nothing damps, so that all orbits close."""
-    found = ss.cycle(model_of(BOUNCING, "bouncing", tmp_path).Parameters(), near=start)
+    found = ss.cycle(model_of(BOUNCING, "bouncing").Parameters(), near=start)
     touch = np.sqrt(2 * start[0] + start[1] ** 2)
     assert found.period == pytest.approx(2 * touch + 2 * np.pi - 2 * np.arctan(touch), abs=1e-9)
 
@@ -122,9 +122,9 @@ def test_the_largest_rate_is_that_between_samples_too() -> None:
 
 
 @pytest.mark.parametrize("epsilon", [2.0, 5.0])
-def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float, tmp_path: Any) -> None:
+def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float) -> None:
     """Liouville: they add up to the mean divergence, −ε(⟨x²⟩ − 1). A multiplier of 1e-37 is lost in rounding."""
-    found = ss.fate(model_of(VAN_DER_POL, "van_der_pol", tmp_path).Parameters(epsilon=epsilon), start=(0.1, 0.0))
+    found = ss.fate(model_of(VAN_DER_POL, "van_der_pol").Parameters(epsilon=epsilon), start=(0.1, 0.0))
     assert found.kind == "cycle"
     divergence = -epsilon * (found.outcome.cycle_rms**2 - 1)
     assert abs(found.exponents.sum() - divergence) <= found.error.sum()
@@ -132,9 +132,9 @@ def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float, tmp_path: 
 
 
 @needs_a_quick_integrator
-def test_a_first_coordinate_that_stands_still_is_named(tmp_path: Any) -> None:
+def test_a_first_coordinate_that_stands_still_is_named() -> None:
     """Its cycle is there, and no longer motion finds it: that was the advice."""
-    p = model_of(QUIET, "quiet", tmp_path).Parameters(V=0.2)
+    p = model_of(QUIET, "quiet").Parameters(V=0.2)
     with pytest.raises(ss.ConvergenceError, match=r"q stands still while x moves.* first coordinate is x"):
         ss.cycle(p, patient=False)
     assert "q stands still while x moves" in ss.fate(p, t_end=400.0).why
@@ -149,7 +149,7 @@ def test_a_basin_takes_no_start_that_the_model_has_not() -> None:
 
 
 @needs_a_quick_integrator
-def test_a_cycle_that_nothing_damps_is_not_called_unstable(tmp_path: Any) -> None:
-    found = ss.fate(model_of(BOUNCING, "bouncing", tmp_path).Parameters(), start=(2.0, 0.0), t_end=400.0)
+def test_a_cycle_that_nothing_damps_is_not_called_unstable() -> None:
+    found = ss.fate(model_of(BOUNCING, "bouncing").Parameters(), start=(2.0, 0.0), t_end=400.0)
     assert found.kind == "undecided"
     assert "neither stable nor unstable" in found.near

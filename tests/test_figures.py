@@ -132,6 +132,7 @@ def test_leaders_are_seen(sheets: dict[str, Sheet], name: str) -> None:
         assert np.hypot(*(ends - target).T).min() * 72 / figure.dpi < 3
 
 
+@pytest.mark.thorough
 def test_rows_of_jumps_are_each_of_their_own_belt(sheets: dict[str, Sheet]) -> None:
     table = sheets["sensitivity"].tables["c"]
     belts = np.column_stack([table["V"], table["d"]])
@@ -358,6 +359,7 @@ def test_the_cover_hides_what_lies_behind_a_square() -> None:
     np.testing.assert_array_equal(whole[[0, -1]], line)
 
 
+@pytest.mark.thorough
 def test_a_surface_is_drawn_whatever_the_memory_held(monkeypatch: pytest.MonkeyPatch) -> None:
     """matplotlib fills polygons of unequal lengths up from memory that it did not clear, and measures the axes with it."""
     from mpl_toolkits.mplot3d import art3d

@@ -28,7 +28,7 @@ from spragsym.derive.kang_nam import stability as linearized
 from spragsym.generated import catastrophe, equilibrium, laws, linear_sprag, scales, stability
 from spragsym.generated._where import where
 from spragsym.generated.models.kang_nam import algebra
-from tests.support import as_mpf
+from tests.support import as_mpf, few
 
 EPS = 2.0**-53
 
@@ -414,7 +414,7 @@ DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
 UP_TO_A_FACTOR = {"fold_quartic"}
 
 
-@pytest.mark.parametrize("name", DERIVED)
+@pytest.mark.parametrize("name", few(DERIVED, *(set(DERIVED) - {"cusp_polynomial", "flutter_cubic"})))
 def test_fractions_equal_the_derived_value(name: str) -> None:
     function, expressions = NAMED[name], DERIVED[name]()
     for seed in SEEDS[:3]:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support import model_of
 from tests.test_documents import ROOT, assert_shown, commands, run
 
 pytest.importorskip("sympy")
@@ -30,15 +31,10 @@ def test_the_page_does_what_it_says(tmp_path: Path) -> None:
 
 
 @pytest.mark.thorough
-def test_around_a_torsion_spring_searches_end_soon_and_say_why(tmp_path: Path) -> None:
+def test_around_a_torsion_spring_searches_end_soon_and_say_why() -> None:
     """Its force has no bound at the anchor, which comes down to the belt at both ends of the range of θ₀."""
-    import spragsym as ss
-    from spragsym.derive import folder
-
     files = dict(re.findall(r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", PAGE.read_text("utf-8"), re.M | re.S))
-    (tmp_path / "soft_brake.py").write_text(files["soft_brake.py"], encoding="utf-8")
-    folder.write_page(tmp_path / "soft_brake.py", tmp_path / "soft_brake")
-    model = ss.load(str(tmp_path / "soft_brake"))
+    model = model_of(files["soft_brake.py"], "soft_brake")
     found = model.folds(model.Parameters(), "theta0")
     assert not found.complete
     assert 0 < len(found.undecided) < 10

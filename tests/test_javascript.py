@@ -156,7 +156,7 @@ def test_flutter_curves_are_joined_where_two_are_born_or_vanish() -> None:
     assert [len(curves) for curves in found] == theirs
 
 
-@pytest.mark.parametrize("vary", few(NAMES, "theta0", "mu0", "sigma"))
+@pytest.mark.parametrize("vary", few(NAMES, "mu0", "sigma"))
 def test_folds_are_those_that_python_proves(vary: str) -> None:
     """Along each parameter: alpha = 0, all but 0 and close to 1 + beta; without friction, pitchforks too."""
     sets = languages.fold_sets(24)

@@ -110,11 +110,10 @@ def test_algebra_is_that_of_python(package: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "at"),
     [
-        ({}, (0.7, 0.5)),
         ({"alpha": 0.0}, (0.7, 0.5)),
         *(
             pytest.param({"alpha": alpha}, at, marks=pytest.mark.thorough)
-            for alpha, at in ((0.7, (0.3, 15.0)), (1.0, (0.3, 20.0)), (1.001, (0.3, 20.0)))
+            for alpha, at in ((0.007, (0.7, 0.5)), (0.7, (0.3, 15.0)), (1.0, (0.3, 20.0)), (1.001, (0.3, 20.0)))
         ),
     ],
 )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from scipy.optimize import fsolve
 import spragsym as ss
 from spragsym.models.catastrophe.branches import Along, _by_tubes, _states
 from spragsym.models.mechanics.balance import Balance
-from tests.conftest import Once
+from tests.support import model_of
 
 #: A pad with a shoe, which slides, dips and turns.
 PAGE = r'''
@@ -44,16 +43,8 @@ page.friction(x + a * cos(phi) + b * sin(phi), V, lambda v: mu0 * (1 - exp(-d * 
 
 
 @pytest.fixture(scope="module")
-def pad(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
-    def derived() -> str:
-        from spragsym.derive import folder
-
-        out = tmp_path_factory.mktemp("pad")
-        (out / "pad.py").write_text(PAGE.strip() + "\n", encoding="utf-8")
-        folder.write_page(out / "pad.py", out / "pad")
-        return str(out / "pad")
-
-    return ss.load(Path(once("pad_with_a_shoe", derived)))
+def pad() -> Any:
+    return model_of(PAGE.strip() + "\n", "pad")
 
 
 def by_hand(q: Any, mu: float) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -150,10 +149,10 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * v)), at_rest=mu0)
 
 
 @pytest.mark.thorough
-def test_probability_bracket_and_shares_are_those_of_a_closed_form(tmp_path: Path) -> None:
+def test_probability_bracket_and_shares_are_those_of_a_closed_form() -> None:
     """mu0 and kappa uniform in [0, 1]: P = 1 − A + A ln A, and the variance of P given one of them is 1 − A² + 2 A ln A − P²."""
     pytest.importorskip("sympy")
-    model, A = model_of(SOFTENING, "softening", tmp_path), 2 / (3 * np.sqrt(3))
+    model, A = model_of(SOFTENING, "softening"), 2 / (3 * np.sqrt(3))
     P = 1 - A + A * np.log(A)
     first = (1 - A**2 + 2 * A * np.log(A) - P**2) / (P * (1 - P))
     found = model.jump_probability({"mu0": (0.0, 1.0), "kappa": (0.0, 1.0)}, n=1 << 13, rng=1, sobol=True, max_boxes=400)

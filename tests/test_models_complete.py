@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli import cli
 from spragsym.errors import ParameterError, ParameterTypeError
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics.remarks import spans
-from tests.conftest import Once
-from tests.support import few
+from tests.conftest import Run
+from tests.support import few, model_of
 
 #: Two springs without length that couple both directions, on a belt that hardens.
 COUPLED = '''r"""A mass on two inclined guides."""
 from spragsym.derive.model import Abs, Page, exp, sgn
-from tests.support import few
+from tests.support import few, model_of
 page = Page("A mass on two springs that lean, and a belt that hardens.")
 m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
@@ -44,17 +41,9 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0
 
 
 @pytest.fixture(scope="module")
-def coupled(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def coupled() -> Any:
     pytest.importorskip("sympy")
-    from spragsym.derive import folder
-
-    def derived() -> str:
-        out = tmp_path_factory.mktemp("coupled")
-        (out / "coupled.py").write_text(COUPLED, encoding="utf-8")
-        folder.write_page(out / "coupled.py", out / "coupled")
-        return str(out / "coupled")
-
-    return ss.load(Path(once("coupled", derived)))
+    return model_of(COUPLED, "coupled")
 
 
 def by_hand(p: Any, mu: float) -> np.ndarray:
@@ -121,16 +110,11 @@ def test_a_range_that_was_cut_is_not_complete() -> None:
 
 
 @pytest.mark.thorough
-def test_commands_say_what_was_searched() -> None:
-    run = CliRunner().invoke
-    told = run(cli, ["folds", "--method", "search", "--theta0", "60"]).output
-    assert "searched mu0 in [0, 10]" in told
-    told = run(cli, ["equilibria", "--theta0", "30", "--within", "x=0:0.5"]).output
-    assert "searched within x in [0, 0.5]" in told
-    told = run(cli, ["folds", "--theta0", "60", "--vary", "mu0=4:5"]).output
-    assert "Folds along mu0: none" in told
-    told = run(cli, ["folds", "--model", "stick_slip", "--vary", "V"]).output
-    assert "none" not in told
+def test_commands_say_what_was_searched(run: Run) -> None:
+    assert "searched mu0 in [0, 10]" in run("folds", "--method", "search", "--theta0", "60")
+    assert "searched within x in [0, 0.5]" in run("equilibria", "--theta0", "30", "--within", "x=0:0.5")
+    assert "Folds along mu0: none" in run("folds", "--theta0", "60", "--vary", "mu0=4:5")
+    assert "none" not in run("folds", "--model", "stick_slip", "--vary", "V")
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.cli import main
 from spragsym.models.load import shipped
 from tests.support import few
 
@@ -110,27 +109,25 @@ def test_labels_are_those_of_the_dimensionless_numbers():
 
 
 @pytest.mark.thorough
-def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
+def test_plot_on_the_command_line(tmp_path, monkeypatch, run, found):
     monkeypatch.setattr("spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: found)
     file = tmp_path / "set.svg"
     command = ["bifurcation", "--method", "search", "--plot", str(file)]
-    assert status(command) == 0
+    run(*command)
     assert file.read_text(encoding="utf-8").startswith("<?xml")
-    assert status(command) != 0
-    assert "--force" in capsys.readouterr().err
-    assert status([*command[:-1], str(tmp_path / "set.gif")]) != 0
+    assert "--force" in run(*command, code=2)
+    run(*command[:-1], str(tmp_path / "set.gif"), code=2)
 
 
 @pytest.mark.thorough
-def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
+def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, run):
     """Of the two folds of the article's model only the one within the range; the cusp is outside of it."""
     search = ss.load("kang_nam").search.bifurcation_set
     monkeypatch.setattr(
         "spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: search(p, vary, 4, **options)
     )
     command = ["bifurcation", "--vary", "theta0=100:170", "--vary", "mu0=0.3:0.6", "--json"]
-    assert status([*command, "--plot", str(tmp_path / "set.svg")]) == 0
-    told = json.loads(capsys.readouterr().out)
+    told = json.loads(run(*command, "--plot", str(tmp_path / "set.svg")))
     assert [row["theta0_deg"] for row in told["folds"]["points"]] == pytest.approx([155.05941879], abs=1e-7)
     assert told["cusps"]["points"] == []
     wrong = {
@@ -139,15 +136,7 @@ def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
         "theta0=0:181": "theta0_deg = 181 is not in (0, 180)", "mu0=0:1:1": "2 to 100000", "sgma=0:1": "did you mean sigma?",
     }  # fmt: skip
     for given, text in wrong.items():
-        assert status(["bifurcation", "--vary", given]) == 2
-        assert text in capsys.readouterr().err
-
-
-def status(command):
-    """What the command ends with."""
-    with pytest.raises(SystemExit) as ended:
-        main(command)
-    return ended.value.code or 0
+        assert text in run("bifurcation", "--vary", given, code=2)
 
 
 @pytest.mark.thorough
@@ -167,7 +156,7 @@ def test_a_spectrum_is_over_the_models_own_unit_of_time():
 
 
 @pytest.mark.thorough
-def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path, monkeypatch):
+def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path, monkeypatch, run):
     """Of the article's model and of one that turns: a row for each coordinate, with its plane and its spectrum."""
     seen = []
     drawn = figures.motion_figure
@@ -181,7 +170,7 @@ def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path
         rows += [f'{key} = "{size.get(unit, 0.01)!r} {unit if unit != "1" else ""}"' for key, unit in units.items()]
         file = tmp_path / f"{name}.toml"
         file.write_text("\n".join(["[brake]", *rows, more]), encoding="utf-8")
-        assert status(["simulate", "--data", str(file), "--t-end", "60", "--plot", str(tmp_path / f"{name}.svg")]) == 0
+        run("simulate", "--data", str(file), "--t-end", "60", "--plot", str(tmp_path / f"{name}.svg"))
     article, rod = seen
     assert [ax.get_ylabel() for ax in article.axes[:2]] == ["$x$ (mm)", r"$\dot{x}$ (mm/s)"]
     assert len(article.axes) == 3 * 2

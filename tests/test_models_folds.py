@@ -12,10 +12,9 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
-from spragsym.derive import folder, pages
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics import stability
-from tests.support import few, model_of
+from tests.support import few, model_of, shipped_page
 
 
 @pytest.mark.thorough
@@ -42,20 +41,15 @@ def test_the_pitchfork_of_a_trolley_that_nothing_pulls_along_the_belt():
 
 
 @pytest.mark.thorough
-def test_a_force_without_a_potential_can_bring_flutter_without_friction(tmp_path):
+def test_a_force_without_a_potential_can_bring_flutter_without_friction():
     # At V = 0 there is no friction, but its slope damps x. A pair crosses where y moves alone: K₁₂ K₂₁ = (P − σ/2)(−P − σ/2) = 0.
-    text = (pages.SHIPPED / "mode_coupling.py").read_text(encoding="utf-8")
-    for before, after in (
-        ("from ..model import", "from spragsym.derive.model import"),
+    text = shipped_page(
+        "mode_coupling",
         ("V = page", 'P = page.parameter("P", "N/m", "stiffness of a force that turns with the place", ">= 0", 0.0)\nV = page'),
         ("page.force(0, -F_L, at=(x, y))", "page.force(0, -F_L, at=(x, y))\npage.force(-P * y, P * x, at=(x, y))"),
         (", at_rest=mu0)", ")"),
-    ):
-        assert text.count(before) == 1
-        text = text.replace(before, after)
-    (tmp_path / "follower.py").write_text(text, encoding="utf-8")
-    folder.write_page(tmp_path / "follower.py", tmp_path / "follower")
-    model = ss.load(tmp_path / "follower")
+    )
+    model = model_of(text, "follower")
     assert not model.about["symmetric"]
     found = model.flutter_onsets(model.Parameters(V=0.0, sigma=0.5), "P")
     assert found.decided
@@ -163,6 +157,7 @@ def _distance(point, line):
     return np.linalg.norm(begin + part * step - point[:, None], axis=0).min()
 
 
+@pytest.mark.thorough
 def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
     # dμ/dv = μ₀ d e^(−d V) is never 0, and Stribeck's with μ_k = 0 is e^(−V/v_s) times what is 0 at one v_s only, beyond 10.
     article = ss.load("kang_nam").search
@@ -232,8 +227,8 @@ page.potential(-k * l**2 * (cos(phi) + 2 * sin(phi) + 25 * (r**2 - u**2 - v**2) 
 
 
 @pytest.fixture(scope="module")
-def circle(tmp_path_factory):
-    return model_of(CIRCLE, "circle", tmp_path_factory.mktemp("own"))
+def circle():
+    return model_of(CIRCLE, "circle")
 
 
 @pytest.mark.parametrize("radius", [0.03, 1e-3, 1e-5])

@@ -67,8 +67,8 @@ page.force(0, -P, at=(x, y))
 
 
 @pytest.fixture(scope="module")
-def rod(tmp_path_factory: pytest.TempPathFactory) -> Any:
-    return model_of(ROD, "rod", tmp_path_factory.mktemp("rod"))
+def rod() -> Any:
+    return model_of(ROD, "rod")
 
 
 def fold_of_rod(e: Any) -> Any:
@@ -117,8 +117,8 @@ page.potential(k * b**2 * log(1 + x**2 / b**2) / 2 - F * x)
 
 
 @pytest.fixture(scope="module")
-def fading(tmp_path_factory: pytest.TempPathFactory) -> Any:
-    return model_of(FADING, "fading", tmp_path_factory.mktemp("fading"))
+def fading() -> Any:
+    return model_of(FADING, "fading")
 
 
 @pytest.mark.thorough
@@ -160,9 +160,9 @@ def test_a_state_that_becomes_stable_between_two_others_is_followed(rod: Any) ->
 
 
 @pytest.mark.thorough
-def test_of_two_states_that_are_equally_small_the_one_of_larger_coordinates_is_followed(tmp_path: Any) -> None:
+def test_of_two_states_that_are_equally_small_the_one_of_larger_coordinates_is_followed() -> None:
     """Not the one that rounding makes smaller; the fold is that of two bars, 2 (L^(2/3) − 1)^(3/2) with L² = 1 + h²."""
-    arch = model_of(ARCH, "arch", tmp_path)
+    arch = model_of(ARCH, "arch")
     h = np.linspace(0.2, 0.6, 9)
     by_hand = 2 * (np.sqrt(1 + h**2) ** (2 / 3) - 1) ** 1.5
     assert arch.jump_value(arch.Parameters(h=h), "P", begin=0.0, until=2.0) == pytest.approx(by_hand, abs=1e-12)
@@ -172,8 +172,8 @@ def test_of_two_states_that_are_equally_small_the_one_of_larger_coordinates_is_f
 
 
 @pytest.mark.thorough
-def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same(tmp_path: Any) -> None:
-    column = model_of(COLUMN, "column", tmp_path)
+def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same() -> None:
+    column = model_of(COLUMN, "column")
     p = column.Parameters()
     (jump,) = column.quasi_static_path(p, "P", [0.1, 0.5], start=3).jumps
     folds = column.folds(p, vary="P", between={"P": (0.01, 1.0)})
@@ -183,12 +183,12 @@ def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same
 
 
 @pytest.mark.thorough
-def test_a_mirror_may_exchange_two_springs(tmp_path: Any) -> None:
+def test_a_mirror_may_exchange_two_springs() -> None:
     """A steep arch buckles sideways where 1 − L/l + L/l³ = 0, with l² = 1 + y² and L² = 1 + h², and comes to rest upside down.
 
     There all states have x = 0 but for rounding: no order in x tells one from the other.
     """
-    arch = model_of(ARCH, "arch", tmp_path)
+    arch = model_of(ARCH, "arch")
     p, rest = arch.Parameters(h=3.0, alpha=0.0), np.sqrt(10)
 
     def load(y: float) -> float:

@@ -5,35 +5,27 @@ The campaign is validation/gaps.py; here a few of its sets, and what becomes of 
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 
-import spragsym as ss
 from spragsym.models.catastrophe.paths import first_end
-from tests.conftest import Once
 from tests.oracles.gap_pages import HANDS
-from tests.support import few
+from tests.support import few, model_of
 from validation import gaps as validate_gaps
 
 pytest.importorskip("sympy")
 
 
 @pytest.fixture(scope="module")
-def models(once: Once, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+def models() -> dict[str, Any]:
     class Derived(dict[str, Any]):
         """Pages, each derived when a test asks for it."""
 
         def __missing__(self, name: str) -> Any:
-            def derived() -> str:
-                out = tmp_path_factory.mktemp(name)
-                validate_gaps.load(out, name)
-                return str(out / name)
-
-            self[name] = ss.load(Path(once(f"gaps-{name}", derived)))
+            self[name] = model_of(HANDS[name].page, name)
             return self[name]
 
     return Derived()
@@ -114,7 +106,7 @@ def test_a_gap_smaller_than_floats_tell_has_a_sign(models: dict[str, Any]) -> No
 
 
 @pytest.fixture(scope="module")
-def wedge(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def wedge() -> Any:
     """A wedge on a contact that hardens, pressed down by a force alone."""
     text = (
         'r"""A wedge."""\nfrom spragsym.derive.model import Page, log, tanh\n'
@@ -131,16 +123,7 @@ def wedge(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
         "page.contact(y - l * log(1 + phi**2) - l * phi**3 / 10, lambda depth: k_c * depth + k_c * depth**3 / l**2)\n"
         "page.friction(l * phi, V, lambda v: mu0 * tanh(d * v), at_rest=mu0)\n"
     )
-
-    def derived() -> str:
-        from spragsym.derive import folder
-
-        out = tmp_path_factory.mktemp("wedge")
-        (out / "wedge.py").write_text(text, encoding="utf-8")
-        folder.write_page(out / "wedge.py", out / "wedge")
-        return str(out / "wedge")
-
-    return ss.load(Path(once("wedge", derived)))
+    return model_of(text, "wedge")
 
 
 def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:

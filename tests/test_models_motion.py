@@ -14,6 +14,7 @@ import pytest
 import spragsym as ss
 from spragsym.dynamics import Event
 from spragsym.models.load import shipped
+from tests.conftest import Run
 
 NAMES = shipped()
 BACKENDS = ["scipy", *(["heyoka"] if importlib.util.find_spec("heyoka") else [])]
@@ -191,38 +192,25 @@ def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
 # ------------------------------------------------------------------------------------------------ the command line
 
 
-def command(*arguments: str) -> int:
-    from spragsym.cli import main
-
-    with pytest.raises(SystemExit) as ended:
-        main(list(arguments))
-    return int(ended.value.code or 0)
-
-
 @pytest.mark.thorough
-def test_commands_take_a_model(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20", "--x_a0", "0.1", "--json") == 0
-    assert '"model": "trolley"' in capsys.readouterr().out
+def test_commands_take_a_model(tmp_path: Any, run: Run) -> None:
+    shown = run("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20", "--x_a0", "0.1", "--json")
+    assert '"model": "trolley"' in shown
     target = tmp_path / "s.csv"
-    assert (
-        command("sweep", "--model=stick_slip", "--zeta", "0.1:0.6:2", "-V", "0.5", "-q", "--t-end", "50", "-o", str(target)) == 0
-    )
+    run("sweep", "--model=stick_slip", "--zeta", "0.1:0.6:2", "-V", "0.5", "-q", "--t-end", "50", "-o", str(target))
     assert target.is_file()
-    capsys.readouterr()
-    assert command("equilibria", "--model", "stick_slip", "-V", "0.3") == 0
-    shown = capsys.readouterr().out
+    shown = run("equilibria", "--model", "stick_slip", "-V", "0.3")
     friction = 2 * 0.5 * 0.3 * 0.1 / (0.3**2 + 0.1**2)  # x = μ(V) N_0/k
     assert float(shown.split()[-3]) == pytest.approx(friction, abs=1e-9)
-    assert command("bifurcation", "--method", "search", "--vary", "theta0") == 0
-    assert "44.5593" in capsys.readouterr().out
+    assert "44.5593" in run("bifurcation", "--method", "search", "--vary", "theta0")
 
 
-def test_a_state_that_oscillates_does_not_pass_for_stable(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_state_that_oscillates_does_not_pass_for_stable(run: Run) -> None:
     """Without damping, as (27), sliding of `stick_slip` is stable; the falling friction law makes it grow without a damper."""
     growth = []
     for damper in ("0", "0.9"):
-        assert command("equilibria", "--model", "stick_slip", "-V", "0.3", "--zeta", damper) == 0
-        header, row = (line.split() for line in capsys.readouterr().out.splitlines())
+        shown = run("equilibria", "--model", "stick_slip", "-V", "0.3", "--zeta", damper)
+        header, row = (line.split() for line in shown.splitlines())
         assert row[header.index("undamped")] == "stable"
         assert (row[header.index("stability")] == "stable") == (damper == "0.9")
         growth.append(float(row[header.index("growth")]))
@@ -230,16 +218,13 @@ def test_a_state_that_oscillates_does_not_pass_for_stable(capsys: pytest.Capture
 
 
 @pytest.mark.thorough
-def test_the_motion_of_a_model_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_motion_of_a_model_is_drawn(tmp_path: Path, run: Run) -> None:
     pytest.importorskip("matplotlib")
     words = ("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20")
-    assert command(*words, "--plot", str(tmp_path / "motion.svg")) == 0
-    assert (tmp_path / "motion.svg").read_text(encoding="utf-8").count(
-        '<g id="axes_'
-    ) == 3 * 3  # coordinates: over time, plane, spectrum
-    capsys.readouterr()
-    assert command(*words, "--plot", str(tmp_path / "motion.doc")) == 2
-    assert "the ending must be .pdf, .png or .svg" in capsys.readouterr().err
+    run(*words, "--plot", str(tmp_path / "motion.svg"))
+    drawn = (tmp_path / "motion.svg").read_text(encoding="utf-8")
+    assert drawn.count('<g id="axes_') == 3 * 3  # coordinates: over time, plane, spectrum
+    assert "the ending must be .pdf, .png or .svg" in run(*words, "--plot", str(tmp_path / "motion.doc"), code=2)
 
 
 def test_a_component_is_drawn_by_its_name() -> None:
@@ -252,12 +237,11 @@ def test_a_component_is_drawn_by_its_name() -> None:
         assert line.get_ydata()[[0, -1]] == pytest.approx(getattr(motion, name)[[0, -1]])
 
 
-def test_help_names_the_unit_of_time_of_the_model(capsys: pytest.CaptureFixture[str]) -> None:
+def test_help_names_the_unit_of_time_of_the_model(run: Run) -> None:
     model = ss.load("stick_slip")
-    assert command("simulate", "--model", "stick_slip", "--help") == 0
     unit = model.about["scales"]["time"].replace("**", "^")
     assert "k_c" not in unit
-    assert f"in {unit}" in " ".join(capsys.readouterr().out.split())
+    assert f"in {unit}" in " ".join(run("simulate", "--model", "stick_slip", "--help").split())
 
 
 def test_a_motion_can_be_copied_and_sent_to_another_process() -> None:
@@ -266,13 +250,10 @@ def test_a_motion_can_be_copied_and_sent_to_another_process() -> None:
     assert np.array_equal(copy.deepcopy(motion).x, motion.x)  # as a pickle takes it apart
 
 
-def test_commands_name_what_is_wrong_with_a_model(capsys: pytest.CaptureFixture[str]) -> None:
-    assert command("simulate", "--model", "troley") == 2
-    assert "did you mean trolley" in capsys.readouterr().err
-    assert command("simulate", "--model", "trolley", "--theta0", "49", "--alphaa", "1") == 2
-    assert "did you mean --alpha_a" in capsys.readouterr().err
-    assert command("simulate", "--model", "trolley") == 2
-    assert "--theta0" in capsys.readouterr().err
+def test_commands_name_what_is_wrong_with_a_model(run: Run) -> None:
+    assert "did you mean trolley" in run("simulate", "--model", "troley", code=2)
+    assert "did you mean --alpha_a" in run("simulate", "--model", "trolley", "--theta0", "49", "--alphaa", "1", code=2)
+    assert "--theta0" in run("simulate", "--model", "trolley", code=2)
 
 
 def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():

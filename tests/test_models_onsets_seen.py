@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,9 +15,8 @@ from spragsym.exact.certified_roots import Roots
 from spragsym.models.catastrophe import flutter, points
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics import stability
-from tests.conftest import Once
+from tests.oracles.gap_pages import HANDS
 from tests.support import model_of
-from validation import gaps as validate_gaps
 
 PAD = '''r"""A pad."""
 from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
@@ -57,25 +55,15 @@ page.friction(x, V, lambda v: (mu_k + (mu_s - mu_k) * exp(-Abs(v) / v_s)) * (1 -
 
 
 @pytest.fixture(scope="module")
-def pad(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def pad() -> Any:
     pytest.importorskip("sympy")
-
-    def derived() -> str:
-        return str(model_of(PAD, "pad", tmp_path_factory.mktemp("pad")).where)
-
-    return ss.load(Path(once("pad", derived)))
+    return model_of(PAD, "pad")
 
 
 @pytest.fixture(scope="module")
-def chain(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def chain() -> Any:
     pytest.importorskip("sympy")
-
-    def derived() -> str:
-        out = tmp_path_factory.mktemp("chain")
-        validate_gaps.load(out, "chain")
-        return str(out / "chain")
-
-    return ss.load(Path(once("chain", derived)))
+    return model_of(HANDS["chain"].page, "chain")
 
 
 @pytest.mark.thorough
@@ -168,10 +156,10 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0
 
 
 @pytest.mark.thorough
-def test_a_mode_that_nothing_damps_hides_no_onset(tmp_path: Path) -> None:
+def test_a_mode_that_nothing_damps_hides_no_onset() -> None:
     """Its pair is on the axis for all frictions, so that no condition tells where another one gets there."""
     pytest.importorskip("sympy")
-    model = model_of(LONELY, "lonely", tmp_path)
+    model = model_of(LONELY, "lonely")
     alpha, sigma, zeta, kappa, V, d = 0.9, 0.3, 0.03, 0.05, 0.5, 10.0
 
     def growth(mu: float) -> float:

@@ -6,7 +6,6 @@ Each against the same mechanics written by hand: Lagrange's equations of a doubl
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -14,8 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-import spragsym as ss
-from tests.conftest import Once
+from tests.support import model_of
 
 pytest.importorskip("sympy")
 
@@ -99,18 +97,8 @@ page.friction(x, V, {FRICTION})
 
 
 @pytest.fixture(scope="module")
-def models(once: Once, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    from spragsym.derive import folder
-
-    def derived() -> str:
-        out = tmp_path_factory.mktemp("shapes")
-        for name, text in PAGES.items():
-            (out / f"{name}.py").write_text(text, encoding="utf-8")
-            folder.write_page(out / f"{name}.py", out / name)
-        return str(out)
-
-    out = Path(once("shapes", derived))
-    return {name: ss.load(out / name) for name in PAGES}
+def models() -> dict[str, Any]:
+    return {name: model_of(text, name) for name, text in PAGES.items()}
 
 
 def states(model: Any, found: Any) -> np.ndarray:
@@ -277,15 +265,12 @@ def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     assert np.allclose(states(model, eq), want, atol=1e-12)
 
 
-def test_a_fraction_by_itself_is_exact(tmp_path: Path) -> None:
+def test_a_fraction_by_itself_is_exact() -> None:
     """A rod's mass of 1/3 is a fraction in the arguments' number type; one quarter is a float."""
-    from spragsym.derive import folder
-
     text = HEAD + "x = page.coordinate('x', 'm', 'along')\npage.kinetic(m * page.rate(x)**2 / 6)\npage.spring(k_c / 2, along=x)\n"
     for number, squared in (("6", 1.5), ("8", 2.0)):
-        (tmp_path / "rod.py").write_text(text.replace("/ 6", f"/ {number}"), encoding="utf-8")
-        folder.write_page(tmp_path / "rod.py", tmp_path / number)
-        eq = ss.load(tmp_path / number).equilibria(ss.load(tmp_path / number).Parameters())
+        model = model_of(text.replace("/ 6", f"/ {number}"), "rod")
+        eq = model.equilibria(model.Parameters())
         assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(squared))
 
 

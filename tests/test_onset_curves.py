@@ -13,8 +13,8 @@ from scipy import optimize
 import spragsym as ss
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics.stability import linearization
-from tests.support import few, model_of
-from tests.test_documents import ROOT
+from tests.conftest import Run
+from tests.support import few, model_of, shipped_page
 from validation.criticality import accelerations
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
@@ -139,10 +139,10 @@ page.friction(x, V, lambda v: 2 * mu_s * v * v_s / (v**2 + v_s**2))
 
 
 @pytest.mark.thorough
-def test_a_double_hopf_point_in_closed_form(tmp_path: Path) -> None:
+def test_a_double_hopf_point_in_closed_form() -> None:
     """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its roots are imaginary."""
     pytest.importorskip("sympy")
-    p = model_of(TWO_MODES, "two_modes", tmp_path).Parameters()
+    p = model_of(TWO_MODES, "two_modes").Parameters()
     fed = 2 * 0.5 * 0.5 * (1.0**2 - 0.5**2) / (1.0**2 + 0.5**2) ** 2
     curves = ss.onset_curves(p, vary=("kappa", "zeta"), n=12, between={"kappa": (0.2, 2.5), "zeta": (0.0, 0.8)})
     points = curves.points
@@ -239,9 +239,9 @@ def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
 
 
 @pytest.mark.thorough
-def test_the_command_lists_the_curves_and_the_points_on_them(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_the_command_lists_the_curves_and_the_points_on_them(run: Run, tmp_path: Path) -> None:
     asked = ["onsets", "--model", "stick_slip", "--vary", "V=0:1", "--vary", "zeta=0:2", "--n", "8"]
-    told = json.loads(_printed([*asked, "--json"], capsys))
+    told = json.loads(run(*asked, "--json"))
     assert list(told) == ["model", "parameters", "curves", "points", "complete", "undecided", "remarks"]
     found = ss.onset_curves(ss.load("stick_slip").Parameters(), ("V", "zeta"), 8, between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
     assert [curve["V"] for curve in told["curves"]] == [curve.V.tolist() for curve in found.curves]
@@ -249,29 +249,14 @@ def test_the_command_lists_the_curves_and_the_points_on_them(capsys: pytest.Capt
     (point,) = told["points"]
     assert point["kind"] == "GH"
     assert abs(point["V"] - found.changes["V"][0]) < 1e-12
-    text = _printed([*asked, "--plot", str(tmp_path / "map.svg")], capsys)
+    text = run(*asked, "--plot", str(tmp_path / "map.svg"))
     assert "gentle, dangerous" in text
     assert "a curve that closes between two of them is not seen" in text
     assert "GH" in (tmp_path / "map.svg").read_text(encoding="utf-8")
 
 
-def _printed(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
-    from spragsym.cli import main
-
-    with pytest.raises(SystemExit) as stop:
-        main(words)
-    told = capsys.readouterr()
-    assert stop.value.code == 0, told.err
-    return told.out
-
-
-def test_one_parameter_has_no_plane(capsys: pytest.CaptureFixture[str]) -> None:
-    from spragsym.cli import main
-
-    with pytest.raises(SystemExit) as stop:
-        main(["onsets", "--model", "mode_coupling"])
-    assert stop.value.code == 2
-    assert "give two different parameters with --vary" in capsys.readouterr().err
+def test_one_parameter_has_no_plane(run: Run) -> None:
+    assert "give two different parameters with --vary" in run("onsets", "--model", "mode_coupling", code=2)
 
 
 def test_what_is_refused() -> None:
@@ -285,19 +270,21 @@ def test_what_is_refused() -> None:
         ss.onset_curves(p, ("mu0", "nu"))
 
 
-def falling(folder: Path) -> Any:
+def falling() -> Any:
     """The article's model with a friction that falls with the speed, and a damper along the belt alone."""
-    text = (ROOT / "derive/models/stribeck.py").read_text(encoding="utf-8").replace("from ..model", "from spragsym.derive.model")
     damper = 'c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.001, becomes="zeta_x")\n'
-    text = text.replace("d = page.parameter(", f"{damper}d = page.parameter(")
-    return model_of(text.replace("page.friction(", "page.damper(c_x, along=x)\npage.friction("), "falling", folder)
+    more = (
+        ("\nd = page.parameter(", f"\n{damper}d = page.parameter("),
+        ("page.friction(", "page.damper(c_x, along=x)\npage.friction("),
+    )
+    return model_of(shipped_page("stribeck", *more), "falling")
 
 
 @pytest.mark.thorough
-def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses(tmp_path: Path) -> None:
+def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses() -> None:
     """The trace of A is 0 there, by hand. Each pair has a curve: of three states two have two, the one that diverges one."""
     pytest.importorskip("sympy")
-    p = falling(tmp_path).Parameters(theta0=0.8)
+    p = falling().Parameters(theta0=0.8)
     found = ss.onset_curves(p, ("V", "zeta_x"), 10, between={"V": (0.2, 2.0), "zeta_x": (0.0, 0.01)})
     assert found.complete
     assert found.remarks == ()

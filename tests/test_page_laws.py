@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -14,12 +15,10 @@ from scipy.integrate import solve_ivp
 
 pytest.importorskip("sympy")
 
-import spragsym as ss
-from spragsym.derive import export, folder, pages
-from tests.support import few, results_of_c, with_angles
+from spragsym.derive import export
+from tests.support import few, model_of, results_of_c, shipped_page, with_angles
 
-ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
-OFFERED = "from spragsym.derive.model import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
+OFFERED = "import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
 COMPILER = shutil.which("cc")
 
 
@@ -72,17 +71,12 @@ THETA0, KAPPA, ALPHA, SIGMA = 0.8, 0.007, 0.007, 0.1
 
 
 @pytest.fixture(scope="module", params=few(CASES, "powers", "log"))
-def model(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def model(request: pytest.FixtureRequest) -> Any:
     name = request.param
     case = CASES[name]
-    place = tmp_path_factory.mktemp(name)
-    text = ARTICLE.replace("from ..model import Abs, Page, cos, exp, pi, sgn, sin", OFFERED)
-    text = text.replace("from ..model import Abs, Page, cos, exp, sgn, sin", OFFERED)
-    text = text.replace("k_c * depth)", f"{case.contact})")
-    text = text.replace("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", case.friction)
-    (place / f"{name}_page.py").write_text(text, encoding="utf-8")
-    folder.write_page(place / f"{name}_page.py", place / "out")
-    return case, ss.load(place / "out"), place
+    laws = ("k_c * depth)", f"{case.contact})"), ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", case.friction)
+    text = shipped_page("kang_nam", ("import Abs, Page, cos, exp, sgn, sin", OFFERED), *laws)
+    return case, model_of(text, f"{name}_page")
 
 
 def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
@@ -96,7 +90,7 @@ def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
 
 
 def test_states_are_those_of_the_equations(model: Any) -> None:
-    case, it, _ = model
+    case, it = model
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
     found = it.equilibria(p)
     assert bool(found.complete)
@@ -112,7 +106,7 @@ def test_states_are_those_of_the_equations(model: Any) -> None:
 
 
 def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
-    case, it, _ = model
+    case, it = model
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
     taken = [float(value) for value in it.arguments(p)]
     x, y, mu = 0.13, -0.07, 0.4
@@ -136,7 +130,7 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
 @pytest.mark.thorough
 def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     """Over a box of parameters the laws are asked for in affine arithmetic."""
-    _, it, _ = model
+    _, it = model
     middle = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA, mu0=0.1)
     low, high = (middle.replace(sigma=SIGMA * (1 + side), d=10 * (1 + side), mu0=0.1 * (1 + side)) for side in (-0.02, 0.02))
     assert it.certify(low, high, "no jump", max_boxes=200).outcome == "proved"
@@ -150,7 +144,7 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     """The mass begins beyond the belt's speed, above the belt: both borders are crossed."""
     if backend == "heyoka":
         pytest.importorskip("heyoka")
-    case, it, _ = model
+    case, it = model
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
     start, t_end = (0.05, 0.01, 0.6, -0.05), 12.0
     found = it.simulate(p, start=start, t_end=t_end, rtol=1e-11, backend=backend)
@@ -167,15 +161,12 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
 
 @pytest.mark.thorough
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-def test_c_gives_the_numbers_of_python(model: Any) -> None:
-    _, it, place = model
-    (page,) = place.glob("*_page.py")
-    name = page.stem
-    out = place / "c"
-    out.mkdir()
-    for file, text in export.export(page, name, "c").items():
-        (out / file).parent.mkdir(parents=True, exist_ok=True)
-        (out / file).write_text(text, encoding="utf-8")
+def test_c_gives_the_numbers_of_python(model: Any, tmp_path: Path) -> None:
+    _, it = model
+    page = Path(it.where).with_suffix(".py")
+    for file, text in export.export(page, page.stem, "c").items():
+        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / file).write_text(text, encoding="utf-8")
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
     taken = [float(value) for value in it.arguments(p, "motion")]
     calls, want = [], []
@@ -184,5 +175,5 @@ def test_c_gives_the_numbers_of_python(model: Any) -> None:
         values = np.array(getattr(it.algebra, function)(*given), dtype=float).ravel()
         want.append(values)
         calls.append((function, with_angles(it, getattr(it.algebra, function), given), values.size))
-    got = results_of_c(out, name, calls)
+    got = results_of_c(tmp_path, page.stem, calls)
     np.testing.assert_allclose(got, np.concatenate(want), rtol=1e-12, atol=1e-15)

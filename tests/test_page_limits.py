@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,9 +17,10 @@ import numpy as np
 import spragsym as ss
 from spragsym.cli import COMMANDS
 from spragsym.cli.of_model import OfModel
-from spragsym.derive import folder, limits, pages, reserved
+from spragsym.derive import limits, pages, reserved
 from spragsym.derive.model import PageError
-from tests.support import few
+from tests.conftest import Run
+from tests.support import few, model_of, replaced
 
 ROOT = Path(__file__).parent.parent
 
@@ -51,18 +53,13 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0
 
 
 def written(tmp_path: Path, *changes: tuple[str, str]) -> Path:
-    text = PAGE
-    for before, after in changes:
-        assert text.count(before) == 1, before
-        text = text.replace(before, after)
     path = tmp_path / "mine.py"
-    path.write_text(text, encoding="utf-8")
+    path.write_text(replaced(PAGE, *changes), encoding="utf-8")
     return path
 
 
-def loaded(tmp_path: Path, *changes: tuple[str, str]) -> ss.models.Model:
-    folder.write_page(written(tmp_path, *changes), tmp_path / "mine")
-    return ss.load(tmp_path / "mine")
+def loaded(*changes: tuple[str, str]) -> Any:
+    return model_of(replaced(PAGE, *changes), "mine")
 
 
 def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: float) -> np.ndarray:
@@ -138,10 +135,10 @@ def test_what_can_be_done_instead_can_be_done(case: str, tmp_path: Path) -> None
     pages.read(written(tmp_path, INSTEAD[case]))
 
 
-def test_a_heavy_mass_forces_the_body(tmp_path: Path) -> None:
+def test_a_heavy_mass_forces_the_body() -> None:
     """Weakly tied to a heavy mass that swings, the body moves as a forced oscillator does: held against its closed form."""
     more = INSTEAD["a mass that swings"]
-    model = loaded(tmp_path, more, (CONTACT, "page.normal_force(F_L)"))
+    model = loaded(more, (CONTACT, "page.normal_force(F_L)"))
     p = model.Parameters(mu0=0.0, sigma=1e-3, zeta=0.3, kappa=1.0)
     tr = model.simulate(p, z0=1.0, t_end=40.0)
     t = tr.t
@@ -157,18 +154,16 @@ def test_a_heavy_mass_forces_the_body(tmp_path: Path) -> None:
 STATE = (0.1, -0.2, 0.3, 0.4)
 
 
-def test_a_damper_along_a_sum_of_coordinates(tmp_path: Path) -> None:
+def test_a_damper_along_a_sum_of_coordinates() -> None:
     """A viscous force −c n nᵀ v, by hand; the parameters of n are dimensionless there, as anywhere."""
-    model = loaded(tmp_path, (DAMPER, "page.damper(c, along=x*cos(psi) + 2*a*y*sin(psi))"))
+    model = loaded((DAMPER, "page.damper(c, along=x*cos(psi) + 2*a*y*sin(psi))"))
     without = accelerations(model, STATE, zeta=0.0)
     n = np.array([np.cos(0.4), 2 * 0.5 * np.sin(0.4)])
     np.testing.assert_allclose(accelerations(model, STATE, zeta=0.1) - without, -0.1 * n * (n @ STATE[2:]), rtol=1e-13)
 
 
-def test_a_spring_along_a_sum_of_coordinates(tmp_path: Path) -> None:
-    model = loaded(
-        tmp_path, (DAMPER, "page.spring(k, along=x + 3*psi*y, length=L_0*psi); page.damper(c, along=x)"), ("sin(psi) * a", "a")
-    )
+def test_a_spring_along_a_sum_of_coordinates() -> None:
+    model = loaded((DAMPER, "page.spring(k, along=x + 3*psi*y, length=L_0*psi); page.damper(c, along=x)"), ("sin(psi) * a", "a"))
     without = accelerations(model, STATE, sigma=0.0)
     n = np.array([1.0, 3 * 0.4])
     pulled = -0.1 * n * (n @ STATE[:2] - 0.4) - np.array([0.1 * STATE[0], 0.0])
@@ -181,9 +176,9 @@ def test_a_parameter_that_stands_beside_a_coordinate_only_is_used(statement: str
     pages.read(written(tmp_path, (DAMPER, f"page.damper(c, along=y); page.{statement}"), ("sin(psi) * a", "1")))
 
 
-def test_a_third_is_exact(tmp_path: Path) -> None:
+def test_a_third_is_exact() -> None:
     """A rod's inertia m l²/3, as it stands; its number is an enclosure where intervals are asked for."""
-    model = loaded(tmp_path, ("page.rate(x)**2 +", "page.rate(x)**2 / 3 +"))
+    model = loaded(("page.rate(x)**2 +", "page.rate(x)**2 / 3 +"))
     given = [float(value) for value in model.arguments(model.Parameters(), "motion")]
     assert model.algebra.mass_matrix(*STATE[:2], *given)[0][0] == pytest.approx(1 / 3, rel=1e-15)
     mp = pytest.importorskip("mpmath")
@@ -253,46 +248,31 @@ def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -
         pages.read(written(tmp_path, ('"a", "1"', f'"{name}", "1"')))
 
 
-def test_a_parameter_may_be_named_speed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_parameter_may_be_named_speed(run: Run) -> None:
     """Then the belt's speed V goes by its own letter."""
-    from spragsym.cli import main
-
-    folder.write_page(written(tmp_path, ('"a", "1"', '"speed", "1"')), tmp_path / "mine")
-    with pytest.raises(SystemExit) as ended:
-        main(["simulate", "--model", str(tmp_path / "mine"), "--speed", "0.25", "--V", "0.3", "--t-end", "1"])
-    assert ended.value.code == 0
-    assert "rms" in capsys.readouterr().out
+    model = loaded(('"a", "1"', '"speed", "1"'))
+    assert "rms" in run("simulate", "--model", model.where, "--speed", "0.25", "--V", "0.3", "--t-end", "1")
 
 
 @pytest.mark.parametrize("name", few(["w0", "w1", "v", "u", "x_2", "root0", "base0", "speed", "creep"], "v"))
-def test_no_name_of_a_parameter_changes_the_model(name: str, tmp_path: Path) -> None:
+def test_no_name_of_a_parameter_changes_the_model(name: str) -> None:
     """Generated code names its own shorthands around it."""
     law = ("1 - exp(-d * Abs(v))", "(1 + a**2 * exp(-a * d * Abs(v))) * (1 - exp(-d * Abs(v)))")
     positive = ('"share", "real"', '"share", "> 0"')
-    mine, plain = tmp_path / "one", tmp_path / "two"
-    for place in (mine, plain):
-        place.mkdir()
-    found = [
-        accelerations(loaded(place, law, positive, *more), STATE)
-        for place, more in ((mine, (('"a", "1"', f'"{name}", "1"'),)), (plain, ()))
-    ]
-    np.testing.assert_array_equal(*found)
+    mine, plain = loaded(law, positive, ('"a", "1"', f'"{name}", "1"')), loaded(law, positive)
+    np.testing.assert_array_equal(accelerations(mine, STATE), accelerations(plain, STATE))
 
 
 # ------------------------------------------------------------------------------------------------ what varies, and what is drawn
 
 
-def without_mu0(tmp_path: Path) -> ss.models.Model:
+def without_mu0() -> Any:
     """A page of an angle, whose parameters have names of their own."""
-    text = PAGE.replace("mu0", "mu_s").replace('coordinate("x"', 'coordinate("u"')
-    path = tmp_path / "mine.py"
-    path.write_text(text, encoding="utf-8")
-    folder.write_page(path, tmp_path / "mine")
-    return ss.load(tmp_path / "mine")
+    return model_of(PAGE.replace("mu0", "mu_s").replace('coordinate("x"', 'coordinate("u"'), "mine")
 
 
-def test_what_varies_by_itself_is_a_parameter_of_the_model(tmp_path: Path) -> None:
-    model = without_mu0(tmp_path)
+def test_what_varies_by_itself_is_a_parameter_of_the_model() -> None:
+    model = without_mu0()
     assert model.axes == ("mu_s",)
     assert model.folds(model.Parameters()).vary == ("mu_s",)
     assert model.flutter_onsets(model.Parameters(), damping=False).vary == ("mu_s",)
@@ -303,27 +283,21 @@ def test_what_varies_by_itself_is_a_parameter_of_the_model(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("name", ["two_springs", "mode_coupling"])
-def test_along_what_varies_already_is_refused_at_once(name: str, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
+def test_along_what_varies_already_is_refused_at_once(name: str, run: Run, monkeypatch) -> None:
     """Before anything is searched."""
-    from spragsym.cli import main
     from spragsym.models.model import Model
 
     asked = []
     for search in ("folds", "flutter_onsets", "cusps"):
         monkeypatch.setattr(Model, search, lambda model, p, vary, between: asked.append(vary) or 1 / 0)
-    with pytest.raises(SystemExit) as ended:
-        main(["bifurcation", "--model", name, "--vary", "mu0", "--vary", "mu0"])
-    assert ended.value.code == 2
-    assert "two different ones" in capsys.readouterr().err
-    with pytest.raises(SystemExit) as ended:
-        main(["bifurcation", "--model", name, "--vary", "mu0", "--vary", "nothing"])
-    assert ended.value.code == 2
+    assert "two different ones" in run("bifurcation", "--model", name, "--vary", "mu0", "--vary", "mu0", code=2)
+    run("bifurcation", "--model", name, "--vary", "mu0", "--vary", "nothing", code=2)
     assert not asked
 
 
-def test_a_motion_without_x_is_drawn(tmp_path: Path) -> None:
+def test_a_motion_without_x_is_drawn() -> None:
     figures = pytest.importorskip("spragsym.figures")
-    model = without_mu0(tmp_path)
+    model = without_mu0()
     tr = model.simulate(model.Parameters(), t_end=5.0)
     line = figures.draw_motion(tr)
     assert line.axes.get_ylabel() == "$u$ / $L_0$"
@@ -333,11 +307,10 @@ def test_a_motion_without_x_is_drawn(tmp_path: Path) -> None:
         figures.draw_motion(tr, "x")
 
 
-def test_a_mass_that_nothing_presses_is_on_the_border(tmp_path: Path) -> None:
+def test_a_mass_that_nothing_presses_is_on_the_border() -> None:
     """Its contact law ends where it rests: what can't be decided there is a box, and no error."""
     law = ("k_c * depth)", "k_c * depth / (1 + depth / L_0))")
     model = loaded(
-        tmp_path,
         law,
         ("page.force(0, -F_L * (1 + sin(psi) * a), at=(x, y))", "page.force(-F_L * (1 + sin(psi) * a), 0, at=(x, y))"),
     )
@@ -348,9 +321,9 @@ def test_a_mass_that_nothing_presses_is_on_the_border(tmp_path: Path) -> None:
     assert eq.remarks
 
 
-def test_a_search_along_a_line_of_states_ends(tmp_path: Path) -> None:
+def test_a_search_along_a_line_of_states_ends() -> None:
     """Without spring and friction the mass rests wherever it is along the belt: one box, and why; it once took minutes."""
-    model = loaded(tmp_path)
+    model = loaded()
     eq = model.equilibria(model.Parameters(sigma=0.0, a=0.0, mu0=0.0))
     assert not eq.complete
     assert len(eq.undecided) == 1
@@ -358,12 +331,9 @@ def test_a_search_along_a_line_of_states_ends(tmp_path: Path) -> None:
 
 
 @pytest.mark.thorough
-def test_a_coordinate_may_be_called_s(tmp_path: Path) -> None:
+def test_a_coordinate_may_be_called_s() -> None:
     """Its acceleration would be the word `as` of Python, and sums along a motion were once called s as well."""
-    changes = [('x = page.coordinate("x"', 'x = page.coordinate("s"')]
-    model, other = loaded(tmp_path, *changes), tmp_path / "other"
-    other.mkdir()
-    want = loaded(other)
+    model, want = loaded(('x = page.coordinate("x"', 'x = page.coordinate("s"')), loaded()
     p, q = model.Parameters(), want.Parameters()
     backend = "heyoka" if importlib.util.find_spec("heyoka") else None
     one, two = model.simulate(p, t_end=30.0, backend=backend), want.simulate(q, t_end=30.0, backend=backend)

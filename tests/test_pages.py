@@ -10,6 +10,7 @@ import shutil
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -28,6 +29,7 @@ from spragsym.derive.emit.targets.python.algebra import AlgebraPrinter
 from spragsym.derive.kang_nam import mechanics, page_equivalence, variant_models
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.model import PageError
+from tests.support import model_of, replaced, shipped_page
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
 NAMES = [path.stem for path in pages.shipped()]
@@ -36,11 +38,8 @@ NAMES = [path.stem for path in pages.shipped()]
 def changed(tmp_path: Path, *changes: tuple[str, str]) -> Path:
     """The article's page with pieces of text replaced, as a user's file."""
     text = ARTICLE.replace("from ..model import", "import sympy as sp; from spragsym.derive.model import")
-    for before, after in changes:
-        assert text.count(before) == 1, before
-        text = text.replace(before, after)
     path = tmp_path / "mine.py"
-    path.write_text(text, encoding="utf-8")
+    path.write_text(replaced(text, *changes), encoding="utf-8")
     return path
 
 
@@ -218,25 +217,24 @@ def test_a_coordinate_hides_nothing_of_the_results() -> None:
     assert asked(ss.Points) | asked(ss.Onsets) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
 
 
-def with_contact(tmp_path: Path, law: str) -> ss.Model:
+def with_contact(law: str) -> Any:
     """The article's model with another law of the contact."""
-    folder.write_page(changed(tmp_path, (LAW, f"lambda depth: {law}")), tmp_path / "mine")
-    return ss.load(tmp_path / "mine")
+    return model_of(shipped_page("kang_nam", (LAW, f"lambda depth: {law}")), "mine")
 
 
 @pytest.mark.thorough
-def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
+def test_decimal_powers_are_those_that_are_meant() -> None:
     """A power 2.5 is 5/2, and the law of a penetration is its slope's integral: in floats by hand."""
-    model = with_contact(tmp_path, "k_c * L_0 * (depth / L_0) ** 2.5")
+    model = with_contact("k_c * L_0 * (depth / L_0) ** 2.5")
     taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0, sigma=1e-9, kappa=1e-9, beta=0.0), "motion")]
     _, pushed = model.algebra.rhs(0.0, -0.09, 0.0, 0.0, *taken)
     assert pushed == pytest.approx(0.3**5, rel=1e-6)
 
 
 @pytest.mark.thorough
-def test_the_energy_of_a_saturating_contact_has_a_logarithm(tmp_path: Path) -> None:
+def test_the_energy_of_a_saturating_contact_has_a_logarithm() -> None:
     """δ/(1 + δ) has the energy δ − log(1 + δ)."""
-    model = with_contact(tmp_path, "k_c * depth / (1 + depth / L_0)")
+    model = with_contact("k_c * depth / (1 + depth / L_0)")
     taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0), "motion")]
     inside, outside = (model.algebra.energy(0.0, -0.3, 0.0, 0.0, *taken, pushing) for pushing in (1, 0))
     assert inside - outside == pytest.approx(0.3 - math.log(1.3), rel=1e-12)

@@ -40,7 +40,7 @@ def assert_same(one: Sweep, other: Sweep) -> None:
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 
-@pytest.mark.parametrize("backend", ["scipy", None])
+@pytest.mark.parametrize("backend", [None, pytest.param("scipy", marks=pytest.mark.thorough)])
 def test_a_sweep_is_a_map_of_simulate(backend: str | None) -> None:
     p = P.replace(theta0=P.theta0[::2])
     found = rms_sweep(p, **SHORT, rtol=1e-13, backend=backend)
@@ -168,8 +168,15 @@ def interrupted(path: Path, points: int) -> Path:
     return partial
 
 
-@pytest.mark.parametrize("ending", ["nc", "csv"])
-@pytest.mark.parametrize("cut", [0, 1, 7])
+@pytest.mark.parametrize(
+    ("cut", "ending"),
+    [
+        (0, "csv"),
+        (1, "nc"),
+        (7, "csv"),
+        *(pytest.param(*one, marks=pytest.mark.thorough) for one in ((0, "nc"), (1, "csv"), (7, "nc"))),
+    ],
+)
 def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int) -> None:
     whole, path = tmp_path / f"whole.{ending}", tmp_path / f"rms.{ending}"
     expected = rms_sweep(P, **SHORT, store=whole)

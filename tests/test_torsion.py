@@ -25,7 +25,7 @@ from spragsym.exact.jets import Jet, argument, turned
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.mechanics.precise_balance import ball
-from tests.conftest import Once
+from tests.support import model_of
 from tests.test_documents import ROOT
 
 pytest.importorskip("sympy")
@@ -37,15 +37,8 @@ VALUES = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "tau": 0.03,
 
 
 @pytest.fixture(scope="module")
-def model(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
-    from spragsym.derive import folder
-
-    def derived() -> str:
-        out = tmp_path_factory.mktemp("torsion") / "soft_brake"
-        folder.write_page(PAGE, out)
-        return str(out)
-
-    return ss.load(once("soft_brake", derived))
+def model() -> Any:
+    return model_of(PAGE.read_text(encoding="utf-8"), "soft_brake")
 
 
 def turning(x: Any, y: Any, theta0: Any, xp: Any = mpmath) -> Any:

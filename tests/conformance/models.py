@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 import os
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from filelock import FileLock
-
 import spragsym as ss
 from spragsym.models.load import shipped
 from spragsym.models.parameters import options_of
+from tests.support import derived
 
 TESTS = Path(__file__).resolve().parent.parent
 #: Pages of the tests: a torsion spring on a belt that hardens, and a belt that leans, without angles.
@@ -22,23 +20,13 @@ PAGES = (TESTS / "soft_brake.py", TESTS / "pressed.py")
 ASKED = "SPRAGSYM_CONFORMANCE"
 
 
-def derived(page: Path) -> Path:
-    """The folder of a page: derived once, and again after a change of the page or of the derivation."""
-    from spragsym.derive.emit import write
-    from spragsym.derive.folder import write_page
-
-    kept = TESTS.parent / ".pytest_cache" / "pages"
-    kept.mkdir(parents=True, exist_ok=True)
-    folder = kept / f"{hashlib.sha256(page.read_bytes()).hexdigest()[:16]}_{write.source_hash()[:16]}" / page.stem
-    with FileLock(kept / "lock"):
-        if not folder.is_dir():
-            write_page(page, folder)
-    return folder
-
-
 def folder_of(asked: str) -> Path:
     """The folder of a model, derived if it is a page that is asked for."""
-    return derived(Path(asked)) if asked.endswith(".py") else Path(asked)
+    return _derived(Path(asked)) if asked.endswith(".py") else Path(asked)
+
+
+def _derived(page: Path) -> Path:
+    return derived(page.read_text(encoding="utf-8"), page.stem)
 
 
 def _places() -> dict[str, str]:
@@ -46,7 +34,7 @@ def _places() -> dict[str, str]:
     if ASKED in os.environ:
         folders = [folder_of(asked) for asked in os.environ[ASKED].split(os.pathsep)]
         return {ss.load(folder).name: str(folder) for folder in folders}
-    written = [derived(page) for page in PAGES] if find_spec("sympy") else []
+    written = [_derived(page) for page in PAGES] if find_spec("sympy") else []
     return {name: name for name in shipped()} | {folder.name: str(folder) for folder in written}
 
 

@@ -16,16 +16,8 @@ from spragsym.files import storage
 from spragsym.models.parameters import options_of
 from tests.conformance import models
 from tests.conformance.models import MODELS, MOVING, load, moved
+from tests.conftest import Run
 from tests.support import few
-
-
-def run(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> str:
-    """What a command prints on stdout; on stderr, if it fails."""
-    with pytest.raises(SystemExit) as stop:
-        main(list(words))
-    told = capsys.readouterr()
-    assert stop.value.code == code, told.err
-    return told.err if code else told.out
 
 
 def of(name: str, *more: str) -> list[str]:
@@ -38,9 +30,9 @@ def a_set(name: str) -> Any:
     return models.a_set(name, 20.0)
 
 
-@pytest.mark.parametrize("name", MODELS)
-def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    told = json.loads(run(capsys, "equilibria", *of(name), "--json"))
+@pytest.mark.parametrize("name", few(MODELS, *(set(MODELS) - {"pad_on_disc", "soft_brake"})))
+def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
+    told = json.loads(run("equilibria", *of(name), "--json"))
     assert list(told) == ["model", "parameters", "equilibria", "complete", "undecided", "remarks"]
     p, model = a_set(name), load(name)
     assert [key.removesuffix("_deg") for key in told["parameters"]] == list(model.parameters)
@@ -64,33 +56,31 @@ def _states(p: Any) -> list[tuple[str, Any]]:
 
 
 @pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "kang_nam", "pressed"))
-def test_equilibria_of_every_model_along_a_range(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_equilibria_of_every_model_along_a_range(name: str, run: Run) -> None:
     """By --vary, and by a list in the option itself: the same table."""
     vary, base = moved(name, "mu0")
     span = f"{base!r}:{1.25 * base!r}:2"
-    ranged = run(capsys, "equilibria", *of(name), "--vary", f"{vary}={span}")
-    assert ranged == run(capsys, "equilibria", *of(name, options_of(load(name).about, vary)[0], span))
+    ranged = run("equilibria", *of(name), "--vary", f"{vary}={span}")
+    assert ranged == run("equilibria", *of(name, options_of(load(name).about, vary)[0], span))
     assert ranged.split()[0] == vary
-    points = json.loads(run(capsys, "equilibria", *of(name), "--vary", f"{vary}={span}", "--json"))["points"]
+    points = json.loads(run("equilibria", *of(name), "--vary", f"{vary}={span}", "--json"))["points"]
     assert [point["parameters"][vary] for point in points] == [base, 1.25 * base]
 
 
-def test_several_ranges_are_all_combinations(capsys: pytest.CaptureFixture[str]) -> None:
-    told = json.loads(
-        run(capsys, "equilibria", "--theta0", "30,40", "--mu0", "0.1:0.5:3", "--vary", "kappa=0.005:0.007:2", "--json")
-    )
+def test_several_ranges_are_all_combinations(run: Run) -> None:
+    told = json.loads(run("equilibria", "--theta0", "30,40", "--mu0", "0.1:0.5:3", "--vary", "kappa=0.005:0.007:2", "--json"))
     given = [[point["parameters"][key] for key in ("theta0_deg", "mu0", "kappa")] for point in told["points"]]
     known = [[angle, mu0, kappa] for angle in (30, 40) for mu0 in (0.1, 0.3, 0.5) for kappa in (0.005, 0.007)]
     assert np.allclose(given, known, rtol=1e-15)
 
 
-def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
     """With k_3 = 0 cubic_contact is the article's model: the same answers in the file's units, by the model's own law."""
-    text = run(capsys, "report", "--example")
+    text = run("report", "--example")
     one, two = tmp_path / "one.toml", tmp_path / "two.toml"
     one.write_text(text, encoding="utf-8")
     two.write_text(text.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n', encoding="utf-8")
-    told = [json.loads(run(capsys, "equilibria", "--data", str(file), "--json")) for file in (one, two)]
+    told = [json.loads(run("equilibria", "--data", str(file), "--json")) for file in (one, two)]
     assert [each["model"] for each in told] == ["kang_nam", "cubic_contact"]
     for row, other in zip(*(each["equilibria"] for each in told), strict=True):
         assert list(row) == list(other)
@@ -102,19 +92,18 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, capsys: pytest.Captu
     growth = ss.equilibria(at_work).growth
     assert told[0]["equilibria"][0]["growth_per_s"] == pytest.approx(float(growth[0]) / study.scales.time, rel=1e-9)
     assert growth[0] != ss.equilibria(at_work.replace(V=0.5, d=10.0)).growth[0]
-    said = run(capsys, "equilibria", "--data", str(two), "--model", "damped", code=2)
+    said = run("equilibria", "--data", str(two), "--model", "damped", code=2)
     assert "--data is about cubic_contact" in said
 
 
-def test_a_second_witness_is_an_option(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_second_witness_is_an_option(run: Run) -> None:
     closed, search = (
-        json.loads(run(capsys, "equilibria", "--theta0", "30", "--method", way, "--json"))["equilibria"]
-        for way in ("closed", "search")
+        json.loads(run("equilibria", "--theta0", "30", "--method", way, "--json"))["equilibria"] for way in ("closed", "search")
     )
     assert list(closed[0]) == list(search[0])
     assert np.allclose([row["x"] for row in closed], [row["x"] for row in search], atol=1e-12)
     assert "damped answers equilibria with these arguments by no closed form" in run(
-        capsys, "equilibria", *of("damped"), "--method", "closed", code=2
+        "equilibria", *of("damped"), "--method", "closed", code=2
     )
 
 
@@ -122,8 +111,8 @@ def test_a_second_witness_is_an_option(capsys: pytest.CaptureFixture[str]) -> No
 
 
 @pytest.mark.parametrize("name", few(MODELS, "pressed", "kang_nam"))
-def test_folds_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    told = json.loads(run(capsys, "folds", *of(name), "--json"))
+def test_folds_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
+    told = json.loads(run("folds", *of(name), "--json"))
     assert list(told) == ["model", "vary", "points", "complete", "searched", "undecided", "remarks"]
     model, p = load(name), a_set(name)
     found = model.folds(p, model.axes[-1])
@@ -134,7 +123,7 @@ def test_folds_have_the_same_keys_and_are_those_of_python(name: str, capsys: pyt
     after = [_title(model, column, "_after") for column in found.columns]
     for row in told["points"]:
         assert list(row) == [told["vary"], "kind", *places, "ends", "when", *after, "error"]
-    assert run(capsys, "folds", *of(name))
+    assert run("folds", *of(name))
 
 
 def _title(model: ss.Model, column: str, end: str = "") -> str:
@@ -147,13 +136,13 @@ def _degrees(model: ss.Model, name: str, values: Any) -> list[float]:
 
 
 @pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "kang_nam"))
-def test_onsets_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    told = json.loads(run(capsys, "bifurcation", *of(name), "--vary", load(name).axes[0], "--json"))
+def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
+    told = json.loads(run("bifurcation", *of(name), "--vary", load(name).axes[0], "--json"))
     assert list(told) == ["model", "parameters", "folds", "onsets"]
     for row in told["onsets"]["points"]:
         keys = ["omega", "criticality", "when", "lyapunov", "lyapunov_error", "crossing", "why", "error"]
         assert list(row)[-len(keys) :] == keys
-    shown = run(capsys, "bifurcation", *of(name), "--vary", load(name).axes[0], "--undamped")
+    shown = run("bifurcation", *of(name), "--vary", load(name).axes[0], "--undamped")
     assert "Onsets" in shown
 
 
@@ -169,8 +158,8 @@ def test_a_model_without_a_plane_of_its_own_says_how_cusps_are_asked_for(capsys:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
-def test_cusps_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    told = json.loads(run(capsys, "bifurcation", *of(name), "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json"))
+def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
+    told = json.loads(run("bifurcation", *of(name), "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json"))
     assert list(told) == ["model", "parameters", "folds", "onsets", "cusps"]
     model = load(name)
     for row in told["cusps"]["points"]:
@@ -185,11 +174,11 @@ CRITICAL = [name for name in MODELS if name != "soft_brake"]
 
 
 @pytest.mark.parametrize("name", few(CRITICAL, "kang_nam", "stick_slip"))
-def test_critical_values_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_critical_values_have_the_same_keys(name: str, run: Run) -> None:
     model = load(name)
     vary = model.axes[-1]
     ends = "=20:60" if vary in model.about["angles"] else "=0.05:0.9"
-    told = json.loads(run(capsys, "critical", *of(name), "--vary", f"{vary}{ends}", "--json"))
+    told = json.loads(run("critical", *of(name), "--vary", f"{vary}{ends}", "--json"))
     frictions = ["mu0_jump", "mu0_lowest", "theta0_lowest_deg", "kind_lowest", "mu0_cusp", "mu_cr"]
     assert list(told) == ["model", "vary", "jumps", "jumped", *frictions, "remarks"]
     (jump,) = told["jumps"]
@@ -201,11 +190,11 @@ def test_critical_values_have_the_same_keys(name: str, capsys: pytest.CaptureFix
 
 
 @pytest.mark.parametrize("name", few(MODELS, "stick_slip", "mode_coupling", "kang_nam"))
-def test_paths_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     model = load(name)
     vary, base = moved(name, "mu0", "V")
     span = f"{vary}={0.2 * base!r}:{1.2 * base!r}:3"
-    told = json.loads(run(capsys, "path", *of(name), "--vary", span, "--json"))
+    told = json.loads(run("path", *of(name), "--vary", span, "--json"))
     found = model.quasi_static_path(a_set(name), vary, np.linspace(0.2 * base, 1.2 * base, 3))
     assert list(told) == ["model", "vary", "states", "jumps"]
     places = [_title(model, column) for column in found.columns]
@@ -216,19 +205,19 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, capsys: pyt
         unit = math.degrees(1.0) if place.endswith("_deg") else 1.0
         assert [row[place] for row in told["states"]] == pytest.approx(unit * found.places[column], rel=1e-12)
     assert len(told["jumps"]) == len(found.jumps)
-    assert "States" in run(capsys, "path", *of(name), "--vary", span)
+    assert "States" in run("path", *of(name), "--vary", span)
 
 
 # -------------------------------------------------------------------------------------------------------- motions
 
 
 @pytest.mark.parametrize("name", MOVING)
-def test_motions_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_motions_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     model = load(name)
     first, *_ = model.coordinates
     angle = {entry["name"]: entry["unit"] for entry in model.about["coordinates"]}[first] == "rad"
     words = ["--t-end", "30", "--backend", "scipy", "--rtol", "1e-8", f"--{first}0", "2" if angle else "0.05"]
-    told = json.loads(run(capsys, "simulate", *of(name), *words, "--json"))
+    told = json.loads(run("simulate", *of(name), *words, "--json"))
     size = ["rms", "rms_about_mean", "mean", "largest"]
     events = [kind.name.lower() for kind in ss.Event]
     assert list(told) == ["model", *(key + "_deg" * angle for key in size), "period", "converged", *events, "backend"]
@@ -238,12 +227,12 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, capsys: p
     assert told["rms" + "_deg" * angle] == pytest.approx(unit * tr.rms(22.5), rel=1e-9)
 
 
-@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
-def test_every_model_is_swept(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam"))
+def test_every_model_is_swept(name: str, tmp_path: Path, run: Run) -> None:
     file, first = str(tmp_path / "a.csv"), load(name).about["coordinates"][0]
     vary, base = moved(name, "V")
     ranges = [f"{options_of(load(name).about, vary)[0]}={0.8 * base!r},{base!r}", f"--{first['name']}0=0,1,2"]
-    told = run(capsys, "sweep", *of(name), *ranges, "--t-end", "20", "--backend", "scipy", "-q", "-o", file)
+    told = run("sweep", *of(name), *ranges, "--t-end", "20", "--backend", "scipy", "-q", "-o", file)
     assert told.startswith(file)
     found = np.genfromtxt(file, delimiter=",", names=True, comments="#", dtype=None, encoding="utf-8")
     assert sorted(set(found[vary].tolist())) == [0.8 * base, base]
@@ -254,24 +243,22 @@ def test_every_model_is_swept(name: str, tmp_path: Path, capsys: pytest.CaptureF
 
 
 @pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
-def test_cycles_of_every_model_are_asked_for_alike(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_cycles_of_every_model_are_asked_for_alike(name: str, run: Run) -> None:
     """Where a motion comes to rest, or to no cycle, it is one error; a bad state names what is wrong for all."""
-    said = run(capsys, "cycles", *of(name), "--near", "1", code=2)
+    said = run("cycles", *of(name), "--near", "1", code=2)
     assert ", ".join((*load(name).coordinates, *load(name).rates)) in said
     vary, _ = moved(name, "V")
-    assert f"Give it as {vary}=FROM:TO" in run(capsys, "cycles", *of(name), "--vary", vary, code=2)
+    assert f"Give it as {vary}=FROM:TO" in run("cycles", *of(name), "--vary", vary, code=2)
 
 
-@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
-def test_maps_of_fates_of_every_model_say_what_python_says_of_one_motion(
-    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+@pytest.mark.parametrize("name", few(MOVING, "stick_slip"))
+def test_maps_of_fates_of_every_model_say_what_python_says_of_one_motion(name: str, tmp_path: Path, run: Run) -> None:
     out, picture = tmp_path / "map.csv", tmp_path / "map.svg"
     spans = {}
     for axis in (moved(name, "V"), moved(name, *(one for one in load(name).base if one != "V"))):
         spans |= {axis[0]: f"{axis[1]!r},{1.1 * axis[1]!r}"}
     axes = [f"{options_of(load(name).about, axis)[0]}={span}" for axis, span in spans.items()]
-    run(capsys, "fates", *of(name), *axes, "--t-end", "300", "-q", "-o", str(out), "--plot", str(picture))
+    run("fates", *of(name), *axes, "--t-end", "300", "-q", "-o", str(out), "--plot", str(picture))
     columns, _ = storage.read(out)
     p = a_set(name)
     for row in range(4):

@@ -20,6 +20,7 @@ from spragsym import door
 from spragsym.parameters import NAMES
 from spragsym.studies import redesigns
 from tests.conformance.models import MODELS, a_set, load
+from tests.support import derived, shipped_page
 
 #: Questions that only closed forms answer so far.
 UNANSWERED = (
@@ -207,19 +208,12 @@ def test_friction_is_that_of_the_law_and_needs_no_angle() -> None:
 def test_the_friction_that_works_is_the_models_own_law(tmp_path: Path) -> None:
     """μ₀ tanh(d V), where the article's law would give μ₀ (1 − exp(−d V))."""
     pytest.importorskip("sympy")
-    from spragsym.derive import folder, pages
-
-    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
-    text = text.replace(
-        "from ..model import Abs, Page, cos, exp, sgn, sin", "from spragsym.derive.model import Page, cos, sin, tanh"
-    )
-    text = text.replace("mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "mu0 * tanh(d * v)")
-    page = tmp_path / "page.py"
-    page.write_text(text, encoding="utf-8")
-    folder.write_page(page, tmp_path / "model")
+    offered = ("import Abs, Page, cos, exp, sgn, sin", "import Page, cos, sin, tanh")
+    text = shipped_page("kang_nam", offered, ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "mu0 * tanh(d * v)"))
     brake = tmp_path / "brake.toml"
     rows = {
-        "model": f'"{tmp_path / "model"}"', "m": '"1 kg"', "k_c": '"1 N/m"', "L_0": '"1 m"', "theta0": '"40 deg"', "mu0": '"0.5"',
+        "model": f'"{derived(text, "model")}"',
+        "m": '"1 kg"', "k_c": '"1 N/m"', "L_0": '"1 m"', "theta0": '"40 deg"', "mu0": '"0.5"',
         "F_L": '"0.007 N"', "k_x": '"0.007 N/m"', "k": '"0.1 N/m"', "k_y": '"0 N/m"', "V": '"0.05 m/s"', "d": '"10 s/m"',
     }  # fmt: skip
     brake.write_text("\n".join(["[brake]", *(f"{name} = {value}" for name, value in rows.items())]), encoding="utf-8")

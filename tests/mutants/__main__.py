@@ -49,7 +49,8 @@ def main() -> int:
 
 def _inside(name: str, jobs: int, only: set[str], quick: bool) -> int:
     subject = SUBJECTS[name]
-    listed = set(_listed(name))
+    reasons = tomllib.loads((HERE / "equivalent.toml").read_text(encoding="utf-8")).get(name, {})
+    listed = {key for keys in reasons.values() for key in keys}
     if "in_c" in subject:
         from . import c99
 
@@ -62,12 +63,6 @@ def _inside(name: str, jobs: int, only: set[str], quick: bool) -> int:
     options = ["-qq", "-s", "-p", "no:cacheprovider", "-p", "no:xdist"]
     code = int(pytest.main([*options, *subject["tests"]], plugins=[runner]))
     return code or min(runner.unexplained, 1)
-
-
-def _listed(name: str) -> dict[str, str]:
-    """The mutants of a subject that change no answer, with the reason."""
-    groups = tomllib.loads((HERE / "equivalent.toml").read_text(encoding="utf-8")).get(name, [])
-    return {key: group["reason"] for group in groups for key in group["mutants"]}
 
 
 if __name__ == "__main__":

@@ -14,11 +14,11 @@ import pytest
 
 import spragsym as ss
 from spragsym.studies.jump_verdicts import ending
-from tests.conformance.models import TESTS, derived
-from tests.support import written_brake
+from tests.support import derived, shipped_page, written_brake
 
 pytest.importorskip("sympy")
 
+PAGE = Path(__file__).with_name("snapping_truss.py").read_text(encoding="utf-8")
 TRUSS = {"m": "0.35 kg", "k": "1500 N/mm", "b": "38 mm", "h": "11.4 mm", "P": "200 N", "c": "70 N s/m"}
 BRAKE = {
     "m": "0.35 kg", "k": "180 N/mm", "k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm", "F_L": "420 N ± 10 %", "L_0": "38 mm",
@@ -35,7 +35,7 @@ def snaps(k: float, b: float, h: float) -> float:
 
 
 def truss(folder: Path, **changes: str) -> ss.Study:
-    model = derived(TESTS / "snapping_truss.py").as_posix()
+    model = derived(PAGE, "snapping_truss").as_posix()
     return ss.Study.from_file(written_brake(folder, {"model": model, **TRUSS, "vary": "P", **changes}))
 
 
@@ -44,12 +44,11 @@ LOAD = snaps(1.5e6, 0.038, 0.0114)
 
 def weighted(folder: Path, **changes: str) -> ss.Study:
     """The same under a weight of 400 N too: it snaps at a load that is negative, which holds it up."""
-    text = (TESTS / "snapping_truss.py").read_text(encoding="utf-8").replace('">= 0", 0.004', '"real", 0.0')
+    text = PAGE.replace('">= 0", 0.004', '"real", 0.0')
     weight = 'page.parameter("G", "N", "weight", ">= 0", 0.007, becomes="gam")'
-    page = folder / "weighted_truss.py"
-    page.write_text(f"{text}page.force({weight}, along=w)\n", encoding="utf-8")
+    model = derived(f"{text}page.force({weight}, along=w)\n", "weighted_truss").as_posix()
     rows = {**TRUSS, "P": "-200 N ± 10 %", "G": "400 N", "vary": "P", "begin": "-500 N"}
-    return ss.Study.from_file(written_brake(folder, {"model": derived(page).as_posix(), **rows, **changes}))
+    return ss.Study.from_file(written_brake(folder, {"model": model, **rows, **changes}))
 
 
 @pytest.mark.thorough
@@ -142,10 +141,10 @@ def test_what_can_t_rise_is_said_with_its_line(rows: dict[str, str], named: tupl
 
 def test_in_python_it_is_an_argument() -> None:
     values = dict(m=0.35, k=1.5e6, b=0.038, h=0.0114, P=200.0, c=70.0)
-    study = ss.Study(values, model=str(derived(TESTS / "snapping_truss.py")), vary="P", begin=100.0)
+    study = ss.Study(values, model=str(derived(PAGE, "snapping_truss")), vary="P", begin=100.0)
     assert study.report(**QUICKLY).jump_at == pytest.approx(LOAD, rel=1e-10)
     with pytest.raises(ss.errors.ParameterError, match="P = 200"):
-        ss.Study(values, model=str(derived(TESTS / "snapping_truss.py")), vary="P", begin=300.0)
+        ss.Study(values, model=str(derived(PAGE, "snapping_truss")), vary="P", begin=300.0)
 
 
 @pytest.mark.thorough
@@ -212,7 +211,7 @@ def test_brakes_below_where_it_begins_have_not_jumped(tmp_path: Path) -> None:
 
 def test_where_it_begins_is_compared_with_the_values_of_the_study() -> None:
     """A value that its tolerance does not hold is the middle of that."""
-    values, model = dict(m=0.35, k=1.5e6, b=0.038, h=0.0114, P=200.0, c=70.0), str(derived(TESTS / "snapping_truss.py"))
+    values, model = dict(m=0.35, k=1.5e6, b=0.038, h=0.0114, P=200.0, c=70.0), str(derived(PAGE, "snapping_truss"))
     with pytest.raises(ss.errors.ParameterError, match="begin = 100 is above P = 15"):
         ss.Study(values, {"P": (10.0, 20.0)}, model=model, vary="P", begin=100.0)
     study = ss.Study(values, model=model, vary="P", begin=100.0)
@@ -237,3 +236,15 @@ def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Pa
     for one in found.redesign:
         values = {**study.values, **one.after}
         assert one.jump_at == pytest.approx(snaps(values["k"], values["b"], values["h"]), rel=1e-9)
+
+
+def test_a_friction_coefficient_by_another_name_counts_among_the_tolerances(tmp_path: Path) -> None:
+    """The nearest jump is that of it alone, where nothing else has a tolerance."""
+    model = derived(shipped_page("kang_nam").replace("mu0", "f"), "renamed").as_posix()
+    rows = {name: value.split(" ±")[0] for name, value in BRAKE.items() if name != "mu0"}
+    rows |= {"model": model, "vary": "f", "f": "[0.2, 0.6]"}
+    found = ss.Study.from_file(written_brake(tmp_path, rows)).report(probability=False, **QUICKLY)
+    study = ss.Study.from_file(written_brake(tmp_path, {**BRAKE, "F_L": "420 N"}))
+    jump = ss.jump_value(study.dimensionless)
+    assert found.jump_at == pytest.approx(jump, rel=1e-9)
+    assert found.distance == pytest.approx((jump - 0.4) / 0.2, rel=1e-6)

@@ -37,7 +37,7 @@ POINTS = 1 << 16
 
 @dataclass(frozen=True)
 class JumpProbability(Result):
-    """The probability that the state of small deformation jumps as the friction rises to μ₀.
+    """The probability that the state of small deformation jumps as the friction, or another parameter, rises to its value.
 
     Attributes
     ----------

@@ -116,6 +116,14 @@ def balanced(name: str) -> tuple[str, ...]:
 
 
 @cache
+def of_statics(name: str) -> tuple[str, ...]:
+    """The same, and those of the friction that works at rest: all on which the states of a model depend."""
+    law = about(name)["friction"] or {"quantities": (), "at_rest": ""}
+    friction = ("mu0",) if law["at_rest"] == "mu0" else law["quantities"]
+    return tuple(quantity for quantity in quantity_units(name) if quantity in (*balanced(name), *friction))
+
+
+@cache
 def of_the_law(name: str) -> tuple[str, ...]:
     """Quantities that a brake may be given without: those of the friction law alone, without which friction is μ₀, at full slip.
 

@@ -173,7 +173,7 @@ def bracket(study: Study, parts: int = _PARTS) -> tuple[float, float]:
     law's steepness only how much of μ₀ works is taken, from least to most.
     """
     rise = rises.of(study)
-    names = [name for name in varied(study) if name in (*brake_quantities.balanced(study.model), "mu0")]
+    names = [name for name in varied(study) if name in brake_quantities.of_statics(study.model)]
     if not names or len(names) > _MOST_SIDES or correlated(study) or not (rise.is_friction or _all_works(study)):
         return 0.0, 1.0
     low, high, units = box(study)

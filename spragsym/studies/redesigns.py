@@ -80,7 +80,7 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
 def distance(study: Study) -> float:
     """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
-    names = (*brake_quantities.balanced(study.model), "mu0")
+    names = brake_quantities.of_statics(study.model)
     scale = {name: size for name, size in study.tolerances.items() if name in names}
     if not scale:
         return math.nan

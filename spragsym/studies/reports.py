@@ -160,7 +160,7 @@ class _Asked:
         if study.rise is None:
             self.remarks.append(
                 f"the model has no mu0 that would rise until the state jumps; say which quantity does, as in vary = "
-                f'"{next(iter(rises.may_rise(study.model)), "F")}"'
+                f'"{rises.for_example(study.model)}"'
             )
             return None
         found = self.known(f"the jump along {study.rise.quantity} is", partial(rises.jump, study))

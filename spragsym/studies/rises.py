@@ -83,10 +83,15 @@ def check(rise: Rise, values: Mapping[str, float]) -> None:
 
 def may_rise(model: str) -> tuple[str, ...]:
     """Quantities on which the states of a model depend, without those that are the units of the others."""
-    about = brake_quantities.about(model)
-    law = about["friction"] or {"quantities": (), "at_rest": "mu0"}
-    depends = (*brake_quantities.balanced(model), *(("mu0",) if law["at_rest"] == "mu0" else law["quantities"]))
-    return tuple(entry["quantity"] for entry in about["parameters"] if entry["quantity"] in depends)
+    depends = brake_quantities.of_statics(model)
+    return tuple(entry["quantity"] for entry in brake_quantities.about(model)["parameters"] if entry["quantity"] in depends)
+
+
+def for_example(model: str) -> str:
+    """One of them: of the friction law, if it has any."""
+    may = may_rise(model)
+    law = brake_quantities.about(model)["friction"] or {"quantities": ()}
+    return next((name for name in (*law["quantities"], *may) if name in may), "F")
 
 
 def _scale(model: str, quantity: str, values: Mapping[str, float]) -> float:

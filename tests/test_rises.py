@@ -248,3 +248,31 @@ def test_a_friction_coefficient_by_another_name_counts_among_the_tolerances(tmp_
     jump = ss.jump_value(study.dimensionless)
     assert found.jump_at == pytest.approx(jump, rel=1e-9)
     assert found.distance == pytest.approx((jump - 0.4) / 0.2, rel=1e-6)
+
+
+#: Its states are found once for every turn, since k_t might tell turns apart.
+ROD = '''"""A rod under a load, with a side spring and one that turns."""
+from spragsym.derive.model import Page, cos, sin
+
+page = Page("A rod under a load.")
+m = page.unit("m", "kg", "mass at the tip")
+k = page.unit("k", "N/m", "side spring")
+l = page.unit("l", "m", "length")
+P = page.parameter("P", "N", "load", ">= 0", 0.5, becomes="pi_load")
+e = page.parameter("e", "m", "offset of the side spring", "real", 0.01, becomes="eps")
+k_t = page.parameter("k_t", "N m", "spring that turns", ">= 0", 0.0)
+phi = page.coordinate("phi", "rad", "angle from upright")
+page.kinetic(m * l**2 * page.rate(phi) ** 2 / 2)
+page.potential(k * (l * sin(phi) - e) ** 2 / 2 + P * l * cos(phi) + k_t * phi**2 / 2)
+'''
+
+
+def test_folds_of_which_little_is_known_are_told_so(tmp_path: Path) -> None:
+    """Nothing is said of a contact that the page does not have, nor of an undecided state."""
+    rows = {"m": "1 kg", "k": "1000 N/m", "l": "0.1 m", "e": "1 mm", "k_t": "0 N m", "P": "[40, 120] N", "vary": "P"}
+    brake = written_brake(tmp_path, {"model": derived(ROD, "rod").as_posix(), **rows})
+    text = str(ss.Study.from_file(brake).report(probability=False, **QUICKLY))
+    assert "in contact" not in text
+    assert "the undecided state" not in text
+    assert "the  state" not in text
+    assert text.count("two states meet") + text.count("state ends as it rises") == text.count("P 93.119 N  ")

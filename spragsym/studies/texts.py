@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..models.load import USUAL
+from ..models.load import USUAL, load
 from . import rises
 from .facts import Facts, percent_beyond
 from .fold_rows import fold_rows
@@ -330,10 +330,15 @@ def _folds(report: Report) -> Iterator[tuple[str, str]]:
         if row.kind != "fold":
             yield (name, f"a {row.kind}")
             continue
+        if row.ends in ("", "undecided") or row.when == "undecided":
+            open_ = "which of them ends, and when, is not decided"
+            yield (name, f"two states meet; {open_}" if row.ends else "two states meet, neither of them stable")
+            continue
         key = next(iter(row.before))
         coordinate, _, unit = key.rpartition("_")
         goes = f"{coordinate} goes from {row.before[key]:.4g} {unit} to {row.after[key]:.4g} {unit}"
-        left = "nothing is left in contact" if math.isnan(row.after[key]) else goes
+        nothing = "nothing is left in contact" if load(report.study.model).about["contact"]["unilateral"] else "nothing is left"
+        left = nothing if math.isnan(row.after[key]) else goes
         yield (name, f"the {row.ends} state ends as it {'rises' if row.when == 'up' else 'falls'}; {left}")
 
 

@@ -88,10 +88,9 @@ def may_rise(model: str) -> tuple[str, ...]:
 
 
 def for_example(model: str) -> str:
-    """One of them: of the friction law, if it has any."""
-    may = may_rise(model)
+    """One of them: an angle, a load or a stiffness before what the friction law takes, which may fall as the belt is faster."""
     law = brake_quantities.about(model)["friction"] or {"quantities": ()}
-    return next((name for name in (*law["quantities"], *may) if name in may), "F")
+    return min(may_rise(model), key=lambda name: name in law["quantities"], default="F")
 
 
 def _scale(model: str, quantity: str, values: Mapping[str, float]) -> float:

@@ -126,10 +126,14 @@ def test_arguments_that_make_no_sense(case: str) -> None:
 
 
 def test_a_plane_of_which_one_parameter_moves_no_fold() -> None:
-    """V is none of the statics' of the article: its folds in (V, mu0) are lines, and nothing warns."""
-    model = ss.load("kang_nam").search
-    found = model.bifurcation_set(model.Parameters(theta0=0.8), ("V", "mu0"), n=3)
+    """V is none of the statics' of the article: its folds in (V, mu0) are lines, at the folds of the closed form."""
+    model, p = ss.load("kang_nam").search, ss.Parameters(theta0=0.8)
+    found = model.bifurcation_set(p, ("V", "mu0"), n=3)
     assert found.vary == ("V", "mu0")
+    (curve,) = found.curves
+    assert curve.mu0 == pytest.approx(ss.jump_value(p, "mu0"), rel=1e-12)
+    # Every point of a line is an extremum: none of them is looked for.
+    assert not any("boxes" in text for text in found.remarks)
 
 
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])

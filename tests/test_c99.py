@@ -339,6 +339,7 @@ def test_flags_that_break_the_bounds_are_refused(compiler: str, flag: str, tmp_p
     assert "break the error bounds" in done.stderr
 
 
+@pytest.mark.thorough
 def test_example_of_the_page(inside: ctypes.CDLL) -> None:
     """The function that the page on C shows for many points: it compiles, and counts what Python counts."""
     rng = np.random.default_rng(10)

@@ -73,6 +73,7 @@ def test_agreement_with_continuation_codes() -> None:
 # ------------------------------------------------------------------------------------------- completeness
 
 
+@pytest.mark.thorough
 def test_bifurcation_set_agrees_with_the_count_map() -> None:
     rng = np.random.default_rng(12)
     for trial in range(5):
@@ -459,6 +460,7 @@ def test_bifurcation_points_are_folds() -> None:
                 assert abs(mpmath.diff(lambda t, v=numbers, a=theta0: reference.along(t, a, *v), theta)) < 1e-9 * size
 
 
+@pytest.mark.thorough
 def test_paths_are_continuous_between_jumps() -> None:
     rng = np.random.default_rng(16)
     for _ in range(4):

@@ -277,6 +277,7 @@ def test_users_import_no_sympy() -> None:
     assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0
 
 
+@pytest.mark.thorough
 @given(strategies.text())
 def test_a_comment_of_c_ends_where_it_ends(words: str) -> None:
     said = layout.comment(words)

@@ -722,6 +722,7 @@ def test_cusp_at_the_base_values() -> None:
         assert abs(mu0 - mpmath.mpf("0.200931781805090")) < 1e-14
 
 
+@pytest.mark.thorough
 def test_flutter_onsets() -> None:
     """Where the cubic in sin θ₀ meets cos θ₀, an equilibrium is an onset: there the eigenvalues of −K meet."""
     checked = 0

@@ -209,6 +209,7 @@ def test_c_computes_a_model_without_a_kernel(pendulum: dict[str, str], tmp_path:
     assert library.pendulum_slopes(ctypes.c_double(math.nan), *numbers[1:], value) == 2
 
 
+@pytest.mark.thorough
 def test_generated_c_comes_out_formatted(pendulum: dict[str, str], tmp_path: Path) -> None:
     """The printer lays C out by itself, as clang-format would, for any model."""
     formatter = shutil.which("clang-format", path=Path(sys.executable).parent)

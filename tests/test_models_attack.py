@@ -30,6 +30,7 @@ STIFF = {
 }  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", STIFF)
 def test_states_of_stiff_springs_are_known_to_all_digits(name: str) -> None:
     """The bound is 1e-12 here too, and it holds in 40 digits."""
@@ -56,6 +57,7 @@ SHALLOW = {
 }  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", [pytest.param(True, marks=pytest.mark.thorough), False])
 def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool) -> None:
     """Forces deep in the belt are infinite, and in lift-off, where the law is multiplied by 0, none is."""

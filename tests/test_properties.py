@@ -95,6 +95,7 @@ def test_mirror_symmetry_is_exact(
     assert equilibrium.f_slope(-c, s, *there) == equilibrium.f_slope(c, s, *here)
 
 
+@pytest.mark.thorough
 @given(points())
 def test_without_friction_the_mirror_image_is_a_solution(p: ss.Parameters) -> None:
     """θ₀ → π − θ₀ at μ₀ = 0 mirrors all states: x → −x, y as it was."""

@@ -1056,6 +1056,7 @@ def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_
         (folder / "brake.toml").write_text(example(model), encoding="utf-8")
         found = ss.Study.from_file(folder / "brake.toml").report(n=64, redesign=False)
         assert found.study.moves
+        assert model.where not in found.verdict
         told[name] = json.dumps(found.to_dict(), default=str).replace(model.where, "").replace(f'"{name}"', '"speed"')
         told[name] = told[name].replace(f"{name} = ", "speed = ")
     assert told["V"] == told["U"]

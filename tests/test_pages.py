@@ -459,3 +459,11 @@ def test_check_of_a_mass_that_never_leaves_the_belt() -> None:
     rows = judged("mode_coupling")
     assert rows["eq-27"] == (variant_models.HOLDS, "")
     assert "nbar" not in "".join(remark for _, remark in rows.values())
+
+
+@pytest.mark.thorough
+def test_a_law_of_friction_differs_as_it_is_written(tmp_path: Path) -> None:
+    """Simplified, that of a page with a pivot took nine minutes; one that is equal in other words is equal."""
+    assert judged("stribeck")["eq-10"][1].startswith("μ: side*(1 - exp(-d*side*(V - vx)))*(-mu0 + mu_k +")
+    page = changed(tmp_path, ("mu0 * (1 - exp(-d * Abs(v)))", "mu0 * exp(-d * Abs(v)) * (exp(d * Abs(v)) - 1)"))
+    assert {row.id: row.status for row in variant_models.judge(pages.read(page).mechanics)}["eq-10"] == variant_models.HOLDS

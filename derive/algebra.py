@@ -69,7 +69,8 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     shown = numerator / sp.factor(denominator)
     for root, value in known.items():
         shown = shown.subs(root, value)
-    return shown.subs({dummy: node for node, dummy in reversed(unknowns.items())})
+    # The outermost first, for its arguments hold the others.
+    return shown.subs([(dummy, node) for node, dummy in reversed(unknowns.items())])
 
 
 def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: int) -> sp.Expr:

@@ -715,6 +715,13 @@ def test_numbers_at_the_ends_of_the_range(option: tuple[str, str]) -> None:
     end_as_documented(["equilibria", "--theta0", "49", *option])
 
 
+def test_a_check_of_a_model_takes_rows_and_no_claims(run: Run) -> None:
+    """Both were passed over in silence: the equations came, all of them."""
+    asked = ("check", "--model", "stick_slip")
+    assert [row["id"] for row in json.loads(run(*asked, "--row", "eq-10", "--json"))] == ["eq-10"]
+    assert "leave --model out" in run(*asked, "--claims", code=USAGE)
+
+
 def test_no_cell_of_a_table_is_cut_in_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:
     """Differences that `check --model` prints have thousands of characters; the columns before them were squeezed to nothing."""
     rows = [("eq-28", "fails", "x" * 5000), ("eq-3", "holds", "")]

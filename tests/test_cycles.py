@@ -1232,6 +1232,9 @@ def test_a_loaded_model_has_branches_and_exponents() -> None:
         model.fate_boundary(model.Parameters(), vary="gamma", bracket=(0.1, 0.2))
     with pytest.raises(ss.ParameterError, match="one divergent equilibrium is needed"):
         model.basin_boundary(model.Parameters(), plane=("x", "vx"))
+    stribeck = ss.load("stribeck")
+    with pytest.raises(ss.ParameterError, match="grows in one direction only"):  # there is one that is divergent, and swings
+        stribeck.basin_boundary(stribeck.Parameters(theta0=0.6))
 
 
 @pytest.mark.thorough

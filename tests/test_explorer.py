@@ -21,6 +21,7 @@ import spragsym as ss
 from spragsym.cli import cli
 from spragsym.cli.explore import explore
 from spragsym.explorer import Preset, explorer_page
+from spragsym.explorer.described import described
 from spragsym.parameters import NAMES
 from tests.explorer_pages import WITHOUT_WEBGL, Explorer, chromium
 
@@ -51,6 +52,18 @@ def test_the_page_is_whole_and_the_same_every_time() -> None:
     assert page.count("Permission is hereby granted") == len(bundled)
     for module in ("spragsym.mjs", "kang_nam.mjs"):
         assert (ROOT / "generated/javascript" / module).read_text(encoding="utf-8").strip() in page
+
+
+@pytest.mark.parametrize("name", ["kang_nam", "stribeck", "mode_coupling", "stick_slip"])
+def test_every_page_with_two_parameters_begins_with_a_plane(name: str) -> None:
+    """One with neither theta0 nor mu0, or with one of these, had none, and no reader could choose its axes."""
+    model = ss.load(name)
+    said = described(model, [Preset.of("Base", model.cases()[0][1])])
+    first, second = said["axes"]
+    balanced = [entry["name"] for entry in said["parameters"] if entry["role"] == "both"]
+    assert first == model.axes[0]
+    assert second in balanced
+    assert second != first
 
 
 def test_the_module_of_a_page_has_what_the_explorer_calls() -> None:

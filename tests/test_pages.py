@@ -20,7 +20,7 @@ import sympy as sp
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 import spragsym as ss
-from spragsym.derive import folder, pages, physical_checks
+from spragsym.derive import algebra, folder, pages, physical_checks
 from spragsym.derive import units as measured
 from spragsym.derive.emit.targets.c99.algebra import CPrinter
 from spragsym.derive.emit.targets.javascript.algebra import JavaScriptPrinter
@@ -459,3 +459,18 @@ def test_check_of_a_mass_that_never_leaves_the_belt() -> None:
     rows = judged("mode_coupling")
     assert rows["eq-27"] == (variant_models.HOLDS, "")
     assert "nbar" not in "".join(remark for _, remark in rows.values())
+
+
+@pytest.mark.thorough
+def test_a_law_of_friction_differs_as_it_is_written(tmp_path: Path) -> None:
+    """Simplified, that of a page with a pivot took nine minutes; one that is equal in other words is equal."""
+    assert judged("stribeck")["eq-10"][1].startswith("μ: side*(1 - exp(-d*side*(V - vx)))*(-mu0 + mu_k +")
+    page = changed(tmp_path, ("mu0 * (1 - exp(-d * Abs(v)))", "mu0 * exp(-d * Abs(v)) * (exp(d * Abs(v)) - 1)"))
+    assert {row.id: row.status for row in variant_models.judge(pages.read(page).mechanics)}["eq-10"] == variant_models.HOLDS
+
+
+def test_a_difference_is_shown_in_the_symbols_it_came_in() -> None:
+    """A function within a function stood in it as an unknown of its own, _u0."""
+    x, y = sp.symbols("x y")
+    for nested in (sp.exp(-y * sp.cos(x)), sp.sqrt(1 + sp.exp(sp.cos(x)))):
+        assert algebra.difference(nested, y, ()).free_symbols == {x, y}

@@ -54,13 +54,15 @@ def check(
       spragsym check --claims --row fig-7
       spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
-      spragsym check --model cubic_contact
+      spragsym check --model cubic_contact --row eq-11
 
     \b
     Exit codes: 0 every row is as recorded; 1 a row is not; 2 usage.
     """
+    if model_name is not None and (claims or report is not None):
+        raise click.UsageError(f"{'--claims' if claims else '--report'} is about the article's own model; leave --model out")
     if model_name is not None:
-        _check_model(model_name, json_output)
+        _check_model(model_name, json_output, only)
     elif report is not None:
         from ..claims.report import page
 
@@ -135,7 +137,7 @@ def _check_equations(json_output: bool, only: tuple[str, ...]) -> None:
         sys.exit(1)
 
 
-def _check_model(name: str, json_output: bool) -> None:
+def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     """Which rows of the article hold for a model, fail, or have no meaning there."""
     from ..models import load
 
@@ -146,7 +148,9 @@ def _check_model(name: str, json_output: bool) -> None:
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym check --model", error.name or "sympy", "derive") from error
     with show_progress(f"deriving the equations of {model.name}"):
-        rows = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
+        every = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
+    chosen = _chosen(only, [row.id for row in every], "the equations")
+    rows = [row for row in every if row.id in chosen]
     if json_output:
         print_json([asdict(row) for row in rows])
         return

@@ -152,13 +152,13 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
     from ..figures.planes import draw_onset_curves
     from ..studies.pages import picture
 
-    if len(model.axes) != 2:
-        raise ParameterError(f"--onsets: {model.name} has no two parameters that vary; leave it out")
-    ends = window(model, model.axes, {})
+    if len(model.plane) != 2:
+        raise ParameterError(f"--onsets: {model.name} has no two parameters of its equilibria; leave it out")
+    ends = window(model, model.plane, {})
     with show_progress("searching for onsets (--onsets)"):
-        found = model.onset_curves(p, model.axes, _LINES, between=ends)
+        found = model.onset_curves(p, model.plane, _LINES, between=ends)
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
-    spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.axes)
+    spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.plane)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
     return picture(lambda ax: draw_onset_curves(found, ax)), command
 

@@ -225,9 +225,11 @@ def _saddle(model: Any, p: ParameterSet, values: tuple[float, ...], near: Any) -
             if known is not None and not any(np.abs(known.state - other.state).max() < SAME for other in found):
                 found.append(known)
     if len(found) != 1:
-        listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found) or "none"
+        listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
+        none = "none that grows in one direction only: where friction falls with speed, the mass may swing there as well"
         raise ParameterError(
-            f"one divergent equilibrium is needed to follow its stable manifold, there are: {listed}; give saddle= near one"
+            "one divergent equilibrium is needed to follow its stable manifold, there are: "
+            + (f"{listed}; give saddle= near one" if found else none)
         )
     return found[0]
 

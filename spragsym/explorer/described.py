@@ -41,7 +41,7 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
             }
             for entry in about["parameters"]
         ],
-        "axes": list(model.axes),
+        "axes": list(model.plane),
         "angles": about["angles"],
         "arguments": about["arguments"],
         "gap": about["contact"]["gap"],

@@ -136,9 +136,14 @@ class Model:
     @property
     def axes(self) -> tuple[str, ...]:
         """What varies unless told otherwise: θ₀ and μ₀ where the model has them, else its first parameter of the balance."""
-        known = [name for name in ("theta0", "mu0") if name in self.parameters]
+        return tuple(name for name in self.plane if name in ("theta0", "mu0")) or self.plane[:1] or self.parameters[:1]
+
+    @property
+    def plane(self) -> tuple[str, ...]:
+        """Two parameters for a picture whose reader may choose others: the same, then what else of the balance stands first."""
         balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
-        return tuple(known or balanced[:1] or self.parameters[:1])
+        known = [name for name in ("theta0", "mu0") if name in self.parameters]
+        return tuple(dict.fromkeys([*known, *balanced]))[:2]
 
     @property
     def backends(self) -> tuple[str, ...]:

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from ..display import Result
+from ..display import Result, named_fields
 from ..dynamics.cycles import same_orbit
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ParameterTypeError
+from ..names import hint
 from ..parameters import FloatArray, Parameters, as_numbers
 from .measure import LIMITS
 from .result import Sweep
@@ -19,12 +20,14 @@ from .result import Sweep
 
 @dataclass(frozen=True, eq=False)
 class Basin(Result):
-    """Which attractor each initial state reaches: arrays of shape (len(x), len(vx)).
+    """Which attractor each initial state reaches, over two axes of starts, which have their names: x, vx.
 
     Attributes
     ----------
-    x, vx : ndarray
-        Initial displacements and speeds along the belt.
+    plane : tuple of str
+        What the axes are: two of the coordinates and rates.
+    starts : tuple of ndarray
+        Their values.
     attractor : ndarray of int
         Row of ``attractors`` that the motion reaches; −1 where it failed.
     attractors : tuple of (Regime, int, float, float)
@@ -34,39 +37,46 @@ class Basin(Result):
         Everything that was measured.
     """
 
-    x: FloatArray
-    vx: FloatArray
+    plane: tuple[str, str]
+    starts: tuple[FloatArray, FloatArray]
     attractor: NDArray[np.int64]
     attractors: tuple[tuple[Regime, int, float, float], ...]
     sweep: Sweep
+
+    @property
+    def table_model(self) -> Any:
+        return self.sweep.table_model
+
+    def table_values(self) -> dict[str, Any]:
+        values = named_fields(self)
+        return dict(zip(values.pop("plane"), values.pop("starts"), strict=True)) | values
+
+    def __getattr__(self, name: str) -> FloatArray:
+        plane = self.__dict__.get("plane", ())  # while it is copied or unpickled there is none
+        if name not in plane:
+            raise AttributeError(f"a basin over {' and '.join(plane)} has no {name!r}{hint(name, plane)}")
+        return self.starts[plane.index(name)]
 
 
 def basin(
     p: Parameters,
     V: float | None = None,
     d: float | None = None,
-    *,
-    x: ArrayLike,
-    vx: ArrayLike,
-    y0: float = 0.0,
-    vy0: float = 0.0,
-    **options: Any,
+    **starts: Any,
 ) -> Basin:
-    """Which attractor is reached from a grid of initial displacements and speeds along the belt.
+    """Which attractor is reached from a grid of starts: two coordinates or rates, as x and vx.
 
     Parameters
     ----------
     p : Parameters
-        Scalars; of any model with a coordinate x.
+        Scalars, of any model.
     V, d : float, optional
         In place of those of ``p``.
-    x, vx : array_like, one axis each
-        Initial states: every x with every vx.
-    y0, vy0 : float
-        Initial state across the belt.
-    **options
-        As for :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is ``Regime.UNSETTLED``: deviations die
-        out at a rate of μ₀ d exp(−d V) n, n the contact force, so that it can take tens of thousands of time units.
+    **starts
+        Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: every value of one with every value of
+        the other. The rest of the initial state, as ``y0=…``, and the options are those of :func:`rms_sweep`. A motion that by
+        ``t_end`` approaches nothing is ``Regime.UNSETTLED``: in the article's model deviations die out at a rate of
+        μ₀ d exp(−d V) n, n the contact force, so that it can take tens of thousands of time units.
 
     Returns
     -------
@@ -91,15 +101,19 @@ def basin(
     """
     p = p.given(V=V, d=d)
     p.scalars(*p.ranges)
-    starts = [np.atleast_1d(as_numbers(name, values)) for name, values in (("x", x), ("vx", vx))]
-    for name, values in zip(("x", "vx"), starts, strict=True):
+    names = (*p.model.coordinates, *p.model.rates)
+    plane = tuple(name for name in starts if name in names)
+    if len(plane) != 2:
+        given = ", ".join(starts) or "none"
+        raise ParameterTypeError(f"starts are two axes of {', '.join(names)}, as {names[0]}=[0.0, 1.0]; given: {given}")
+    axes = {name: np.atleast_1d(as_numbers(name, starts.pop(name))) for name in plane}
+    for name, values in axes.items():
         if values.ndim != 1:
             raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
-    own = (*p.model.coordinates, *p.model.rates)
-    across = {name: value for name, value in (("y0", y0), ("vy0", vy0)) if name[:-1] in own or np.any(np.asarray(value) != 0)}
-    sweep = p.model.rms_sweep(p, x0=starts[0][:, None], vx0=starts[1], **across, **options)
+    (one, first), (other, second) = axes.items()
+    sweep = p.model.rms_sweep(p, **{one + "0": first[:, None], other + "0": second}, **starts)
     labels, attractors = _attractors(sweep)
-    return Basin(starts[0], starts[1], labels, attractors, sweep)
+    return Basin((one, other), (first, second), labels, attractors, sweep)
 
 
 def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, int, float, float], ...]]:

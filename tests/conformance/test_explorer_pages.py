@@ -74,7 +74,7 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(name: str, brows
     page = explorer.page
     parts = page.evaluate("[...document.querySelectorAll('main > section[id]')].map(part => part.id)")
     assert [part for part in parts if part in PARTS] == PARTS
-    assert page.is_visible("#plane_part") == (len(model.axes) == 2)
+    assert page.is_visible("#plane_part") == (len(model.plane) == 2)
     heads = page.evaluate("[...document.querySelectorAll('#states th')].map(cell => cell.textContent)")
     springs = len(model.about["springs"])
     assert heads[:3] == ["", "regime", "stability"]

@@ -74,5 +74,7 @@ def _after(points: Points, row: int, eq: Equilibria, beyond: int) -> dict[str, f
     goal = behind[:, foremost(apart, behind, eq.error[beyond, slots] + points.error[row])]
     here = equilibria(points.parameters.model.search, points.parameters.replace(**{vary: float(getattr(points, vary)[row])}))
     states = np.array([here.coordinates[name][: int(here.count)] for name in names])
+    if not states.size:
+        raise ConvergenceError(f"the states at {vary} = {getattr(points, vary)[row]:.17g} are not told apart")
     slot = int(np.linalg.norm(states - goal[:, None], axis=0).argmin())
     return {name: float(getattr(here, name)[slot]) for name in points.columns}

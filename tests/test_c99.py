@@ -13,7 +13,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeAlias
 
-import mpmath
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -24,7 +23,7 @@ from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
 from spragsym.kang_nam.statics import adaptive_precision, kernel
 from tests.mutants.c99 import Judge
-from tests.oracles import languages
+from tests.oracles import c_target, languages, reference
 from tests.oracles.families import FAMILIES
 from tests.support import in_python, leaves, lowest_sets
 
@@ -177,78 +176,7 @@ def solve(library: ctypes.CDLL, points: Any, regime: int) -> list[tuple[int, lis
     return [(int(s), list(found[4 * i : 4 * i + n])) for i, (s, n) in enumerate(zip(status, counts, strict=True))]
 
 
-# -------------------------------------------------------------------------------------------------- reference
-
-
-def _forces(point: Any, place: Any, pull: Any, nbar: int) -> tuple[Any, Any]:
-    """Minus the sum of forces on the mass at rest in a place: Newton's law on the free body, in complex numbers."""
-    _, mu0, kappa, alpha, _, beta = point
-    push = -nbar * place.imag
-    return alpha * place.real - pull.real - mu0 * push, beta * place.imag - pull.imag - push + kappa
-
-
-def _forces_at(point: Any, place: Any, nbar: int) -> tuple[Any, Any]:
-    """The same with the spring's pull along the line to its anchor."""
-    spring = mpmath.expj(point[0]) - place
-    return _forces(point, place, point[4] * (abs(spring) - 1) * spring / abs(spring), nbar)
-
-
-def _at(point: Any, theta: Any, length: Any, nbar: int) -> tuple[Any, tuple[Any, Any]]:
-    """Place and forces with the spring in a direction and of a length, which may be negative on the way to a root."""
-    along = mpmath.expj(theta)
-    place = mpmath.expj(point[0]) - length * along
-    return place, _forces(point, place, point[4] * (length - 1) * along, nbar)
-
-
-def _length(point: Any, theta: Any, nbar: int) -> Any:
-    """The length at which no force acts across the belt: F_y is linear in it in a given direction, so two values tell."""
-    one, two = (_at(point, theta, mpmath.mpf(length), nbar)[1][1] for length in (1, 2))
-    return 1 - one / (two - one)
-
-
-def reference(point: Any, nbar: int) -> list[tuple[Any, ...]]:
-    """θ, L, x, y and stability of all equilibria by 50 digits, from forces alone.
-
-    sin θ F_x along the directions in which F_y = 0 is a trigonometric polynomial of degree 2: five of its values give its
-    coefficients, and the roots in e^{iθ} on the unit circle are all equilibria.
-    """
-    with mpmath.workdps(70):
-        point = [mpmath.mpf(float(value)) for value in point]
-        nodes = [2 * mpmath.pi * (node + mpmath.mpf(1) / 3) / 5 for node in range(5)]
-        values = [mpmath.sin(node) * _at(point, node, _length(point, node, nbar), nbar)[1][0] for node in nodes]
-        coefficients = [
-            sum(value * mpmath.expj(-power * node) for value, node in zip(values, nodes, strict=True)) / 5
-            for power in (2, 1, 0, -1, -2)
-        ]
-        roots = mpmath.polyroots([value / coefficients[0] for value in coefficients], maxsteps=400, extraprec=400)
-        rows = []
-        for root in roots:
-            if abs(abs(root) - 1) > mpmath.mpf(10) ** -22:
-                continue
-            theta = mpmath.arg(root)
-            L = _length(point, theta, nbar)
-            place, _ = _at(point, theta, L, nbar)
-            if L > 0 and (place.imag < 0) == bool(nbar):
-                assert max(map(abs, _forces_at(point, place, nbar))) < mpmath.mpf(10) ** -20 * (1 + abs(L))
-                rows.append((theta, L, place.real, place.imag, _stability(_jacobian(point, place, nbar))))
-        return sorted(rows)
-
-
-def _jacobian(point: Any, place: Any, nbar: int) -> Any:
-    """Slopes of the forces, by central differences that leave 40 digits."""
-    h = mpmath.mpf(10) ** -22
-    columns = []
-    for step in (mpmath.mpc(h, 0), mpmath.mpc(0, h)):
-        plus, minus = (_forces_at(point, place + sign * step, nbar) for sign in (1, -1))
-        columns.append([(one - other) / (2 * h) for one, other in zip(plus, minus, strict=True)])
-    return tuple(zip(*columns, strict=True))
-
-
-def _stability(K: Any) -> int:
-    trace, determinant = K[0][0] + K[1][1], K[0][0] * K[1][1] - K[0][1] * K[1][0]
-    if trace**2 < 4 * determinant:
-        return FLUTTER
-    return STABLE if determinant > 0 and trace > 0 else DIVERGENT
+# ----------------------------------------------------------------------------------------------------- points
 
 
 def _decades(rng: np.random.Generator, low: float, high: float, count: int) -> Any:
@@ -385,26 +313,27 @@ def test_everything_that_was_asked_for_is_there() -> None:
     assert wanted <= ALGEBRA.keys()
 
 
-@pytest.mark.parametrize("every", [7, pytest.param(1, marks=pytest.mark.thorough)], ids=["some", "all"])
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
 @pytest.mark.parametrize("kind", adversarial())
-def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int, every: int) -> None:
-    points = adversarial()[kind][::every]
-    vouched = 0
-    for point, (status, ours) in zip(points, solve(library, points, regime), strict=True):
-        assert status in (OK, UNCERTAIN), point
-        theirs = reference(point, regime)
-        if status == OK:
-            vouched += 1
-            assert [one.stability for one in ours] == [row[4] for row in theirs], point
-            assert all(one.error <= 1e-12 for one in ours)
-        if len(ours) == len(theirs):
-            for one, row in zip(ours, theirs, strict=True):
-                values = (one.theta, one.L, one.x, one.y)
-                off = max(abs(value - exact) / max(1, abs(exact)) for value, exact in zip(values, row[:4], strict=True))
-                assert off <= one.error, (point, one.theta)
+def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int) -> None:
+    """Counts that certified roots decide, states by Newton's method on the forces; the kinds are Python's."""
+    points = adversarial()[kind]
+    found, known = c_target.room(len(points)), ss.equilibria(ss.Parameters(*points.T), contact=bool(regime))
+    c_target.solve(library, points, found, bool(regime))
+    sure = found.status == OK
+    assert set(found.status[~sure]) <= {UNCERTAIN}
+    count = reference.count_contact if regime == CONTACT else reference.count_liftoff
+    for i in np.flatnonzero(sure):
+        states = found.equilibria[i, : found.count[i]]
+        assert found.count[i] == count(*points[i]), points[i]
+        assert (states["stability"] == known.stability[i, : found.count[i]]).all(), points[i]
+        for state in states:
+            exact = reference.refine(state["x"], state["y"], *points[i], contact=bool(regime), digits=70)
+            ours = (state[name] for name in ("theta", "L", "x", "y"))
+            off = max(abs(one - value) / max(1, abs(value)) for one, value in zip(ours, exact, strict=True))
+            assert off <= state["error"] <= 1e-12, points[i]
     # Close to a fold or to flutter nothing can be vouched for; elsewhere nearly everything is.
-    assert vouched >= (0.35 if regime == CONTACT and re.search("fold|flutter", kind) else 0.95) * len(points)
+    assert sure.sum() >= (0.35 if regime == CONTACT and re.search("fold|flutter", kind) else 0.95) * len(points)
 
 
 def test_it_stands_before_the_judge_of_its_mutants() -> None:
@@ -474,9 +403,8 @@ def test_guesses_at_a_fold_are_good(library: ctypes.CDLL) -> None:
     for theta0 in (math.radians(44.559317702565), math.radians(155.059418789789)):
         points = [point for point in _around(theta0) if abs(point[0] / theta0 - 1) > 5e-13]
         for point, (_, ours) in zip(points, solve(library, points, CONTACT), strict=True):
-            theirs = reference(point, CONTACT)
-            assert len(ours) == len(theirs)
-            assert all(abs(one.theta - row[0]) < 1e-8 for one, row in zip(ours, theirs, strict=True))
+            theirs = adaptive_precision.equilibria(*point, digits=20).states
+            assert [one.theta for one in ours] == pytest.approx([float(one.theta) for one in theirs], abs=1e-8)
 
 
 def test_guesses_near_a_cusp_are_good(library: ctypes.CDLL) -> None:

@@ -115,28 +115,6 @@ def test_curves_that_float64_cannot_tell_are_refused(given: dict[str, float]) ->
     assert ss.folds(p).theta0.size == 2
 
 
-def test_false_double_roots_of_the_published_quartic_are_no_folds() -> None:
-    from spragsym.generated.equilibrium import contact_quartic
-
-    # The L-quartic's discriminant vanishes between 30 and 40 degrees in the article's Figure 4; no equilibria meet there.
-    angles = np.radians(np.linspace(30, 40, 2001))
-    quartic = np.stack(contact_quartic(np.cos(angles), np.sin(angles), 0.5, 0.007, 0.007, 0.1, 0.0), axis=-1)
-    gaps = [np.abs(np.subtract.outer(r, r))[np.triu_indices(4, 1)].min() for r in (np.roots(row[::-1]) for row in quartic)]
-    assert min(gaps) < 1e-2
-    found = np.degrees(ss.folds(BASE).theta0)
-    assert not ((found > 30) & (found < 40)).any()
-
-
-def test_the_articles_yes_and_no_follow_from_the_lowest_fold() -> None:
-    for vary, samples in {"beta": {0.0: True, 1.0: True, 2.0: False}, "alpha": {0.007: True, 0.07: False, 0.7: False},
-                          "sigma": {0.01: False, 0.1: True, 1.0: True}}.items():  # fmt: skip
-        for value, jumps in samples.items():
-            p = ss.Parameters.article(**{vary: value})
-            assert (ss.critical_friction(p) < 0.5) == jumps
-            path = ss.quasi_static_path(p, "theta0", np.radians(np.arange(1.0, 90.5, 1.0)))
-            assert bool(path.jumps) == jumps
-
-
 @pytest.mark.parametrize(("vary", "bracket"), [("beta", (1, 2)), ("alpha", (0.007, 0.07)), ("sigma", (0.01, 0.1))])
 def test_critical_values_put_the_cusp_at_the_friction(vary: str, bracket: tuple[float, float]) -> None:
     value = ss.critical_value(BASE, vary, bracket)
@@ -457,19 +435,3 @@ def test_bifurcation_points_are_folds() -> None:
                 size = 1 + abs(curve.mu0[i])
                 assert abs(reference.along(theta, theta0, *numbers)) < 1e-11 * size
                 assert abs(mpmath.diff(lambda t, v=numbers, a=theta0: reference.along(t, a, *v), theta)) < 1e-9 * size
-
-
-def test_paths_are_continuous_between_jumps() -> None:
-    rng = np.random.default_rng(16)
-    for _ in range(4):
-        p = random_fixed(rng).replace(mu0=rng.uniform(0.2, 2))
-        angles = np.linspace(0.01, math.pi - 0.01, 3001)
-        for values in (angles, angles[::-1]):
-            path = ss.quasi_static_path(p, "theta0", values)
-            big = np.flatnonzero(np.abs(np.diff(path.theta)) > 0.15)
-            places = sorted(float(jump.value) for jump in path.jumps)
-            for step in big:
-                assert any(min(values[step : step + 2]) <= place <= max(values[step : step + 2]) for place in places)
-            for jump in path.jumps:
-                below, above = _counts(p.replace(theta0=np.array([jump.value - 1e-7, jump.value + 1e-7])))
-                assert {int(below), int(above)} == {1, 3}

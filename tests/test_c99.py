@@ -83,12 +83,6 @@ def calls() -> str:
     )
 
 
-class Equilibrium(ctypes.Structure):
-    """``spragsym_equilibrium``."""
-
-    _fields_ = (*((name, ctypes.c_double) for name in ("theta", "L", "x", "y", "error")), ("stability", ctypes.c_int))
-
-
 class LowestFold(ctypes.Structure):
     """``spragsym_lowest_fold``."""
 
@@ -167,13 +161,11 @@ def _pointer(array: Any) -> Any:
     return array.ctypes.data_as(ctypes.c_void_p)
 
 
-def solve(library: ctypes.CDLL, points: Any, regime: int) -> list[tuple[int, list[Equilibrium]]]:
-    """Status and equilibria of every point."""
+def solve(library: ctypes.CDLL, points: Any, regime: int) -> c_target.Solved:
+    """All points in one batch."""
     points = np.ascontiguousarray(points, dtype=float)
-    found = (Equilibrium * (4 * len(points)))()
-    counts, status = np.zeros(len(points), np.intc), np.full(len(points), -1, np.intc)
-    library.equilibria(ctypes.c_long(len(points)), _pointer(points), regime, found, _pointer(counts), _pointer(status))
-    return [(int(s), list(found[4 * i : 4 * i + n])) for i, (s, n) in enumerate(zip(status, counts, strict=True))]
+    c_target.solve(library, points, found := c_target.room(len(points)), bool(regime))
+    return found
 
 
 # ----------------------------------------------------------------------------------------------------- points
@@ -318,8 +310,7 @@ def test_everything_that_was_asked_for_is_there() -> None:
 def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int) -> None:
     """Counts that certified roots decide, states by Newton's method on the forces; the kinds are Python's."""
     points = adversarial()[kind]
-    found, known = c_target.room(len(points)), ss.equilibria(ss.Parameters(*points.T), contact=bool(regime))
-    c_target.solve(library, points, found, bool(regime))
+    found, known = solve(library, points, regime), ss.equilibria(ss.Parameters(*points.T), contact=bool(regime))
     sure = found.status == OK
     assert set(found.status[~sure]) <= {UNCERTAIN}
     count = reference.count_contact if regime == CONTACT else reference.count_liftoff
@@ -345,23 +336,6 @@ def test_it_stands_before_the_judge_of_its_mutants() -> None:
     assert judge.count((SOURCES / "spragsym.c").read_text(encoding="utf-8")) > 0.95 * 4 * len(judge.rows)
 
 
-def solve_batch(library: ctypes.CDLL, points: Any, regime: int) -> tuple[int, Any, Any, Any]:
-    """The largest status; bytes of the equilibria, counts and status of every point, with room for one more left alone."""
-    points = np.ascontiguousarray(points, dtype=float).reshape(-1, 6)
-    found = np.full((len(points) + 1, 4 * ctypes.sizeof(Equilibrium)), 0x55, np.uint8)
-    counts, status = (np.full(len(points) + 1, -7, np.intc) for _ in range(2))
-    written = (_pointer(array) for array in (found, counts, status))
-    worst = library.batch(ctypes.c_long(len(points)), _pointer(points), regime, *written)
-    assert (found[-1] == 0x55).all()
-    assert counts[-1] == status[-1] == -7
-    return worst, found[:-1], counts[:-1], status[:-1]
-
-
-def _values(found: Any) -> Any:
-    """Everything that was written but the padding."""
-    return np.frombuffer(found.tobytes(), np.uint8).reshape(-1, ctypes.sizeof(Equilibrium))[:, :44]
-
-
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
 @pytest.mark.parametrize("level", EACH_LEVEL, ids=["-O0", "-O3"])
 @pytest.mark.parametrize("compiler", EACH_COMPILER)
@@ -369,14 +343,14 @@ def test_batch_is_the_single_call_bit_for_bit(compiler: str, level: tuple[str, .
     """In vector instructions and in none, on hard points, refused ones and those that double can't carry."""
     points = np.concatenate([*adversarial().values(), nonsense()])
     one, other = (ctypes.CDLL(str(built(compiler, *flags, *SHARED))) for flags in (PLAIN, level))
-    single = solve(one, points, regime)
-    worst, found, counts, status = solve_batch(other, points, regime)
-    assert worst == OUT_OF_RANGE
-    assert status.tolist() == [expected for expected, _ in single]
-    assert set(status) == {OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE}
-    assert counts.tolist() == [len(expected) for _, expected in single]
-    filled = (item for _, items in single for item in [*items, *[Equilibrium()] * (4 - len(items))])
-    assert _values(found).tobytes() == b"".join(bytes(item)[:44] for item in filled)
+    batch, single = solve(other, points, regime), c_target.room(len(points))
+    parts = (_pointer(part) for part in (single.equilibria, single.count, single.status))
+    one.equilibria(ctypes.c_long(len(points)), _pointer(points), regime, *parts)
+    assert set(single.status) == {OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE}
+    for ours, theirs in ((batch.status, single.status), (batch.count, single.count)):
+        np.testing.assert_array_equal(ours, theirs)
+    for name in c_target.EQUILIBRIUM.names or ():
+        assert batch.equilibria[name].tobytes() == single.equilibria[name].tobytes()
 
 
 def test_roots_that_may_be_one_are_not_vouched_for(inside: ctypes.CDLL) -> None:
@@ -402,40 +376,37 @@ def test_guesses_at_a_fold_are_good(library: ctypes.CDLL) -> None:
     """Where nothing is vouched for, half of the digits are still there: a close pair is found together."""
     for theta0 in (math.radians(44.559317702565), math.radians(155.059418789789)):
         points = [point for point in _around(theta0) if abs(point[0] / theta0 - 1) > 5e-13]
-        for point, (_, ours) in zip(points, solve(library, points, CONTACT), strict=True):
-            theirs = adaptive_precision.equilibria(*point, digits=20).states
-            assert [one.theta for one in ours] == pytest.approx([float(one.theta) for one in theirs], abs=1e-8)
+        found = solve(library, points, CONTACT)
+        for point, count, rows in zip(points, found.count, found.equilibria, strict=True):
+            truth = [float(state.theta) for state in adaptive_precision.equilibria(*point, digits=20).states]
+            assert rows["theta"][:count] == pytest.approx(truth, abs=1e-8)
 
 
 def test_guesses_near_a_cusp_are_good(library: ctypes.CDLL) -> None:
     """Where three roots meet, the number that is guessed is nearly always the one that the ladder proves."""
     p = FAMILIES["cusp wedge"](np.random.default_rng(5), 2000)
-    points = np.stack(p.broadcast("theta0", "mu0", "kappa", "alpha", "sigma", "beta"), axis=-1)
-    _, _, counts, status = solve_batch(library, points, CONTACT)
-    truth = ss.equilibria(p).count
-    assert (counts[status == OK] == truth[status == OK]).all()
-    assert np.mean(counts != truth) < 0.07
+    found, truth = solve(library, c_target.table(p), CONTACT), ss.equilibria(p).count
+    assert (found.count == truth)[found.status == OK].all()
+    assert np.mean(found.count != truth) < 0.07
 
 
 def test_next_to_a_fold_is_certain_and_on_a_border_not(library: ctypes.CDLL) -> None:
     """Double precision can't tell the number of roots next to a fold, double-double arithmetic can; where L = 0 none can."""
     folds = [(math.nextafter(math.radians(degrees), to), *BASE[1:])
              for degrees in (44.559317702565, 155.059418789789) for to in (0, 4)]  # fmt: skip
-    for point, (status, found) in zip(folds, solve(library, folds, CONTACT), strict=True):
-        assert status == OK
-        assert len(found) == len(adaptive_precision.equilibria(*point).states)
-    [(status, _)] = solve(library, [(1.0, 0.5, 0.1, 0.0, 0.1, 0.0)], LIFTOFF)
-    assert status == UNCERTAIN
+    found = solve(library, folds, CONTACT)
+    assert (found.status == OK).all()
+    assert found.count.tolist() == [len(adaptive_precision.equilibria(*point).states) for point in folds]
+    assert solve(library, [(1.0, 0.5, 0.1, 0.0, 0.1, 0.0)], LIFTOFF).status == UNCERTAIN
 
 
 def test_random_points_are_vouched_for(library: ctypes.CDLL) -> None:
     """The flag is rare on ordinary points, and a count in contact that is vouched for is odd."""
     rng = np.random.default_rng(5)
     points = _random(rng, 20_000, mu0=rng.uniform(0.0, 1.5, 20_000), beta=rng.uniform(0.0, 0.5, 20_000))
-    solved = solve(library, points, CONTACT)
-    assert sum(status != OK for status, _ in solved) < 100
-    assert {len(found) for status, found in solved if status == OK} == {1, 3}
-    assert all(math.isfinite(value) for _, found in solved for one in found for value in (one.theta, one.L, one.x, one.y))
+    found = solve(library, points, CONTACT)
+    assert np.count_nonzero(found.status) < 100
+    assert set(found.count[found.status == OK]) == {1, 3}
 
 
 def lowest_folds(library: ctypes.CDLL, sets: list[dict[str, float]]) -> list[tuple[int, LowestFold]]:
@@ -482,10 +453,10 @@ def test_what_double_cannot_carry_is_said(library: ctypes.CDLL, index: int, valu
     """Never a NaN: a status, or equilibria with finite numbers."""
     point = [*BASE]
     point[index] = value
-    status, found = solve(library, [point], CONTACT)[0]
-    assert status != BAD_INPUT
-    assert (status == OUT_OF_RANGE) == (not found)
-    assert all(math.isfinite(number) for one in found for number in (one.theta, one.L, one.x, one.y))
+    found = solve(library, [point], CONTACT)
+    assert found.status != BAD_INPUT
+    assert (found.status == OUT_OF_RANGE) == (found.count == 0)
+    assert all(np.isfinite(found.equilibria[name]).all() for name in ("theta", "L", "x", "y"))
 
 
 def test_algebra_without_an_answer_writes_nothing(library: ctypes.CDLL) -> None:

@@ -318,7 +318,7 @@ def test_infinity_is_called_so() -> None:
 # ------------------------------------------------------------------------------------------------ linear model
 
 
-def test_linear_model_is_a_linear_solve_and_its_poles_are_singular() -> None:
+def test_linear_model_is_a_linear_solve() -> None:
     rng = np.random.default_rng(17)
     for _ in range(20):
         p = random_fixed(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 2))
@@ -327,14 +327,6 @@ def test_linear_model_is_a_linear_solve_and_its_poles_are_singular() -> None:
         K = np.array([[sigma * c * c + alpha, sigma * s * c + mu0], [sigma * s * c, sigma * s * s + beta + 1]])
         model = ss.linear_sprag(p)
         np.testing.assert_allclose([model.x, model.y], np.linalg.solve(K, [0, -kappa]), rtol=1e-9)
-        critical = ss.linear_critical_friction(p)
-        above = ss.linear_sprag(p.replace(mu0=1.001 * critical)).poles
-        assert np.isfinite(above).all()
-        assert np.isnan(ss.linear_sprag(p.replace(mu0=0.999 * critical)).poles).all()
-        for pole in above:
-            c, s = math.cos(pole), math.sin(pole)
-            K = np.array([[sigma * c * c + alpha, sigma * s * c + 1.001 * critical], [sigma * s * c, sigma * s * s + beta + 1]])
-            assert abs(np.linalg.det(K)) < 1e-9 * np.abs(K).max() ** 2
 
 
 def test_the_critical_friction_is_right_where_squares_leave_float64() -> None:

@@ -391,32 +391,15 @@ def test_limit_cycle_by_another_integrator() -> None:
     )
     x = value("fig-7a", "x of the only equilibrium")
     growth = value("fig-7a", "its growth rate with the friction law's damping")
-    assert growth_by_differences(49.0, x) == pytest.approx(growth, rel=1e-4)
+    assert growth_by_hand(49.0, x) == pytest.approx(growth, rel=1e-4)
 
 
-def growth_by_differences(theta0_deg: float, x: float) -> float:
-    """Largest real part at the equilibrium with that x, from forces that are differentiated numerically."""
-    with mpmath.workdps(40):
-        mu0, kappa, alpha, sigma, V, d = (mpmath.mpf(number) for number in ("0.5", "0.007", "0.007", "0.1", "0.5", "10"))
-        anchor = mpmath.expj(mpmath.radians(theta0_deg))
-
-        def forces(x: Any, y: Any, vx: Any) -> list[Any]:
-            spring = anchor - mpmath.mpc(x, y)
-            pull = sigma * (1 - abs(spring)) * spring / abs(spring)
-            friction = mu0 * (1 - mpmath.exp(-d * (V - vx)))
-            return [-pull.real - alpha * x - friction * y, -pull.imag - kappa - y]
-
-        at = [*mpmath.findroot(lambda x, y: forces(x, y, 0), (x, -0.05)), mpmath.mpf(0)]
-        h = mpmath.mpf(10) ** -15
-        slopes = [
-            [(forces(*_moved(at, i, h))[row] - forces(*_moved(at, i, -h))[row]) / (2 * h) for i in range(3)] for row in (0, 1)
-        ]
-        matrix = mpmath.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [*slopes[0], 0], [*slopes[1], 0]])
-        return float(max(mpmath.re(value) for value in mpmath.eig(matrix)[0]))
-
-
-def _moved(at: list[Any], place: int, step: Any) -> list[Any]:
-    return [value + (step if i == place else 0) for i, value in enumerate(at)]
+def growth_by_hand(theta0_deg: float, x: float) -> float:
+    """Largest real part at the equilibrium with that x, of the linearized equations of motion."""
+    constants = (np.cos(np.radians(theta0_deg)), np.sin(np.radians(theta0_deg)), *BASE.values(), 0.5, 10.0)
+    at = root(lambda q: article_motion.accelerations((*q, 0.0, 0.0), constants, True, 1.0), (x, -0.05), tol=1e-14).x
+    slopes = article_motion.slopes((*at, 0.0, 0.0), constants, True, 1.0)
+    return float(np.linalg.eigvals([[0, 0, 1, 0], [0, 0, 0, 1], *slopes]).real.max())
 
 
 @pytest.mark.thorough
@@ -438,7 +421,7 @@ def test_the_fate_of_rest() -> None:
     for V, d, place in zip(*(value("fig-7b-fate", name) for name in names), strict=True):
         low, high = (rms(motion(place + step, [0, 0, 0, 0], 500.0, V=V, d=d), 300, 500) for step in (-1e-4, 1e-4))
         assert low < 0.4 < 0.7 < high
-    growth = growth_by_differences(at, value("fig-7b-fate", "x of the saddle"))
+    growth = growth_by_hand(at, value("fig-7b-fate", "x of the saddle"))
     assert growth == pytest.approx(value("fig-7b-fate", "its growth rate"), rel=1e-7)
 
 

@@ -609,6 +609,15 @@ def test_derivatives_of_f() -> None:
                 assert abs(ours - theirs) < tiny
 
 
+def test_f_in_differences_is_f() -> None:
+    """f and its slope as they are arranged for boxes, anywhere."""
+    for seed in SEEDS:
+        values = rationals(seed) | {"nbar": Fraction(1)}
+        trig = call(equilibrium.f_coefficients, values)
+        at = values["cos"], values["sin"], *trig
+        assert call(catastrophe.f_in_differences, values)[:2] == (equilibrium.f(*at), equilibrium.f_slope(*at))
+
+
 def test_magnitudes_bound_their_terms() -> None:
     for seed in SEEDS:
         values = rationals(seed)

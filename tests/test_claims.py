@@ -16,7 +16,6 @@ import mpmath
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, root
 
 import spragsym as ss
@@ -363,12 +362,8 @@ def test_where_the_linear_model_is_good(mu0: float) -> None:
 
 def motion(theta0_deg: float, start: Any, t_end: float, rtol: float = 1e-8, d: float = 10.0, V: float = 0.5) -> Any:
     """(8) to (11) with SciPy, kinks and all."""
-    constants = (np.cos(np.radians(theta0_deg)), np.sin(np.radians(theta0_deg)), *BASE.values(), V, d)
-
-    def rhs(t: float, z: Any) -> list[float]:
-        return [*z[2:], *article_motion.everywhere(z, constants)]
-
-    return solve_ivp(rhs, (0, t_end), start, method="RK45", rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0)
+    p = ss.Parameters.article(theta0=np.radians(theta0_deg))
+    return article_motion.integrated(p, V, d, start, t_end, rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0)
 
 
 def rms(solution: Any, begin: float, end: float) -> float:

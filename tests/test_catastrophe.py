@@ -211,28 +211,6 @@ def test_a_value_on_a_fold_has_the_state_that_arrives(mu0: float) -> None:
     assert _xs(p, [fold]) == (pytest.approx([on_fold], abs=1e-7), 0)
 
 
-@pytest.mark.parametrize("ulps", [1, 2, 3, 10])
-def test_a_value_next_to_a_fold_lies_before_it_or_beyond(ulps: int) -> None:
-    p = ss.Parameters.article(mu0=0.7)
-    fold = float(ss.folds(p).theta0[0])
-    before, beyond = fold - ulps * np.spacing(fold), fold + ulps * np.spacing(fold)
-    small, large = ss.folds(p).x[0], ss.equilibria(p.replace(theta0=beyond)).x[0]
-    assert _xs(p, [0.5, before, beyond, 1.0])[0][1:3] == pytest.approx([small, large], abs=1e-6)
-    assert _xs(p, [0.5, beyond])[1] == _xs(p, [before, beyond])[1] == 1
-    assert _xs(p, [0.5, before])[1] == _xs(p, [beyond, 1.0])[1] == 0
-    assert _xs(p, [1.0, beyond, before])[0][1:] == pytest.approx([large, large], abs=1e-6)
-
-
-def test_folds_can_be_merged_into_the_values() -> None:
-    p = ss.Parameters.article(mu0=0.7)
-    folds, grid = ss.folds(p).theta0, np.linspace(0.1, 3.1, 40)
-    for step in (1, -1):
-        values = np.sort(np.r_[grid, folds])[::step]
-        merged, plain = (ss.quasi_static_path(p, "theta0", along) for along in (values, grid[::step]))
-        assert [jump.value for jump in merged.jumps] == [jump.value for jump in plain.jumps]
-        np.testing.assert_array_equal(merged.x[np.isin(values, grid)], plain.x)
-
-
 def test_paths_through_a_pitchfork_stay_together() -> None:
     p = ss.Parameters.article(mu0=0.0, alpha=0.0)
     first, last = ss.folds(p).theta0

@@ -270,11 +270,6 @@ def test_usage_is_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
     assert "usage" in capsys.readouterr().err
 
 
-def test_users_import_no_sympy() -> None:
-    code = "import spragsym, spragsym.generated.equilibrium, sys; sys.exit('sympy' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0
-
-
 @given(strategies.text())
 def test_a_comment_of_c_ends_where_it_ends(words: str) -> None:
     said = layout.comment(words)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
@@ -77,25 +76,6 @@ def test_mirror_symmetry_is_exact(
     there = equilibrium.f_coefficients(-c0, s0, -mu0, *others)
     assert equilibrium.f(-c, s, *there) == -equilibrium.f(c, s, *here)
     assert equilibrium.f_slope(-c, s, *there) == equilibrium.f_slope(c, s, *here)
-
-
-@given(positive(1e-2, 1e2), positive(1e-2, 1e2), positive(1e-2, 1e2), angles, frictions)
-def test_other_units_change_nothing(mass: float, length: float, time: float, theta0: float, mu0: float) -> None:
-    """The same brake in grams, inches and hours is the same dimensionless model, and its results scale back."""
-    force = mass * length / time**2
-    brake = dict(m=0.4, k=1e5, k_x=7e3, k_y=2e4, k_c=1e6, F_L=350.0, L_0=0.05, V=20.0, d=1.0)
-    units = dict(
-        m=mass, k=force / length, k_x=force / length, k_y=force / length, k_c=force / length, F_L=force, L_0=length,
-        V=length / time, d=time / length,
-    )  # fmt: skip
-    one = ss.PhysicalParameters(**brake, theta0=theta0, mu0=mu0)
-    other = ss.PhysicalParameters(**{name: value * units[name] for name, value in brake.items()}, theta0=theta0, mu0=mu0)
-    for name in ("kappa", "alpha", "sigma", "beta"):
-        np.testing.assert_allclose(getattr(other.dimensionless(), name), getattr(one.dimensionless(), name), rtol=1e-14)
-    for name, unit in (("length", length), ("time", time), ("force", force)):
-        assert math.isclose(getattr(other.scales, name), getattr(one.scales, name) * unit, rel_tol=1e-14)
-    for name in ("V", "d"):
-        assert math.isclose(other.belt()[name], one.belt()[name], rel_tol=1e-13)
 
 
 @given(points())

@@ -16,7 +16,6 @@ from typing import Any, TypeAlias
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from scipy.optimize import brentq
 
 import spragsym as ss
 from spragsym.cli import cli
@@ -182,18 +181,6 @@ def _random(rng: np.random.Generator, count: int, **fixed: Any) -> Any:
     return np.column_stack([np.broadcast_to(fixed.get(name, value), (count,)) for name, value in columns.items()])
 
 
-def _false_double_root() -> float:
-    """θ₀ at which an equilibrium of the base values has L = σ/(σ+α), the double root of the quartic in L."""
-    _, mu0, kappa, alpha, sigma, beta = BASE
-    L = sigma / (sigma + alpha)
-
-    def across(theta0: float) -> float:
-        y = -alpha * math.cos(theta0) / mu0
-        return sigma * (1 - L) * (math.sin(theta0) - y) / L + (beta + 1) * y + kappa
-
-    return float(brentq(across, math.radians(30), math.radians(40), xtol=1e-15))
-
-
 def _around(theta0: float) -> Any:
     return np.array([(theta0 * (1 + sign * distance), *BASE[1:]) for distance in DISTANCES for sign in (-1, 1)])
 
@@ -210,28 +197,21 @@ def _flutter_onsets() -> Any:
 
 
 def adversarial() -> dict[str, Any]:
-    rng = np.random.default_rng(99)
-    n = 40
-    beta = rng.uniform(0.0, 0.5, n)
-    ends = np.concatenate([_decades(rng, -12, -1, n // 2), math.pi - _decades(rng, -12, -1, n // 2)])
-    return {
-        "ordinary": _random(rng, n, mu0=rng.uniform(0.0, 1.5, n), beta=beta),
+    """The families, and what lies still farther apart or next to a fold or an onset of flutter."""
+    rng, n = np.random.default_rng(99), 40
+    families = {
+        name: c_target.table(family(np.random.default_rng([99, k]), n)) for k, (name, family) in enumerate(FAMILIES.items())
+    }
+    wide = {name: _decades(rng, low, high, n) for name, low, high in (("kappa", -12, 3), ("sigma", -8, 4), ("alpha", -12, 3))}
+    return families | {
         "decades": _random(rng, n),
-        "wild decades": _random(
-            rng, n, kappa=_decades(rng, -12, 3, n), sigma=_decades(rng, -8, 4, n), alpha=_decades(rng, -12, 3, n)
-        ),
+        "wild decades": _random(rng, n, **wide),
         "fold at 44.6 degrees": _around(math.radians(44.559317702565)),
         "fold at 155.1 degrees": _around(math.radians(155.059418789789)),
         "onset of flutter": _flutter_onsets(),
-        "L = sigma/(sigma+alpha)": _around(_false_double_root()),
-        "theta0 = 90 degrees": _random(rng, n, theta0=math.pi / 2),
-        "theta0 near its ends": _random(rng, n, theta0=ends),
         "small kappa": _random(rng, n, kappa=_decades(rng, -16, -6, n)),
         "small kappa and theta0": _random(rng, n, kappa=_decades(rng, -16, -6, n), theta0=_decades(rng, -14, -3, n)),
-        "beta = 0": _random(rng, n, beta=0.0),
-        "alpha = 1 + beta": _random(rng, n, beta=beta, alpha=1 + beta),
         "alpha = 0": _random(rng, n, alpha=0.0),
-        "mu0 = 0": _random(rng, n, mu0=0.0),
     }
 
 
@@ -315,7 +295,7 @@ def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: i
             off = max(abs(one - value) / max(1, abs(value)) for one, value in zip(ours, exact, strict=True))
             assert off <= state["error"] <= 1e-12, points[i]
     # Close to a fold or to flutter nothing can be vouched for; elsewhere nearly everything is.
-    assert sure.sum() >= (0.35 if regime == CONTACT and re.search("fold|flutter", kind) else 0.95) * len(points)
+    assert sure.sum() >= (0.35 if regime == CONTACT and re.search("fold|flutter|wedge", kind) else 0.95) * len(points)
 
 
 def test_it_stands_before_the_judge_of_its_mutants() -> None:

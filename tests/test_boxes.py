@@ -154,6 +154,7 @@ SMALL = {
 }
 
 
+@pytest.mark.thorough
 def test_whatever_is_guessed_every_root_is_there_once_and_in_its_box():
     p, q = np.random.default_rng(6).uniform([[0.5], [-2.0]], [[2.0], [0.0]], (2, 100))
     exact = [

@@ -231,6 +231,7 @@ def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> No
     assert built(compiler, *level, *SHARED).is_file()
 
 
+@pytest.mark.thorough
 def test_example_of_the_page(inside: ctypes.CDLL) -> None:
     """The function that the page on C shows for many points: it compiles, and counts what Python counts."""
     rng = np.random.default_rng(10)

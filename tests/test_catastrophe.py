@@ -73,6 +73,7 @@ def test_agreement_with_continuation_codes() -> None:
 # ------------------------------------------------------------------------------------------- completeness
 
 
+@pytest.mark.thorough
 def test_bifurcation_set_agrees_with_the_count_map() -> None:
     rng = np.random.default_rng(12)
     for trial in range(5):

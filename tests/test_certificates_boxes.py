@@ -492,6 +492,7 @@ def test_no_box_is_widened_beyond_the_limits():
     assert np.max(asked, axis=0)[1, 1] > 2.0
 
 
+@pytest.mark.thorough
 def test_batches_do_not_show(monkeypatch):
     """Nor are they larger than twice what is asked for; each box is looked at once."""
     values = np.stack([np.linspace(-2, 2, 16), np.linspace(-1.9, 3, 16), np.linspace(0, 1, 16)])

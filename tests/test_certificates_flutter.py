@@ -113,6 +113,7 @@ def test_a_rank_counts_what_is_in_contact(place: int, edge: Fraction) -> None:
             flutter_proofs.rank(*arguments)
 
 
+@pytest.mark.thorough
 def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
     """Which are proved, with more digits, at a friction that is as exact as its onset's θ₀ is not: none is next to a fold."""
     rng, kinds, arith = np.random.default_rng(77), set(), intervals.arithmetic()

@@ -110,6 +110,7 @@ def _roots(theta: float, fixed: Fixed) -> np.ndarray:
     return np.sort(roots.real[(np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)])
 
 
+@pytest.mark.thorough
 def test_events_however_close_are_told_apart() -> None:
     """Between two sets of parameters a meeting of folds and one at θ₀ = π change places: to the last float, both are seen."""
     one, two = Fixed(0.0051, 0.0023, 0.0978, 0.0), Fixed(0.00115, 0.0837, 0.0529, 0.0)

@@ -381,6 +381,7 @@ def test_a_step_that_leads_astray_is_not_taken() -> None:
     assert abs(kernel.simple_root(kernel.cubic(*map(np.float64, (a, b, a, m))))) < 1e-100
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("nbar", [1, 0])
 def test_guesses_are_the_roots_that_may_be_equilibria(nbar: int) -> None:
     """Against companion matrices: ascending, infinity beyond the count, in contact positive ones only."""
@@ -427,6 +428,7 @@ def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytes
     assert taken == {False, True}
 
 
+@pytest.mark.thorough
 def test_a_step_of_both_factors_is_newtons_and_keeps_their_signs() -> None:
     """Against the linear equations for the changes; one that would turn q₁ < 0 or q₂ > 0 about is not taken."""
     rng, seen = np.random.default_rng(35), set()
@@ -530,6 +532,7 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
             assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(float(angle))
 
 
+@pytest.mark.thorough
 def test_arc_tangents_are_off_to_neither_side() -> None:
     """Over every piece errors have no mean: low parts of the constants that are off by a third would give them one."""
     rng = np.random.default_rng(31)
@@ -553,6 +556,7 @@ def test_arc_tangents_between_pieces_have_two_words() -> None:
             assert abs(angle - mpmath.atan(value)) < 2.0**-106
 
 
+@pytest.mark.thorough
 def test_the_rest_of_an_angle_counts_once_and_only_once() -> None:
     """Errors of sine and cosine don't go with what the reduced angle lacks, z tail: half of it in the sine's last term."""
     rng = np.random.default_rng(32)
@@ -783,6 +787,7 @@ def _with_derivatives(d1: Any, d2: Any, d3: Any, e4: Any, c: Any) -> tuple[Any, 
     return d1 - 2 * e2 * c - 3 * e3 * c**2 - 4 * e4 * c**3, e2, e3, e4
 
 
+@pytest.mark.thorough
 def test_roots_above_a_number_are_counted() -> None:
     """Three positive roots and a negative one, and c between them: all of the three are above, or one."""
     rng, seen = np.random.default_rng(91), set()

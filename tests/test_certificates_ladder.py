@@ -217,6 +217,7 @@ def _largest_root(P: Fraction, Q: Fraction) -> mpmath.mpf:
     return w - P / w
 
 
+@pytest.mark.thorough
 def test_newtons_start_is_above_the_root_and_not_far(held: Arithmetic) -> None:
     with mpmath.workdps(120):
         for P, Q in CUBICS:

@@ -265,8 +265,8 @@ def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
 
 #: Those that take longest; what the others show is the same, by the same code.
 LARGE = (
-    "A1-c0", "A1-d0", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9", "A10", "eq-1", "eq-2", "eq-6", "eq-8", "eq-9", "eq-10",
-    "eq-12", "eq-13", "eq-14", "eq-15", "eq-28",
+    "def-n", "A11", "A1-c0", "A1-d0", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9", "A10", "eq-1", "eq-2", "eq-6", "eq-8",
+    "eq-9", "eq-10", "eq-12", "eq-13", "eq-14", "eq-15", "eq-28",
 )  # fmt: skip
 
 

@@ -267,6 +267,7 @@ def test_lift_off() -> None:
 # --------------------------------------------------------------------------------------------- counts and bounds
 
 
+@pytest.mark.thorough
 def test_one_or_three_by_signs() -> None:
     rng, seen = np.random.default_rng(5), set()
     for _ in range(150):

@@ -109,6 +109,7 @@ def test_what_is_undecided_is_not_called_none(run: Run) -> None:
         assert re.search(rf"^{line}\s+unknown$", text, re.MULTILINE)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", few(["pdf", "png", "svg"], "svg"))
 def test_bifurcation_draws(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("matplotlib")
@@ -505,6 +506,7 @@ def test_exit_codes(error: BaseException, code: int, words: str, monkeypatch: py
 ONE = ["equilibria", "--theta0", "30"]
 
 
+@pytest.mark.thorough
 def test_a_reader_that_leaves_is_no_error(start: Start) -> None:
     """As under ``head``."""
     process = start(*ONE, "--json")
@@ -517,6 +519,7 @@ def test_a_reader_that_leaves_is_no_error(start: Start) -> None:
     assert said == ""
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a disk that is always full")
 @pytest.mark.parametrize(
     "arguments", few([ONE, [*ONE, "--json"], ["--version"], ["--help"], [*ONE, "--help"]], ONE), ids=" ".join

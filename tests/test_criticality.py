@@ -147,6 +147,7 @@ def test_a_linear_mode_has_cycles_of_every_size_at_one_friction() -> None:
     assert "not told from 0" in onsets.why[0]
 
 
+@pytest.mark.thorough
 def test_where_all_pairs_cross_at_once_nothing_is_claimed() -> None:
     onsets = onsets_of("stribeck", "V", theta0=0.7)
     at_once = np.isclose(onsets.V, onsets.V.max())

@@ -407,6 +407,7 @@ def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
     assert gap < 1e-4  # between samples it is 0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("every", [4, pytest.param(1, marks=pytest.mark.thorough)], ids=["some", "all"])
 def test_the_branches_that_the_diagram_draws_are_of_cycles(every: int) -> None:
     """One cycle of each, found again: its period, and that it is stable where the committed search says so."""
@@ -847,6 +848,7 @@ def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Path) -> None:
     assert all(f"# {line}\n" in text for line in ("model: kang_nam", "x0: 0.0", "vy0: 0.0", "t_end: 10000.0"))
 
 
+@pytest.mark.thorough
 def test_the_map_is_drawn_by_one_command(tmp_path: Path, run: Run) -> None:
     out, picture = tmp_path / "map.csv", tmp_path / "map.svg"
     more = ["--t-end", "2000", "-q", "-o", str(out), "--plot", str(picture)]
@@ -874,6 +876,7 @@ def test_the_time_scale_is_that_on_which_motions_die_out(name: str) -> None:
     assert sizes[0] - sizes[1] == pytest.approx(1.0, rel=0.05)
 
 
+@pytest.mark.thorough
 def test_a_map_of_fates_leaves_the_trivial_exponent_out() -> None:
     found, row = ss.fate(at(44.0), **BELT, t_end=500.0), ss.fate_map(at(44.0), **BELT, t_end=500.0)
     told = float(str(row.why).removeprefix("an exponent of ").split(" ±")[0])
@@ -914,6 +917,7 @@ def test_a_point_beside_which_basins_alternate_is_no_boundary() -> None:
     assert ", and nearer by " in found.sides[4, 0]
 
 
+@pytest.mark.thorough
 def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> None:
     found = ss.lyapunov(at(42.0), **BELT, start=slow.state, t_end=80 * slow.period)
     expected = np.sort(np.log(np.abs(slow.multipliers)) / slow.period)[::-1]
@@ -929,6 +933,7 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("degrees", "kind"),
     [
@@ -986,6 +991,7 @@ def test_what_has_no_answer_says_why(number: int, slow: ss.Cycle) -> None:
         call(slow)
 
 
+@pytest.mark.thorough
 def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
     p = at(60.0, kappa=0.001)
     lifted = ss.equilibria(p, contact=False)
@@ -1179,6 +1185,7 @@ def test_a_force_that_a_model_has_not_is_named() -> None:
         _ = model.cycle(model.Parameters(V=0.2)).spring_force
 
 
+@pytest.mark.thorough
 def test_a_loaded_model_has_branches_and_exponents() -> None:
     model = ss.load("stick_slip")
     first = model.cycle(model.Parameters(V=0.2))

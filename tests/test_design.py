@@ -112,6 +112,7 @@ def test_values_on_folds_and_in_symmetric_systems() -> None:
     assert math.isnan(ss.jump_value(point.replace(kappa=kappa), "kappa", direction="down"))
 
 
+@pytest.mark.thorough
 def test_exact_arithmetic_gives_the_same_values(monkeypatch: pytest.MonkeyPatch) -> None:
     p = families.random(np.random.default_rng(9), 12)
     for vary in ("mu0", "theta0"):
@@ -396,6 +397,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 1024)
 
 
+@pytest.mark.thorough
 def test_a_probability_is_that_of_plain_samples() -> None:
     found = ss.jump_probability(TOLERANCES, n=1 << 12, rng=1)
     rng = np.random.default_rng(2)

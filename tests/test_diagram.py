@@ -52,6 +52,7 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
     assert (cycles.highest >= height - 1e-6).all()
 
 
+@pytest.mark.thorough
 def test_a_branch_of_equilibria_is_there_once() -> None:
     """On one branch a torsion spring is counted on either of its ways."""
     found = ss.diagram(ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", (0.0, 2.0))
@@ -98,6 +99,7 @@ def test_a_neutral_saddle_is_no_hopf_point() -> None:
     assert found.labels == ()
 
 
+@pytest.mark.thorough
 def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(article: ss.Diagram) -> None:
     friction = ss.sliding_friction(0.5, 0.5, 10.0)
     folds = ss.folds(ss.Parameters.article(mu0=friction), "theta0").theta0
@@ -124,6 +126,7 @@ def parts(values: Any) -> list[Any]:
     return [part if values[part[-1]] > values[part[0]] else part[::-1] for part in found]
 
 
+@pytest.mark.thorough
 def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
     pytest.importorskip("matplotlib")
     (hopf,) = (label for label in born.labels if label.label == "H")

@@ -152,7 +152,13 @@ def test_every_result_is_known_here() -> None:
     assert kinds <= set(RESULTS)
 
 
-@pytest.mark.parametrize("kind", few(RESULTS, *(RESULTS.keys() - {"FateBoundary", "EventCurve", "BasinBoundary"})))
+@pytest.mark.parametrize(
+    "kind",
+    few(
+        RESULTS,
+        *(RESULTS.keys() - {"FateBoundary", "EventCurve", "BasinBoundary", "Diagram", "CycleBranch", "Points of a search"}),
+    ),
+)
 def test_a_notebook_gets_a_table(kind: str) -> None:
     if kind in LONG_MOTIONS and LONG_MOTIONS_TAKE_MINUTES:
         pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
@@ -184,6 +190,7 @@ def test_the_table_of_equilibria_has_their_numbers() -> None:
     assert column["stability"] == ["stable", "divergent", "flutter", "flutter"]
 
 
+@pytest.mark.thorough
 def test_results_of_models_have_the_rows_of_the_article_s() -> None:
     """The article's model, through its page, in the tables of the article's own results: same states, folds and motion."""
     own, page = (Tables(ss.equilibria(P, method=method)._repr_html_()).rows for method in ("closed", "search"))
@@ -208,6 +215,7 @@ def test_results_of_models_have_the_rows_of_the_article_s() -> None:
     assert "2 points along theta0_deg from 0 to 180; not complete: 3 boxes are too wide" in str(open_box)
 
 
+@pytest.mark.thorough
 def test_the_model_says_which_columns_are_angles() -> None:
     """Not their names: psi and phi are angles of models that are not the article's, and theta_k may be a stiffness of a page."""
     belt = ss.load("inclined_belt")

@@ -202,6 +202,7 @@ def test_a_flight_between_two_points_of_the_search_is_found() -> None:
     assert time == pytest.approx(0.55, abs=1e-9)
 
 
+@pytest.mark.thorough
 def test_integrators_find_the_same_events_from_random_starts() -> None:
     rng = np.random.default_rng(5)
     for _ in range(8):

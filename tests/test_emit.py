@@ -270,6 +270,7 @@ def test_usage_is_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
     assert "usage" in capsys.readouterr().err
 
 
+@pytest.mark.thorough
 @given(strategies.text())
 def test_a_comment_of_c_ends_where_it_ends(words: str) -> None:
     said = layout.comment(words)

@@ -78,6 +78,7 @@ def test_a_small_cycle_beside_rest_is_no_rest(scaled: Any, unit: float) -> None:
     assert found.period[0] == pytest.approx(6.33033028, abs=1e-7)  # in its own unit, N_0/k
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 @pytest.mark.parametrize("unit", [1e-3, pytest.param(1e-6, marks=pytest.mark.thorough)])
 def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(scaled: Any, unit: float) -> None:
@@ -92,6 +93,7 @@ def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(scaled: Any, 
         assert abs(end.value / width - onset) < 2 * end.error / width + 1e-6
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 def test_a_curve_of_folds_goes_on_where_multipliers_are_known_to_ten_digits() -> None:
     """It ended after two points: rounding of the test function kept the closed orbit open."""
@@ -131,6 +133,7 @@ def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float) -> None:
     assert found.error[0] == 0
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 def test_a_first_coordinate_that_stands_still_is_named() -> None:
     """Its cycle is there, and no longer motion finds it: that was the advice."""

@@ -154,6 +154,7 @@ def test_a_map_may_give_results_in_any_order(recorded: attack.Recorded) -> None:
 # ---------------------------------------------------------------------------------------------------------- workers
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("heyoka", "message"),
     [
@@ -358,12 +359,14 @@ def test_what_another_has_finished_is_loaded(tmp_path: Path, recorded: attack.Re
 # -------------------------------------------------------------------------------------------------------- damage
 
 
+@pytest.mark.thorough
 def test_damaged_journals_give_the_right_numbers_or_are_refused(tmp_path: Path) -> None:
     outcomes = attack.attack_journals(np.random.default_rng(1), tmp_path, 60)
     assert sum(outcomes.values()) == 60
     assert outcomes["healed, and named"] > 20
 
 
+@pytest.mark.thorough
 def test_damaged_results_are_refused(tmp_path: Path) -> None:
     outcomes = attack.attack_files(np.random.default_rng(2), tmp_path, 80)
     assert outcomes[".nc: refused, and named"] > 35

@@ -264,6 +264,7 @@ def test_no_line_crosses_a_pole(sheets: dict[str, Sheet]) -> None:
 # --------------------------------------------------------------------------------------------------- surfaces
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("sigma", [0.1, pytest.param(1.0, marks=pytest.mark.thorough)])
 def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: float) -> None:
     p = P.replace(sigma=sigma)

@@ -119,6 +119,7 @@ def test_the_map_notices_a_missing_and_an_invented_onset() -> None:
     assert compare(WITHOUT_ALPHA, changed([0, 1, 1, 2, 3]))[:2] == (0, 1)
 
 
+@pytest.mark.thorough
 def test_two_onsets_are_told_apart_down_to_the_last_float() -> None:
     """At the lowest friction with flutter two onsets are born; one float below there is none."""
     p = ss.Parameters.article(alpha=0.7)

@@ -44,6 +44,7 @@ def test_the_normal_force_below_jamming() -> None:
     np.testing.assert_allclose(depth, expected, rtol=1e-4)
 
 
+@pytest.mark.thorough
 def test_folds_of_the_rod_against_its_balance_by_hand() -> None:
     """κ (φ − θ₀ + ψ) = N (sin φ − μ cos φ), N = cos φ − cos θ₀, and its derivative."""
     with mpmath.workdps(30):
@@ -66,6 +67,7 @@ def test_folds_of_the_rod_against_its_balance_by_hand() -> None:
                 assert abs(root[1] - mu) < 1e-11
 
 
+@pytest.mark.thorough
 def test_the_pad_rests_as_the_mass_of_the_article_on_both_stiffnesses() -> None:
     """The disc is a spring in a row with the contact; the piston adds none, since it hands on its force."""
     row = 1.0 / (1.0 + 1.0 / 4.0)

@@ -47,6 +47,7 @@ def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
     return {contact: (p, languages.in_node(p, contact)) for contact in (True, False)}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", few([True, False], True))
 def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: bool) -> None:
     """Counts, kinds and errors within the bounds of both, against the ladder's digits; and most points are vouched for."""
@@ -56,6 +57,7 @@ def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: boo
     assert 0 < languages.against_python(found, p, contact).largest <= 1
 
 
+@pytest.mark.thorough
 def test_every_bit_is_that_of_c(everything: Any, c_library: ctypes.CDLL) -> None:
     """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
     for contact, (p, found) in everything.items():
@@ -143,6 +145,7 @@ def test_flutter_onsets_are_those_of_python(changes: dict[str, float]) -> None:
         assert sorted(crossed) == pytest.approx(exact, abs=5e-3)
 
 
+@pytest.mark.thorough
 def test_flutter_curves_are_joined_where_two_are_born_or_vanish() -> None:
     """As many curves as Python finds, where pairs are born, where they vanish, and both."""
     sets: list[dict[str, float]] = [

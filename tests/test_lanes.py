@@ -131,6 +131,7 @@ def simulate_steps(problem: Problem) -> int:
     return compiled.go(free, free.t_end, compiled.go(free, free.t_record)[0])[0]
 
 
+@pytest.mark.thorough
 def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
     some = problems(9, t_end=40.0, t_record=10.0)
     found = batch_heyoka.watch(Motions.of(some))
@@ -146,6 +147,7 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
         np.testing.assert_allclose(found.course(row).maxima, tr.course().maxima, atol=1e-7)
 
 
+@pytest.mark.thorough
 def test_a_long_motion_keeps_its_latest_turning_points_only(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = problems(1, t_end=600.0, t_record=10.0)[0]
     whole = batch_heyoka.watch(Motions.of([problem])).course(0)

@@ -137,6 +137,7 @@ def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
 # ----------------------------------------------------------------------------------------- what is printed
 
 
+@pytest.mark.thorough
 def test_generated_c_comes_out_formatted() -> None:
     """The printer lays C out by itself, as clang-format would, for any model; of the article's another one knows nothing."""
     pytest.importorskip("sympy")

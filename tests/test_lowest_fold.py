@@ -79,6 +79,7 @@ def test_turning_points_solve_the_balance_of_forces() -> None:
         assert abs(turned) < 1e-10
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", [28])
 def test_fifty_digits_by_another_way(seed: int) -> None:
     rng = np.random.default_rng(seed)
@@ -140,6 +141,7 @@ def test_no_fold_at_all() -> None:
     assert math.isinf(ss.cusp_friction(p))
 
 
+@pytest.mark.thorough
 def test_the_kind_changes_where_a_turn_runs_into_the_cusp() -> None:
     """Between the article's σ and a stiff spring the turn passes the cusp, where both are one."""
     low, high = 0.1, 5.0

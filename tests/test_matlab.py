@@ -107,6 +107,7 @@ def test_algebra_is_that_of_python(package: Path) -> None:
 # --------------------------------------------------------------------------------------- surface, folds and cusps
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("changes", "at"),
     [

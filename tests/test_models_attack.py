@@ -30,6 +30,7 @@ STIFF = {
 }  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", STIFF)
 def test_states_of_stiff_springs_are_known_to_all_digits(name: str) -> None:
     """The bound is 1e-12 here too, and it holds in 40 digits."""
@@ -56,6 +57,7 @@ SHALLOW = {
 }  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", [pytest.param(True, marks=pytest.mark.thorough), False])
 def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool) -> None:
     """Forces deep in the belt are infinite, and in lift-off, where the law is multiplied by 0, none is."""
@@ -126,10 +128,14 @@ def test_arguments_that_make_no_sense(case: str) -> None:
 
 
 def test_a_plane_of_which_one_parameter_moves_no_fold() -> None:
-    """V is none of the statics' of the article: its folds in (V, mu0) are lines, and nothing warns."""
-    model = ss.load("kang_nam").search
-    found = model.bifurcation_set(model.Parameters(theta0=0.8), ("V", "mu0"), n=3)
+    """V is none of the statics' of the article: its folds in (V, mu0) are lines, at the folds of the closed form."""
+    model, p = ss.load("kang_nam").search, ss.Parameters(theta0=0.8)
+    found = model.bifurcation_set(p, ("V", "mu0"), n=3)
     assert found.vary == ("V", "mu0")
+    (curve,) = found.curves
+    assert curve.mu0 == pytest.approx(ss.jump_value(p, "mu0"), rel=1e-12)
+    # Every point of a line is an extremum: none of them is looked for.
+    assert not any("boxes" in text for text in found.remarks)
 
 
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])

@@ -76,6 +76,7 @@ def test_a_pair_that_is_born_far_away_does_not_stop_a_path(pad: Any) -> None:
     assert state == pytest.approx(q[1], abs=1e-9)
 
 
+@pytest.mark.thorough
 def test_an_angle_after_a_turn_is_the_same_state() -> None:
     """States are listed within one turn, and a state that is followed may leave it."""
     rod = ss.load("sprag_rod")

@@ -17,7 +17,7 @@ from tests.support import few, model_of
 #: Two springs without length that couple both directions, on a belt that hardens.
 COUPLED = '''r"""A mass on two inclined guides."""
 from spragsym.derive.model import Abs, Page, exp, sgn
-from tests.support import few, model_of
+
 page = Page("A mass on two springs that lean, and a belt that hardens.")
 m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
@@ -55,7 +55,7 @@ def by_hand(p: Any, mu: float) -> np.ndarray:
     return np.sort(roots.real[(np.abs(roots.imag) < 1e-9) & (roots.real >= 0)])
 
 
-@pytest.mark.parametrize("mu", [0.5, 1.9, 2.05, 3.0, 10.0, 20.0])
+@pytest.mark.parametrize("mu", few([0.5, 1.9, 2.05, 3.0, 10.0, 20.0], 1.9, 10.0))
 def test_states_far_away_are_found_or_not_complete(coupled: Any, mu: float) -> None:
     for b in (-0.5, 0.5, 0.05):
         p = coupled.Parameters(mu0=mu, b=b)
@@ -122,7 +122,6 @@ def test_commands_say_what_was_searched(run: Run) -> None:
     few(
         ["kang_nam", "stribeck", "hertz_contact", "trolley", "mode_coupling", "stick_slip", "damped"],
         "stick_slip",
-        "mode_coupling",
     ),
 )
 def test_nothing_is_incomplete_without_a_reason(name: str) -> None:

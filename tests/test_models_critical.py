@@ -104,6 +104,7 @@ def test_what_makes_no_sense_is_refused(options: dict[str, Any], words: str) -> 
         SEARCH.critical_friction(SEARCH.Parameters(), **options)
 
 
+@pytest.mark.thorough
 def test_a_tube_holds_one_state() -> None:
     """It arrives where the equilibrium is, and never goes through a fold."""
     p = SEARCH.Parameters(theta0=math.radians(49.0))
@@ -154,6 +155,7 @@ def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> 
     assert ss.load("kang_nam").search.cusp_friction(p, between={"mu0": (0.0, 0.1)}) == math.inf
 
 
+@pytest.mark.thorough
 def test_a_cusp_that_may_be_lower_is_not_ruled_out() -> None:
     """Without the vertical plane: 30 to 40 degrees have none, and of an endless range only a part is searched."""
     p = ss.load("inclined_belt").Parameters()

@@ -23,6 +23,7 @@ def test_a_region_without_width_holds_its_equilibrium():
     assert eq.x.tolist() == [[0.0], [0.0]]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "vary", "onsets"),
     [
@@ -40,12 +41,14 @@ def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, ons
     assert (getattr(found, vary) > 1e-3).all()
 
 
+@pytest.mark.thorough
 def test_a_belt_at_rest_has_no_onset():
     model = ss.load("stribeck")
     assert model.flutter_onsets(model.Parameters(V=0.0), "theta0").complete
     assert model.flutter_onsets(model.Parameters(theta0=1.0), "d").decided
 
 
+@pytest.mark.thorough
 def test_a_law_that_would_jump_at_the_end_of_its_range():
     # Where v_s goes to 0 the slope of Stribeck's law has a limit that is not 0, but no bound in a box that holds 0.
     model = ss.load("stribeck")
@@ -63,6 +66,7 @@ def test_a_law_that_would_jump_at_the_end_of_its_range():
             assert abs(mp.diff(lambda V, at=v_s: law(V, at), 0.5)) < 1e-13
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("off", few([0.0, 1e-14, -1e-12, 1e-9], 0.0))
 @pytest.mark.parametrize("vary", few(["mu0", "theta0"], "theta0"))
 def test_folds_beside_a_cusp(vary, off):
@@ -77,6 +81,7 @@ def test_folds_beside_a_cusp(vary, off):
     assert (found.error <= 1e-12).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["kang_nam", "mode_coupling"])
 def test_beside_a_line_of_equilibria_all_is_decided(name):
     # Without friction and spring along the belt nothing but the inclined spring, sigma > 0, holds the mass along the belt.
@@ -197,6 +202,7 @@ def test_what_is_undecided_is_listed(with_a_line, run):
     assert "det K is 0 in every state" in text
 
 
+@pytest.mark.thorough
 def test_a_slope_that_no_float_tells_from_0_has_its_sign():
     # Without friction at fast sliding the slope is a multiple of e^(−V/v_s), and the sign of the other factor is known.
     model = ss.load("stribeck")

@@ -31,6 +31,7 @@ def ax():
     return plot.Figure().subplots()
 
 
+@pytest.mark.thorough
 def test_the_bifurcation_set_on_given_axes(ax, found):
     lines = figures.draw_bifurcation_set(found, ax)
     assert len(lines) == len(found.curves) + 1
@@ -41,6 +42,7 @@ def test_the_bifurcation_set_on_given_axes(ax, found):
     assert np.allclose(lines[-1].get_ydata(), found.cusps.mu0)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", few(shipped(), "mode_coupling"))
 def test_curves_pass_through_all_equilibria(name, ax):
     """At random values as many curves as there are states, near them and of their stability; two of them end on each fold."""

@@ -58,6 +58,7 @@ def test_a_force_without_a_potential_can_bring_flutter_without_friction():
     assert abs(found.omega[0] - np.sqrt(1.25)) < 1e-12
 
 
+@pytest.mark.thorough
 def test_flutter_begins_where_exact_arithmetic_says_so():
     # Of the linear model K is rational in its parameters: so is the discriminant whose sign tells flutter from rest.
     rng = np.random.default_rng(3)
@@ -75,6 +76,7 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
         assert eq.marginal[place][0] == (exact == 0)
 
 
+@pytest.mark.thorough
 def test_two_states_beside_a_fold_differ_by_the_proved_sign_of_their_stiffness():
     model = ss.load("kang_nam").search
     fold = model.folds(model.Parameters(theta0=1.0), "mu0", between={"mu0": (0.0, 2.0)})
@@ -178,6 +180,7 @@ def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
     _crosses(stribeck, p, found, "v_s")
 
 
+@pytest.mark.thorough
 def test_an_onset_that_more_digits_do_not_prove_is_kept():
     # Found in a random attack: a regular root, known to 1.1e-12, was given up for a box of width 4e-4.
     model = ss.load("damped")
@@ -236,7 +239,7 @@ def circle():
     return model_of(CIRCLE, "circle")
 
 
-@pytest.mark.parametrize("radius", [0.03, 1e-3, 1e-5])
+@pytest.mark.parametrize("radius", few([0.03, 1e-3, 1e-5], 1e-3))
 @pytest.mark.parametrize(("u", "v", "angle"), [
     ((-5.5, 2.5), (-2.5, 5.5), 2 * np.pi), ((0.9, 5.0), (-4.0, 3.0), 2 * np.arccos(0.9)),
     ((-4.0, 3.0), (0.9, 5.0), 2 * np.arccos(0.9)), ((0.7, 5.0), (0.7, 4.0), np.arccos(0.7) - np.arcsin(0.7)),

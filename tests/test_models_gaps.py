@@ -57,6 +57,7 @@ def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
         assert eq.complete
 
 
+@pytest.mark.thorough
 def test_curves_of_folds_end_with_the_contact(models: dict[str, Any]) -> None:
     model, hand = models["rail"], HANDS["rail"]
     vary = ("mu0", "kappa")
@@ -67,6 +68,7 @@ def test_curves_of_folds_end_with_the_contact(models: dict[str, Any]) -> None:
     assert closed(hand, found.cusps, model, p, vary)
 
 
+@pytest.mark.thorough
 def test_a_path_leaves_the_contact_where_its_gap_opens(models: dict[str, Any]) -> None:
     """tau (psi − phi) = 0 on the border: the rod at rest just touches the wall at eta = cos psi."""
     model = models["rod"]
@@ -88,6 +90,7 @@ def test_a_state_on_the_border_says_so(models: dict[str, Any]) -> None:
         assert any("just touches" in text for text in eq.remarks)
 
 
+@pytest.mark.thorough
 def test_a_gap_smaller_than_floats_tell_has_a_sign(models: dict[str, Any]) -> None:
     """A rod at rest within 1e-16 of where it touches: digits tell on which side, not the rounded state."""
     model, sides = models["rod"], []
@@ -126,6 +129,7 @@ def wedge() -> Any:
     return model_of(text, "wedge")
 
 
+@pytest.mark.thorough
 def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:
     """N = κ, so that phi is a root of a quartic, and the depth of a cubic."""
     eq = wedge.equilibria(wedge.Parameters())

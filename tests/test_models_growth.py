@@ -35,6 +35,7 @@ def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[
 MODELS = ["kang_nam", "damped", "stribeck", "trolley", "two_springs", "mode_coupling", "stick_slip"]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "method"),
     [

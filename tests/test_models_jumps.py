@@ -63,6 +63,7 @@ def test_gradients_are_those_of_closed_forms() -> None:
     assert (found.V[low] == 0).all()  # of friction that works fully the belt's speed does not count
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("vary", few(["sigma", "kappa", "theta0"], "kappa"))
 def test_other_parameters(vary: str) -> None:
     p = random_sets(3, 12).replace(mu0=0.4)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.support import model_of
+from tests.support import few, model_of
 
 pytest.importorskip("sympy")
 
@@ -122,7 +122,7 @@ def test_equilibria_close_together_where_a_turn_ends_are_there_once(models: dict
             assert sum(value < 1e-14 for value in turned) == 1
 
 
-@pytest.mark.parametrize("c", [1e-19, 1e-9])
+@pytest.mark.parametrize("c", few([1e-19, 1e-9], 1e-9))
 def test_a_fold_where_a_turn_ends_is_there_once(models: dict[str, Any], c: float) -> None:
     """Beside the cusp at a = π, b = 1/4: found within 1e-6 of the end of the turn on both of its sides."""
     model = models["waves"]
@@ -248,6 +248,7 @@ def test_both_integrators_agree_and_energy_balances(models: dict[str, Any], name
     assert np.allclose(*ends, atol=1e-5)
 
 
+@pytest.mark.thorough
 def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     """Virtual work: N ∂(−gap)/∂q, and friction along the slide alone."""
     model = models["bumps"]

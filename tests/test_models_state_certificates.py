@@ -67,6 +67,7 @@ def test_what_is_proved_is_so_at_points_and_what_is_refuted_is_not(name: str, cl
             assert fails(ss.equilibria(found.counterexample), claim)
 
 
+@pytest.mark.thorough
 def test_flutter_begins_where_its_onset_is_proved() -> None:
     """A box up to the onset is proved but for what is next to it, and one beyond it is refuted."""
     model = ss.load("mode_coupling")

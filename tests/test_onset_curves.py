@@ -202,6 +202,7 @@ def test_zero_hopf_points(with_folds: Any) -> None:
         assert (apart > 1e-3).all()
 
 
+@pytest.mark.thorough
 def test_where_friction_alone_damps_all_points_are_known() -> None:
     """Where friction is 0 all conditions hold but that of a fold: its slope, a factor of them, is divided out."""
     model = ss.load("kang_nam")

@@ -89,6 +89,7 @@ def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
     return along, tension * dy / length - mpmath.mpf(KAPPA) + n
 
 
+@pytest.mark.thorough
 def test_states_are_those_of_the_equations(model: Any) -> None:
     case, it = model
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)

@@ -135,6 +135,7 @@ def test_what_can_be_done_instead_can_be_done(case: str, tmp_path: Path) -> None
     pages.read(written(tmp_path, INSTEAD[case]))
 
 
+@pytest.mark.thorough
 def test_a_heavy_mass_forces_the_body() -> None:
     """Weakly tied to a heavy mass that swings, the body moves as a forced oscillator does: held against its closed form."""
     more = INSTEAD["a mass that swings"]
@@ -154,6 +155,7 @@ def test_a_heavy_mass_forces_the_body() -> None:
 STATE = (0.1, -0.2, 0.3, 0.4)
 
 
+@pytest.mark.thorough
 def test_a_damper_along_a_sum_of_coordinates() -> None:
     """A viscous force −c n nᵀ v, by hand; the parameters of n are dimensionless there, as anywhere."""
     model = loaded((DAMPER, "page.damper(c, along=x*cos(psi) + 2*a*y*sin(psi))"))
@@ -162,6 +164,7 @@ def test_a_damper_along_a_sum_of_coordinates() -> None:
     np.testing.assert_allclose(accelerations(model, STATE, zeta=0.1) - without, -0.1 * n * (n @ STATE[2:]), rtol=1e-13)
 
 
+@pytest.mark.thorough
 def test_a_spring_along_a_sum_of_coordinates() -> None:
     model = loaded((DAMPER, "page.spring(k, along=x + 3*psi*y, length=L_0*psi); page.damper(c, along=x)"), ("sin(psi) * a", "a"))
     without = accelerations(model, STATE, sigma=0.0)
@@ -176,6 +179,7 @@ def test_a_parameter_that_stands_beside_a_coordinate_only_is_used(statement: str
     pages.read(written(tmp_path, (DAMPER, f"page.damper(c, along=y); page.{statement}"), ("sin(psi) * a", "1")))
 
 
+@pytest.mark.thorough
 def test_a_third_is_exact() -> None:
     """A rod's inertia m l²/3, as it stands; its number is an enclosure where intervals are asked for."""
     model = loaded(("page.rate(x)**2 +", "page.rate(x)**2 / 3 +"))
@@ -248,12 +252,14 @@ def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -
         pages.read(written(tmp_path, ('"a", "1"', f'"{name}", "1"')))
 
 
+@pytest.mark.thorough
 def test_a_parameter_may_be_named_speed(run: Run) -> None:
     """Then the belt's speed V goes by its own letter."""
     model = loaded(('"a", "1"', '"speed", "1"'))
     assert "rms" in run("simulate", "--model", model.where, "--speed", "0.25", "--V", "0.3", "--t-end", "1")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", few(["w0", "w1", "v", "u", "x_2", "root0", "base0", "speed", "creep"], "v"))
 def test_no_name_of_a_parameter_changes_the_model(name: str) -> None:
     """Generated code names its own shorthands around it."""
@@ -271,6 +277,7 @@ def without_mu0() -> Any:
     return model_of(PAGE.replace("mu0", "mu_s").replace('coordinate("x"', 'coordinate("u"'), "mine")
 
 
+@pytest.mark.thorough
 def test_what_varies_by_itself_is_a_parameter_of_the_model() -> None:
     model = without_mu0()
     assert model.axes == ("mu_s",)
@@ -307,6 +314,7 @@ def test_a_motion_without_x_is_drawn() -> None:
         figures.draw_motion(tr, "x")
 
 
+@pytest.mark.thorough
 def test_a_mass_that_nothing_presses_is_on_the_border() -> None:
     """Its contact law ends where it rests: what can't be decided there is a box, and no error."""
     law = ("k_c * depth)", "k_c * depth / (1 + depth / L_0))")
@@ -321,6 +329,7 @@ def test_a_mass_that_nothing_presses_is_on_the_border() -> None:
     assert eq.remarks
 
 
+@pytest.mark.thorough
 def test_a_search_along_a_line_of_states_ends() -> None:
     """Without spring and friction the mass rests wherever it is along the belt: one box, and why; it once took minutes."""
     model = loaded()

@@ -78,6 +78,7 @@ def test_mirror_symmetry_is_exact(
     assert equilibrium.f_slope(-c, s, *there) == equilibrium.f_slope(c, s, *here)
 
 
+@pytest.mark.thorough
 @given(points())
 def test_more_digits_agree(p: ss.Parameters) -> None:
     """The error bound holds against 30 digits, for the same float64 parameters."""

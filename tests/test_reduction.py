@@ -62,6 +62,7 @@ def test_two_complex_roots_are_none():
     assert not found.roots
 
 
+@pytest.mark.thorough
 def test_a_double_root_is_left():
     def evaluate(q):
         x, y = q

@@ -62,6 +62,7 @@ def test_a_cycle_is_told_with_its_own_period_while_the_motion_winds_onto_it(slow
     assert late.distance < 0.1 * early.distance
 
 
+@pytest.mark.thorough
 @needs_heyoka
 @pytest.mark.skipif(not with_compiled.available(), reason="the compiled integrator was not built")
 def test_a_cycle_by_derivatives_and_by_differences_is_one() -> None:
@@ -77,6 +78,7 @@ def test_a_cycle_by_derivatives_and_by_differences_is_one() -> None:
         assert one.cycle_rms == pytest.approx(known.rms, rel=1e-7)
 
 
+@pytest.mark.thorough
 @needs_heyoka
 def test_the_rate_is_the_rate_of_the_motion() -> None:
     # From close by, over ten thousand time units: what is left falls as the multipliers say.
@@ -226,6 +228,7 @@ def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) ->
 # ------------------------------------------------------------------------------------------------------- rest
 
 
+@pytest.mark.thorough
 @needs_heyoka
 def test_beside_an_equilibrium_that_repels_nothing_rests() -> None:
     p = ss.Parameters.article(theta0=np.radians(30))
@@ -260,6 +263,7 @@ def test_rest_where_the_equilibria_are_undecided_has_no_index(monkeypatch: pytes
     assert (found.regime, found.equilibrium) == (Regime.EQUILIBRIUM, -1)
 
 
+@pytest.mark.thorough
 @needs_heyoka
 def test_a_decay_is_an_approach_until_little_is_left() -> None:
     p = ss.Parameters.article(theta0=np.radians(30))

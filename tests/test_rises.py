@@ -220,6 +220,7 @@ def test_where_it_begins_is_compared_with_the_values_of_the_study() -> None:
         study.with_quantities({**study.quantities, "P": less})
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("share", [1 - 1e-4, 1 + 1e-4])
 def test_a_sentence_tells_a_load_from_where_it_jumps(share: float, tmp_path: Path) -> None:
     verdict = truss(tmp_path, P=f"{share * LOAD!r} N").report(**QUICKLY).verdict
@@ -238,6 +239,7 @@ def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Pa
         assert one.jump_at == pytest.approx(snaps(values["k"], values["b"], values["h"]), rel=1e-9)
 
 
+@pytest.mark.thorough
 def test_a_friction_coefficient_by_another_name_counts_among_the_tolerances(tmp_path: Path) -> None:
     """The nearest jump is that of it alone, where nothing else has a tolerance."""
     model = derived(shipped_page("kang_nam").replace("mu0", "f"), "renamed").as_posix()
@@ -267,6 +269,7 @@ page.potential(k * (l * sin(phi) - e) ** 2 / 2 + P * l * cos(phi) + k_t * phi**2
 '''
 
 
+@pytest.mark.thorough
 def test_folds_of_which_little_is_known_are_told_so(tmp_path: Path) -> None:
     """Nothing is said of a contact that the page does not have, nor of an undecided state."""
     rows = {"m": "1 kg", "k": "1000 N/m", "l": "0.1 m", "e": "1 mm", "k_t": "0 N m", "P": "[40, 120] N", "vary": "P"}

@@ -76,6 +76,7 @@ def redesigned(study: ss.Study) -> ss.Report:
     return study.report(oscillation=False, probability=False)
 
 
+@pytest.mark.thorough
 def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) -> None:
     # By hand: k_c L_0 = 57 000 N; κ = 420/57000, α = 9/1500, σ = 180/1500, β = 0; time sqrt(0.35/1.5e6) s.
     p = ss.Parameters(theta0=math.radians(52), mu0=0.45, kappa=420 / 57000, alpha=0.006, sigma=0.12, beta=0.0)
@@ -841,6 +842,7 @@ def test_a_misspelt_quantity_is_told_which_was_meant(given: str, meant: str, pat
     assert f"did you mean {meant}?" in text
 
 
+@pytest.mark.thorough
 def test_a_terminal_is_told_what_of_a_report_is_being_computed(
     study: ss.Study, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -953,6 +955,7 @@ def test_a_corner_that_jumps_beside_a_sample_that_does_not() -> None:
     assert texts.share(Chance(0.99998, 0.9991, 1.0, 0.95, 8192, {})) != "100 %"
 
 
+@pytest.mark.thorough
 def test_the_jump_as_a_motion_has_its_peaks() -> None:
     """Another start and another friction, just above the fold, in plain simulation: the same peaks."""
     study = ss.Study(brake(mu0=0.45))
@@ -1053,6 +1056,7 @@ def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_
         (folder / "brake.toml").write_text(example(model), encoding="utf-8")
         found = ss.Study.from_file(folder / "brake.toml").report(n=64, redesign=False)
         assert found.study.moves
+        assert model.where not in found.verdict
         told[name] = json.dumps(found.to_dict(), default=str).replace(model.where, "").replace(f'"{name}"', '"speed"')
         told[name] = told[name].replace(f"{name} = ", "speed = ")
     assert told["V"] == told["U"]

@@ -178,6 +178,7 @@ def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int)
         assert not partial.exists()
 
 
+@pytest.mark.thorough
 def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
     path = tmp_path / "rms.nc"
     interrupted(path, 2)
@@ -190,6 +191,7 @@ def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
     assert path.read_bytes() == before
 
 
+@pytest.mark.thorough
 def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Be it a journal or a result."""
     path = tmp_path / "rms.nc"
@@ -283,6 +285,7 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callab
     assert stderr == f"spragsym: interrupted; {kept}\n"
 
 
+@pytest.mark.thorough
 def test_files_say_what_they_hold(tmp_path: Path) -> None:
     import xarray
 

@@ -116,8 +116,7 @@ def deeper() -> sp.Expr:
                      "at cos θ = 0", id="x at cos θ = 0"),
         pytest.param(elimination, "state", lambda: state() | {nm.x: nm.c0 - nm.L * nm.c**3},
                      "where cos θ < 0", id="x where cos θ < 0"),
-    ], "sign of b", "length at the ends", "sign of the spring to ground", "slope", "sign of f at π", "f is not q s F_x",
-       "sign of the stiffness in (27)", "a power too many", "preload", "sign of L", "y that grows with the depth",
+    ], "length at the ends", "slope", "sign of f at π", "f is not q s F_x", "sign of the stiffness in (27)",
        "a term beside a, b, d", "the spring to ground in f", "x at cos θ = 0", "x where cos θ < 0"),
 )  # fmt: skip
 def test_a_broken_assumption_is_noticed(
@@ -128,6 +127,7 @@ def test_a_broken_assumption_is_noticed(
     assert any(claim in broken for broken in broken_steps())
 
 
+@pytest.mark.thorough
 def test_slope_identity_notices_a_wrong_stiffness(monkeypatch: pytest.MonkeyPatch) -> None:
     wrong = stability.stiffness().copy()
     wrong[0, 1] = -wrong[0, 1]
@@ -157,6 +157,7 @@ def _contact_roots(cos0: Fraction, sin0: Fraction, *parameters: Fraction) -> int
     return count
 
 
+@pytest.mark.thorough
 def test_counts_at_random_parameters() -> None:
     """Exact counts, on both sides of κ = σ s₀, with α = 0 and with folds among them."""
     generator = random.Random(8)
@@ -197,7 +198,7 @@ PARTS = [theorem._quartic, theorem._threshold_below_zero, theorem._threshold_abo
 PARTS += [theorem.smallest_without_friction]
 
 
-@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.__name__)
+@pytest.mark.parametrize("part", few(PARTS, *PARTS[:3], PARTS[-1]), ids=lambda part: part.__name__)
 def test_every_sign_that_is_claimed_is_needed(part: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """With one of its polynomials not positive a part does not hold."""
     calls = 0
@@ -215,6 +216,7 @@ def test_every_sign_that_is_claimed_is_needed(part: Any, monkeypatch: pytest.Mon
         assert not all(step.holds for step in part())
 
 
+@pytest.mark.thorough
 def test_what_must_be_positive_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """−b where the arc ends at 0 and π; q s*, −P s* and the difference of squares elsewhere; and both parts of L."""
     kappa, sigma, alpha, beta, s0, threshold, excess, level, s = map(
@@ -239,6 +241,7 @@ def test_what_must_be_positive_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> 
     assert {numerator, denominator} <= asked(theorem._threshold_below_zero)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("e1", [-1, 0])
 @pytest.mark.parametrize("e2", few([-1, 0], -1))
 @pytest.mark.parametrize("e3", few([-1, 0, 1], -1, 1))

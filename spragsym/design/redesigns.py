@@ -15,14 +15,13 @@ from ..parameters import FloatArray, ParameterSet, PhysicalParameters
 from .design_space import Space
 from .jump_boundary import Gradient, on_border
 from .nearest import RAYS, nearest
-from .values import Values
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
 _OUTWARD = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
 
 
-#: Where many designs jump first, as far as that tells on which side of a limit: (set of the model, name, limit).
-Jumps: TypeAlias = Callable[[Any, str, float], Values]
+#: Which of many designs are known not to jump below a limit: (set of the model, name, limit).
+Keeps: TypeAlias = Callable[[Any, str, float], NDArray[np.bool_]]
 
 
 @dataclass(frozen=True)
@@ -48,7 +47,7 @@ class Redesign(Result):
 
 
 def redesigned(
-    designs: Space, wanted: Mapping[str, float], jumps: Jumps, solved: Callable[[Any, str], float],
+    designs: Space, wanted: Mapping[str, float], keeps: Keeps, solved: Callable[[Any, str], float],
     gradient: Callable[[str], Gradient], rays: int = RAYS,
 ) -> Redesign:  # fmt: skip
     """The nearest of the designs that reach all targets; ``solved`` says where one jumps, ``gradient`` is along a parameter."""
@@ -61,9 +60,7 @@ def redesigned(
         for name, limit in wanted.items():
             left = np.flatnonzero(result)
             if left.size:
-                at = jumps(designs.sets(z[left]), name, limit)
-                result[left] = ~(at.value < limit)
-                result[left[list(at.reasons)]] = False
+                result[left] = keeps(designs.sets(z[left]), name, limit)
         return result
 
     along = {name: gradient(name) for name in wanted}

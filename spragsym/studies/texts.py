@@ -56,7 +56,7 @@ def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
     so: Facts = parts["facts"]
     (low, _, high), full, jump = so.working, so.full[2], so.jump
     rise = study.rise
-    model = "" if study.model == USUAL else f" with the model {study.model}"
+    model = "" if study.model == USUAL else f" with the model {study.about['name']}"
     state = "the state of small deformation"
     if "theta0" in study.quantities and (rise is None or rise.name != "theta0"):
         state = f"at {study.shown('theta0', study.values['theta0'])} {state}"
@@ -106,12 +106,14 @@ def _unknown(study: Study, parts: Mapping[str, Any]) -> str:
     states: Sequence[State] = parts["states"]
     about = study.about
     where = (" of sliding" if about["friction"] else "") + (" in contact" if about["contact"]["gap"] is not None else "")
-    count = "one state" if len(states) == 1 else f"{len(states)} states"
     stable = sum(state.stable for state in states)
+    there = f"are {len(states)} states{where}, {stable} stable"
+    if len(states) == 1:
+        there = f"is one state{where}, {'stable' if stable else 'unstable'}"
     why = "whether it sprags is not known"
     if study.rise is None:
         why = "nothing is said to rise until it jumps"
-    return f"With the model {study.model} there {'is' if len(states) == 1 else 'are'} {count}{where}, {stable} stable; {why}."
+    return f"With the model {about['name']} there {there}; {why}."
 
 
 def _within(study: Study, parts: Mapping[str, Any]) -> str:

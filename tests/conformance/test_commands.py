@@ -251,6 +251,7 @@ def test_cycles_of_every_model_are_asked_for_alike(name: str, run: Run) -> None:
     assert f"Give it as {vary}=FROM:TO" in run("cycles", *of(name), "--vary", vary, code=2)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", few(MOVING, "stick_slip"))
 def test_maps_of_fates_of_every_model_say_what_python_says_of_one_motion(name: str, tmp_path: Path, run: Run) -> None:
     out, picture = tmp_path / "map.csv", tmp_path / "map.svg"

@@ -194,6 +194,7 @@ def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) ->
     assert set(search.region) == {"x", "y", "theta0", "mu0"}
 
 
+@pytest.mark.thorough
 def test_cusps_at_the_end_of_a_range_are_not_denied_by_search() -> None:
     """α = 0 has two at μ₀ = 0 exactly."""
     p = ss.Parameters.article(alpha=0.0)

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...design.design_space import space
 from ...design.redesigns import Redesign, redesigned
@@ -14,7 +15,7 @@ from ...design.values import FROM_LOWER_END
 from ...errors import ParameterError
 from ...parameters import RANGES, Parameters, PhysicalParameters, as_number
 from .gradients import jump_gradient
-from .jump_values import FirstJumps, exactly, first_jumps
+from .jump_values import exactly, first_jumps
 
 
 def redesign(
@@ -66,8 +67,11 @@ def redesign(
     if len(wanted) != len(target) or not wanted:
         raise ParameterError(f"target = {dict(target)!r}; give mu0, theta0 or both, with the value below which nothing may jump")
 
-    def jumps(p: Any, name: str, limit: float) -> FirstJumps:
-        return first_jumps(p, name, apart_from=np.full(p.shape, limit))
+    def keeps(p: Any, name: str, limit: float) -> NDArray[np.bool_]:
+        found = first_jumps(p, name, apart_from=np.full(p.shape, limit))
+        known = np.full(p.shape, fill_value=True)
+        known[list(found.reasons)] = False
+        return known & ~(found.value < limit)
 
     designs = space(p, scale, change, "change")
-    return redesigned(designs, wanted, jumps, lambda p, name: exactly(p, name)[0], lambda name: partial(jump_gradient, vary=name))
+    return redesigned(designs, wanted, keeps, lambda p, name: exactly(p, name)[0], lambda name: partial(jump_gradient, vary=name))

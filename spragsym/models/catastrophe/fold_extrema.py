@@ -55,11 +55,14 @@ def extrema(
         found = cusps(model, p, vary, between=between, within=within)
     yield "cusp", found
     balance = Balance(model, contact=True)
-    yield "turn", isolated(balance, p, Turn(), vary, spans, within)
+    # Where no state depends on one of the two, curves are straight along it.
+    bends = set(vary) <= set(balance.balanced)
+    if bends:
+        yield "turn", isolated(balance, p, Turn(), vary, spans, within)
     for end in spans[0]:
         value = p.ranges[over].reached(float(end), float(spans[0, 1] - spans[0, 0]))
         yield "end", folds(model, p.replace(**{over: value}), along, between=rest, within=within)
-    if balance.opens:
+    if balance.opens and bends:
         yield "border", isolated(Balance(model, contact=True, room=OVER_BORDER), p, FoldOnBorder(), vary, spans, within)
 
 

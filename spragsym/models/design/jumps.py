@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,7 +20,7 @@ from ..mechanics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
 from ..statics.stability import filled
-from ..tubes.tube_regions import Parts
+from ..tubes.tube_regions import Parts, Place
 from ..tubes.tubes import Tubes
 from ..tubes.turning_points import past, turned
 
@@ -30,6 +30,8 @@ BLOCK = 4096
 THIN = 2.0**-14
 #: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
 ROUNDS, PAST = 4, 2.0**-8
+#: What is left to a goal, over the whole way, where the fold itself is asked for.
+NEAR = 2.0**-5
 
 
 @dataclass(frozen=True)
@@ -114,10 +116,7 @@ def have_jumped(model: Any, p: Any, vary: str, begin: float | FloatArray) -> Flo
     """
     names = [name for name in model.parameters if getattr(p, name) is not None]
     p = p.replace(**dict(zip(names, p.broadcast(*names), strict=True)))  # each of the shape of all, without mu0 too
-    found = Followed(model, p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).ends(patient=False)
-    out = np.where(np.isnan(found.value), 0.0, 1.0)
-    out.flat[list(found.reasons)] = np.nan
-    return out
+    return Followed(model, p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended()
 
 
 class Followed:
@@ -160,17 +159,37 @@ class Followed:
             )
         return ends
 
-    def ends(self, *, patient: bool = True) -> Ends:
-        """Where the state of each point ends; without patience what tubes don't decide is not known."""
-        n, count = self.balance.n, self.begin.size
-        out = Ends(np.full(count, np.nan), np.zeros(count), np.full((n, count), np.nan), reasons := {})
-        for first in range(0, count, BLOCK):
-            rows = np.arange(first, min(first + BLOCK, count))
+    def have_ended(self) -> FloatArray:
+        """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide it.
+
+        Tubes over a coordinate pass a fold without coming near to it; where one lies near the value, it is asked for itself.
+        """
+        found, near = np.full(self.begin.size, np.nan), np.zeros(self.begin.size, dtype=np.bool_)
+        for rows in self._blocks(np.arange(found.size)):
+            parts, start, goal = self._start(rows)
+            safe, top, _ = self.tubes.passed(parts, start, goal)
+            found[rows] = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
+            near[rows] = start.sure & (goal - safe <= NEAR * (goal - self.begin[rows]))
+        out = self._nothing()
+        for rows in self._blocks(np.flatnonzero(np.isnan(found) & near)):
+            decided = rows[self._block(rows, out)]
+            found[decided] = np.isfinite(out.value[decided])
+        return found.reshape(self.shape)
+
+    @staticmethod
+    def _blocks(rows: Any) -> Iterator[Any]:
+        return (rows[first : first + BLOCK] for first in range(0, rows.size, BLOCK))
+
+    def _nothing(self) -> Ends:
+        count = self.begin.size
+        return Ends(np.full(count, np.nan), np.zeros(count), np.full((self.balance.n, count), np.nan), {})
+
+    def ends(self) -> Ends:
+        """Where the state of each point ends."""
+        n, out, reasons = self.balance.n, self._nothing(), dict[int, str]()
+        for rows in self._blocks(np.arange(self.begin.size)):
             for i in rows[~self._block(rows, out)].tolist():
                 span = float(self.begin[i]), float(self.until[i])
-                if not patient:
-                    reasons[i] = "tubes don't decide it"
-                    continue
                 try:
                     end = first_end(self.model, self._point(i), self.vary, span) if span[0] != span[1] else None
                 except ConvergenceError as error:
@@ -185,9 +204,9 @@ class Followed:
     def _point(self, i: int) -> Any:
         return self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
 
-    def _block(self, rows: Any, out: Ends) -> Any:
-        """Fold or no fold by tubes, for some points; of which of them that is decided."""
-        n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
+    def _start(self, rows: Any) -> tuple[Parts, Place, FloatArray]:
+        """Some points, the states of small deformation from which they are followed, where these are known, and up to where."""
+        n, begin = self.balance.n, self.begin[rows]
         p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
         eq = equilibria(self.model, p)
         states = np.array([getattr(eq, name) for name in self.balance.coordinates])
@@ -198,9 +217,15 @@ class Followed:
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0
         none = np.zeros((0, rows.size))
-        parts, goal = Parts(self.fixed[:, rows], none, none), self.until[rows]
-        start = tubes.place(parts, z, n)
+        parts = Parts(self.fixed[:, rows], none, none)
+        start = self.tubes.place(parts, z, n)
         start.sure[~known] = False
+        return parts, start, self.until[rows]
+
+    def _block(self, rows: Any, out: Ends) -> Any:
+        """Fold or no fold by tubes, for some points; of which of them that is decided."""
+        n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
+        parts, start, goal = self._start(rows)
         left = np.arange(rows.size)
         decided, at = np.zeros(rows.size, dtype=np.bool_), start
         for _ in range(ROUNDS):

@@ -15,7 +15,7 @@ from ...errors import ParameterError
 from ...exact.interval_arrays import FloatArray
 from ...parameters import as_number
 from .certificates import certify
-from .jumps import Ends, Followed, jump_value
+from .jumps import Followed, jump_value
 from .moved_folds import MovedFold
 
 #: Rays for each dimension squared: a point takes some milliseconds.
@@ -46,9 +46,9 @@ def jump_margin(model: Any, p: Any, scale: Mapping[str, float], *, vary: str, be
     def ending(z: FloatArray) -> NDArray[np.bool_]:
         some, first = designs.sets(z), designs.begin(z, begin)
         # A design below where the parameter begins has not come to any end.
-        return ~np.isnan(
-            Followed(model, some, vary, "up", first, np.maximum(first, getattr(some, vary))).ends(patient=False).value
-        )
+        followed = Followed(model, some, vary, "up", first, np.maximum(first, getattr(some, vary)))
+        ended: NDArray[np.bool_] = followed.have_ended() == 1
+        return ended
 
     def safe(radius: float) -> bool:
         return _safe(designs, radius, vary, begin)
@@ -87,13 +87,14 @@ def reaching(model: Any, designs: Space, wanted: Mapping[str, float], begin: flo
         allowed = model.Parameters.ranges[name]
         return allowed.reached(allowed.low) if begin is None and np.isfinite(allowed.low) else begin
 
-    def jumps(some: Any, name: str, limit: float) -> Ends:
-        return Followed(model, some, name, "up", first(name), limit).ends(patient=False)
+    def keeps(some: Any, name: str, limit: float) -> NDArray[np.bool_]:
+        kept: NDArray[np.bool_] = Followed(model, some, name, "up", first(name), limit).have_ended() == 0
+        return kept
 
     def solved(one: Any, name: str) -> float:
         return float(jump_value(model, one, name, begin=first(name)))
 
-    return redesigned(designs, wanted, jumps, solved, lambda name: MovedFold(model, name, first(name)), RAYS)
+    return redesigned(designs, wanted, keeps, solved, lambda name: MovedFold(model, name, first(name)), RAYS)
 
 
 def _safe(designs: Space, radius: float, vary: str, begin: float) -> bool:

@@ -12,7 +12,6 @@ import pytest
 import spragsym as ss
 from spragsym.kang_nam.statics import adaptive_precision, backends, compiled, solver
 from tests.oracles.families import EXTREMES, FAMILIES
-from validation.equilibria import worst_errors, wrong_counts
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
 
@@ -39,17 +38,6 @@ def test_same_counts_and_digits(contact: bool) -> None:
             gap = np.abs(a - b) / np.maximum(1, np.abs(a))
             assert (np.isnan(a) == np.isnan(b)).all()
             assert (np.nan_to_num(gap) <= np.nan_to_num(one.error + other.error)).all(), name
-
-
-def test_same_guarantee() -> None:
-    ss.set_backend("compiled")
-    rng = np.random.default_rng(22)
-    p = FAMILIES["random"](rng, 500)
-    eq = ss.equilibria(p)
-    assert wrong_counts(p, eq) == 0
-    worst, ratio = worst_errors(p, eq, rng, 60)
-    assert worst <= 1e-12
-    assert ratio <= 1
 
 
 @pytest.mark.parametrize("backend", ["numpy", "compiled"])
@@ -119,7 +107,8 @@ def test_bad_choice(arguments: tuple[object, ...]) -> None:
 
 def test_import_loads_nothing_heavy() -> None:
     code = (
-        "import sys, spragsym; heavy = {'scipy', 'mpmath', 'matplotlib', 'numba', 'sympy', 'flint', 'xarray', 'dask', 'heyoka'}"
+        "import sys, spragsym, spragsym.generated.equilibrium\n"
+        "heavy = {'scipy', 'mpmath', 'matplotlib', 'numba', 'sympy', 'flint', 'xarray', 'dask', 'heyoka'}"
         " & set(sys.modules); assert not heavy, heavy"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)

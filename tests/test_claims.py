@@ -16,7 +16,6 @@ import mpmath
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, root
 
 import spragsym as ss
@@ -364,12 +363,8 @@ def test_where_the_linear_model_is_good(mu0: float) -> None:
 
 def motion(theta0_deg: float, start: Any, t_end: float, rtol: float = 1e-8, d: float = 10.0, V: float = 0.5) -> Any:
     """(8) to (11) with SciPy, kinks and all."""
-    constants = (np.cos(np.radians(theta0_deg)), np.sin(np.radians(theta0_deg)), *BASE.values(), V, d)
-
-    def rhs(t: float, z: Any) -> list[float]:
-        return [*z[2:], *article_motion.everywhere(z, constants)]
-
-    return solve_ivp(rhs, (0, t_end), start, method="RK45", rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0)
+    p = ss.Parameters.article(theta0=np.radians(theta0_deg))
+    return article_motion.integrated(p, V, d, start, t_end, rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0)
 
 
 def rms(solution: Any, begin: float, end: float) -> float:
@@ -392,32 +387,15 @@ def test_limit_cycle_by_another_integrator() -> None:
     )
     x = value("fig-7a", "x of the only equilibrium")
     growth = value("fig-7a", "its growth rate with the friction law's damping")
-    assert growth_by_differences(49.0, x) == pytest.approx(growth, rel=1e-4)
+    assert growth_by_hand(49.0, x) == pytest.approx(growth, rel=1e-4)
 
 
-def growth_by_differences(theta0_deg: float, x: float) -> float:
-    """Largest real part at the equilibrium with that x, from forces that are differentiated numerically."""
-    with mpmath.workdps(40):
-        mu0, kappa, alpha, sigma, V, d = (mpmath.mpf(number) for number in ("0.5", "0.007", "0.007", "0.1", "0.5", "10"))
-        anchor = mpmath.expj(mpmath.radians(theta0_deg))
-
-        def forces(x: Any, y: Any, vx: Any) -> list[Any]:
-            spring = anchor - mpmath.mpc(x, y)
-            pull = sigma * (1 - abs(spring)) * spring / abs(spring)
-            friction = mu0 * (1 - mpmath.exp(-d * (V - vx)))
-            return [-pull.real - alpha * x - friction * y, -pull.imag - kappa - y]
-
-        at = [*mpmath.findroot(lambda x, y: forces(x, y, 0), (x, -0.05)), mpmath.mpf(0)]
-        h = mpmath.mpf(10) ** -15
-        slopes = [
-            [(forces(*_moved(at, i, h))[row] - forces(*_moved(at, i, -h))[row]) / (2 * h) for i in range(3)] for row in (0, 1)
-        ]
-        matrix = mpmath.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [*slopes[0], 0], [*slopes[1], 0]])
-        return float(max(mpmath.re(value) for value in mpmath.eig(matrix)[0]))
-
-
-def _moved(at: list[Any], place: int, step: Any) -> list[Any]:
-    return [value + (step if i == place else 0) for i, value in enumerate(at)]
+def growth_by_hand(theta0_deg: float, x: float) -> float:
+    """Largest real part at the equilibrium with that x, of the linearized equations of motion."""
+    constants = (np.cos(np.radians(theta0_deg)), np.sin(np.radians(theta0_deg)), *BASE.values(), 0.5, 10.0)
+    at = root(lambda q: article_motion.accelerations((*q, 0.0, 0.0), constants, True, 1.0), (x, -0.05), tol=1e-14).x
+    slopes = article_motion.slopes((*at, 0.0, 0.0), constants, True, 1.0)
+    return float(np.linalg.eigvals([[0, 0, 1, 0], [0, 0, 0, 1], *slopes]).real.max())
 
 
 @pytest.mark.thorough
@@ -439,7 +417,7 @@ def test_the_fate_of_rest() -> None:
     for V, d, place in zip(*(value("fig-7b-fate", name) for name in names), strict=True):
         low, high = (rms(motion(place + step, [0, 0, 0, 0], 500.0, V=V, d=d), 300, 500) for step in (-1e-4, 1e-4))
         assert low < 0.4 < 0.7 < high
-    growth = growth_by_differences(at, value("fig-7b-fate", "x of the saddle"))
+    growth = growth_by_hand(at, value("fig-7b-fate", "x of the saddle"))
     assert growth == pytest.approx(value("fig-7b-fate", "its growth rate"), rel=1e-7)
 
 
@@ -597,6 +575,14 @@ def test_the_report_gives_every_row_of_both_records() -> None:
     assert claimed == [(id, row["status"]) for id, row in record().items()]
     printed = re.findall(r"^\| ([\w-]+) \| [^|]* \| ([a-z]+) \|", parts["Equations"], re.MULTILINE)[1:]
     assert printed == [(id, row["status"]) for id, row in ledger.items()]
+    # One sentence at the top, whose numbers are those of the tables below it.
+    first = COMMITTED.split("\n")[2]
+    assert re.fullmatch(r"\*\*[^.]+\.\*\*", first)
+    told, said = ([status for _, status in rows] for rows in (printed, claimed))
+    counted = [told.count("confirmed") + told.count("definition"), told.count("approximation"), told.count("misprint")]
+    kinds = ("reproduced", "input not stated", "misprint", "corrected", "not reproduced")
+    numbers = [len(told), *counted, len(said), *map(said.count, kinds)]
+    assert list(map(int, re.findall(r"\d+", first))) == numbers
     in_full = sections_of(parts["Claims in full"], "###")
     assert in_full.keys() == record().keys()
     for id, row in record().items():
@@ -611,23 +597,6 @@ def test_the_report_gives_every_row_of_both_records() -> None:
         assert f"{row['derived']}\n" in text
     assert "No picture of the article was at hand" in COMMITTED
     assert "identical" not in COMMITTED
-
-
-def test_the_report_begins_with_its_verdict() -> None:
-    """One sentence at the top, whose numbers are those of the tables below it."""
-    first = COMMITTED.split("\n")[2]
-    assert first.startswith("**")
-    assert first.endswith(".**")
-    assert first.count(".") == 1
-    rows = re.findall(r"\| (confirmed|definition|approximation|misprint) \|", sections_of(COMMITTED, "##")["Equations"])
-    claimed = re.findall(
-        r"\| (reproduced|input not stated|misprint|corrected|not reproduced) \|$",
-        sections_of(COMMITTED, "##")["Claims"], re.MULTILINE,
-    )  # fmt: skip
-    count = [len(rows), rows.count("confirmed") + rows.count("definition"), rows.count("approximation"), rows.count("misprint"),
-             len(claimed), *(claimed.count(status) for status in
-             ("reproduced", "input not stated", "misprint", "corrected", "not reproduced"))]  # fmt: skip
-    assert [int(number) for number in re.findall(r"\d+", first)] == count
 
 
 def test_the_report_follows_the_records(monkeypatch: pytest.MonkeyPatch) -> None:

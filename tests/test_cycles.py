@@ -24,7 +24,6 @@ import spragsym as ss
 from benchmarks import bench_auto
 from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
 from spragsym.cycles import branch as branches
-from spragsym.cycles.jets import Jet
 from spragsym.cycles.orbit import cycle_of
 from spragsym.dynamics import bifurcation_functions, multipliers, shooting
 from spragsym.dynamics.field import Border, Field
@@ -919,14 +918,6 @@ def test_a_point_beside_which_basins_alternate_is_no_boundary() -> None:
 
 
 @pytest.mark.thorough
-def test_a_loaded_model_has_the_boundary_of_its_basin() -> None:
-    p, model, to = ss.Parameters.article(theta0=FATE), ss.load("kang_nam").search, ((-0.1, 0.1), (-0.1, 0.1))
-    found = ss.basin_boundary(p, **BELT, to=to, points=1)
-    again = model.basin_boundary(model.Parameters(theta0=FATE), plane=("x", "vx"), to=to, points=1)
-    assert again.points == pytest.approx(found.points, abs=1e-7)  # along the curve; across it they are one
-
-
-@pytest.mark.thorough
 def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> None:
     found = ss.lyapunov(at(42.0), **BELT, start=slow.state, t_end=80 * slow.period)
     expected = np.sort(np.log(np.abs(slow.multipliers)) / slow.period)[::-1]
@@ -1076,22 +1067,6 @@ def test_a_branch_reaches_the_end_of_what_a_parameter_may_be() -> None:
 # ------------------------------------------------------------------------------------------------ proofs and files
 
 
-def test_series_by_their_coefficients(proving: types.SimpleNamespace) -> None:
-    x = Jet()
-    x.known = [0.3, 1.0, *[0.0] * 8]
-    inverse, square = 1 / x, x * x
-    assert [inverse[k] for k in range(8)] == pytest.approx([(-1) ** k / 0.3 ** (k + 1) for k in range(8)], rel=1e-12)
-    assert [square[k] for k in range(4)] == pytest.approx([0.09, 0.6, 1.0, 0.0])
-    flint = proving.flint
-    y = Jet()
-    y.known = [flint.arb(2), flint.arb(1), *[flint.arb(0)] * 8]
-    root, power = y.sqrt(), y.exp()
-    for k in range(8):
-        exact = math.sqrt(2) * math.prod(0.5 - i for i in range(k)) / math.factorial(k) / 2**k
-        assert float(root[k]) == pytest.approx(exact, rel=1e-12)
-        assert float(power[k]) == pytest.approx(math.exp(2) / math.factorial(k), rel=1e-12)
-
-
 @pytest.mark.thorough
 def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -> None:
     found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
@@ -1192,15 +1167,6 @@ def test_the_axes_of_a_branch_are_named(branch: ss.CycleBranch) -> None:
     assert (left.get_ylabel(), right.get_ylabel()) == ("RMS of $x$", "period")
 
 
-def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
-    """The article's model from its page, whose algebra is emitted apart, has the article's cycle."""
-    model = ss.load("kang_nam").search
-    found = model.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
-    assert np.abs(found.state - slow.state).max() < 1e-10
-    assert abs(found.period - slow.period) < 1e-10
-    assert np.abs(found.multipliers - slow.multipliers).max() < 1e-9
-
-
 @pytest.mark.thorough
 def test_a_loaded_model_on_the_command_line(tmp_path: Path, run: Run) -> None:
     picture, model, asked = tmp_path / "branch.svg", ss.load("stick_slip"), ["cycles", "--model", "stick_slip", "-V", "0.2"]
@@ -1235,13 +1201,6 @@ def test_a_loaded_model_has_branches_and_exponents() -> None:
     stribeck = ss.load("stribeck")
     with pytest.raises(ss.ParameterError, match="grows in one direction only"):  # there is one that is divergent, and swings
         stribeck.basin_boundary(stribeck.Parameters(theta0=0.6))
-
-
-@pytest.mark.thorough
-def test_a_loaded_model_has_fates() -> None:
-    model = ss.load("kang_nam").search
-    found = model.fate_boundary(model.Parameters(), vary="theta0", bracket=(0.7209, 0.7211))
-    assert found.value == pytest.approx(FATE, abs=1e-12)
 
 
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.SimpleNamespace) -> None:

@@ -19,7 +19,6 @@ from spragsym.errors import SweepError
 from spragsym.exact import bernstein
 from spragsym.exact.polynomials import Undecided
 from spragsym.exact.rounded import Rounded
-from spragsym.generated import catastrophe as generated
 from spragsym.kang_nam.catastrophe import fold_arrays
 from spragsym.kang_nam.catastrophe.fold_digits import sharpened
 from spragsym.kang_nam.design import jump_values
@@ -493,18 +492,6 @@ def test_fold_curves_say_the_same_as_folds() -> None:
             assert curve.upper[i] == (found.ends[k] == "upper")
             assert curve.when_theta0[i] == (1 if found.when[k] == "up" else -1)
             assert curve.theta_after[i] == pytest.approx(found.after["theta"][k], abs=1e-6)
-
-
-def test_f_in_differences_is_f() -> None:
-    """The arrangement for boxes against the force itself, at a few points."""
-    rng = np.random.default_rng(30)
-    for _ in range(5):
-        theta, theta0 = rng.uniform(0.2, 2.9, 2)
-        m, k, a, s, b = rng.uniform(0.01, 1, 5)
-        c, si, c0, s0 = math.cos(theta), math.sin(theta), math.cos(theta0), math.sin(theta0)
-        L = (s * si + (b + 1) * s0 + k) / ((b + 1 + s) * si)
-        force = s * (1 - L) * c + a * (c0 - L * c) + m * (s0 - L * si)
-        assert generated.f_in_differences(c, si, c0, s0, m, k, a, s, b)[0] == pytest.approx((b + 1 + s) * si * force, abs=1e-13)
 
 
 def test_without_a_spring_along_the_belt_angles_are_as_exact() -> None:

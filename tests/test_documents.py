@@ -147,7 +147,6 @@ def make_targets() -> set[str]:
     return set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
 
 
-@pytest.mark.thorough
 def outlines(svg: bytes) -> dict[str, list[np.ndarray]]:
     """Each named group of a picture, its parts of text too, and the outlines in it, as points in typographic points."""
     from xml.etree import ElementTree

@@ -204,37 +204,6 @@ def python_states(point: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float6
     return np.degrees(found.theta[: int(found.count)])
 
 
-@pytest.mark.thorough
-def test_numbers_are_pythons_at_ten_thousand_points(explorer: Explorer) -> None:
-    rng = np.random.default_rng(18)
-    n = 10_000
-    p = ss.Parameters(
-        theta0=rng.uniform(0.01, 3.13, n), mu0=rng.uniform(0, 2, n), kappa=10 ** rng.uniform(-4, 0, n),
-        alpha=rng.uniform(0, 1, n) * (rng.random(n) < 0.8), sigma=10 ** rng.uniform(-2, 1, n),
-        beta=rng.uniform(0, 3, n) * (rng.random(n) < 0.8),
-    )  # fmt: skip
-    contact = rng.random(n) < 0.7
-    points = [{**{name: float(getattr(p, name)[i]) for name in NAMES}, "contact": bool(contact[i])} for i in range(n)]
-    solved = "points => JSON.stringify(JSON.parse(points).map(p => window.spragsym.equilibria(p)))"
-    found = json.loads(explorer.page.evaluate(solved, json.dumps(points)))
-    names = ("theta", "L", "x", "y")
-    proved = {regime: ss.equilibria(p, contact=regime) for regime in (True, False)}
-    vouched, largest = 0, 0.0
-    for i, there in enumerate(found):
-        here = proved[bool(contact[i])]
-        if there["status"] == "ok":
-            vouched += 1
-            assert there["count"] == int(here.count[i])
-            for k, state in enumerate(there["states"]):
-                assert state["stability"] == ss.Stability(int(here.stability[i, k])).name.lower()
-                for name in names:
-                    exact = float(getattr(here, name)[i, k])
-                    bound = (state["error"] + float(here.error[i, k])) * max(1, abs(exact))
-                    largest = max(largest, abs(state[name] - exact) / bound)
-    assert largest <= 1
-    assert vouched > 0.99 * n
-
-
 @pytest.mark.parametrize(
     "changes",
     [{}, {"kappa": 0.02, "alpha": 0.5, "sigma": 2.0}, {"kappa": 0.5499, "alpha": 0.8771, "sigma": 0.022509, "beta": 4.455}],
@@ -476,17 +445,6 @@ def test_a_link_carries_the_sheet(explorer: Explorer) -> None:
     explorer.open("theta0_deg=abc&mu0=-1&kappa=0,01&constructor=3")
     assert explorer.point()["kappa"] == 0.01
     assert explorer.point()["mu0"] == 0.5
-
-
-@pytest.mark.thorough
-def test_on_a_fold_the_page_decides_as_python_does(explorer: Explorer) -> None:
-    """At the float nearest to a fold, and at its neighbours: the number of states is the one that Python proves."""
-    fold = float(ss.folds(BASE).theta0[0])
-    for theta0 in (np.nextafter(fold, 0), fold, np.nextafter(fold, 4)):
-        point = {**Preset.of(*CASES[0]).point, "theta0": float(theta0)}
-        found = explorer.page.evaluate("p => window.spragsym.equilibria(p)", point)
-        assert found["status"] == "ok"
-        assert found["count"] == int(ss.equilibria(BASE.replace(theta0=theta0)).count)
 
 
 @pytest.mark.thorough

@@ -21,7 +21,6 @@ matplotlib.use("Agg")
 from matplotlib.figure import Figure  # noqa: E402  # after matplotlib was found
 from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib was found
 from matplotlib.text import Annotation  # noqa: E402  # after matplotlib was found
-from scipy.integrate import solve_ivp  # noqa: E402  # after matplotlib was found
 
 import spragsym as ss  # noqa: E402  # after matplotlib was found
 from spragsym.cli.figures import figures as command  # noqa: E402  # after matplotlib was found
@@ -415,15 +414,7 @@ def test_what_the_caption_says_of_the_second_region(sheets: dict[str, Sheet]) ->
 
     def reach(mu0: float, state: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 2000.0) -> tuple[float, Any, float]:
         p = P.replace(theta0=np.radians(132.0), mu0=mu0)
-        constants = (float(np.cos(p.theta0)), float(np.sin(p.theta0)), mu0, 0.007, 0.007, 0.1, 0.0, 0.5, 10.0)
-        run = solve_ivp(
-            lambda _, z: [*z[2:], *article_motion.everywhere(z, constants)],
-            (0.0, t_end),
-            state,
-            rtol=1e-7,
-            atol=1e-9,
-            max_step=1.0,
-        )
+        run = article_motion.integrated(p, 0.5, 10.0, state, t_end, rtol=1e-7, atol=1e-9, max_step=1.0)
         late = run.t > 0.75 * t_end
         return float(np.ptp(run.y[0, late])), run.y[:, -1], float(np.mean(run.y[1, late] > 0))
 

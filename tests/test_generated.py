@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import inspect
-import itertools
 import pkgutil
 import random
 from collections.abc import Callable, Iterable, Iterator
@@ -190,23 +189,6 @@ class Intervals:
 def ends(interval: Any) -> tuple[mpmath.mpf, mpmath.mpf]:
     interval = mpmath.iv.convert(interval)
     return mpmath.mpf(interval.a.mid), mpmath.mpf(interval.b.mid)
-
-
-@each_function
-def test_intervals_enclose(function: Generated) -> None:
-    for seed in SEEDS:
-        values = floats(seed)
-        truth = exact(function, values, 80)
-        mpmath.iv.prec = 120
-        try:
-            given = {name: mpmath.iv.mpf(value) for name, value in values.items()}
-            for enclosure, right in zip(function(given, Intervals), truth, strict=True):
-                with mpmath.workdps(80):
-                    low, high = ends(enclosure)
-                    assert low <= right <= high
-                    assert high - low <= 1e-28 * (1 + abs(right)), "an enclosure that says nothing"
-        finally:
-            mpmath.iv.prec = 53
 
 
 @each_function
@@ -430,10 +412,10 @@ def test_fractions_equal_the_derived_value(name: str) -> None:
 # --------------------------------------------------------------- against the un-eliminated equations, by hand
 
 
-def forces(point: dict[str, Any], x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
+def forces(point: dict[str, Any], x: Any, y: Any, mu: Any, sqrt: Callable[[Any], Any] = mpmath.sqrt) -> tuple[Any, Any]:
     """F_x and F_y of (12) and (13): minus the sum of forces, written out from the figure of the model."""
     anchor_x, anchor_y = point["cos0"] - x, point["sin0"] - y
-    length = mpmath.sqrt(anchor_x**2 + anchor_y**2)
+    length = sqrt(anchor_x**2 + anchor_y**2)
     tension = point["sigma"] * (length - 1)
     contact = -point["nbar"] * y
     return (
@@ -442,71 +424,97 @@ def forces(point: dict[str, Any], x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
     )
 
 
-def equilibrium_points(contact: int) -> Iterator[tuple[dict[str, Any], Any, Any]]:
-    """Random parameters with the equilibria that Newton's method finds on (12) and (13), at 50 digits."""
-    for seed in range(8 if contact else 20):
-        generator = random.Random(seed)
-        point = reals(seed)
-        theta0 = mpmath.mpf(generator.randint(10, 170)) * mpmath.pi / 180
-        point |= {"cos0": mpmath.cos(theta0), "sin0": mpmath.sin(theta0), "nbar": mpmath.mpf(contact)}
-        point["alpha"] /= 10
-        if not contact:  # springs weak enough for the mass to stand above the anchor, off the belt
-            point["beta"], point["kappa"] = point["beta"] / 50, point["kappa"] / 20
-        for direction in range(6):
-            angle = (direction + mpmath.mpf("0.37")) * mpmath.pi / (3 if contact == 0 else 6)
-            start = point["cos0"] - mpmath.cos(angle), point["sin0"] - mpmath.sin(angle)
-            try:
-                x, y = mpmath.findroot(lambda x, y, p=point: forces(p, x, y, p["mu0"]), start, maxsteps=60)
-            except (ValueError, ZeroDivisionError):
-                continue
-            if (y < 0) == (contact == 1):
-                yield point, x, y
+def at_rest(
+    seed: int, contact: int, *unknowns: str, further: Callable[[sp.Matrix], list[sp.Expr]] = lambda K: []
+) -> tuple[dict[str, Any], list[Fraction]]:
+    """A place and parameters, all rational, for which the forces vanish there, and the slopes of the forces.
+
+    The unknowns solve linear equations: that the forces vanish, and what else is asked of their slopes.
+    """
+    here: dict[str, Any] = {name: sp.Rational(value) for name, value in rationals(seed).items()}
+    here |= {name: sp.Symbol(name) for name in unknowns}
+    here |= {"nbar": contact, "x": here["cos0"] - here["L"] * here["cos"], "y": here["sin0"] - here["L"] * here["sin"]}
+    place = sp.symbols("x y")
+    balance = sp.Matrix(forces(here, *place, here["mu0"], sp.sqrt))
+    there = {symbol: here[symbol.name] for symbol in place}
+    K = balance.jacobian(place).subs(there)
+    (found,) = sp.linsolve([*balance.subs(there), *further(K)], *map(sp.Symbol, unknowns))
+    solved = {sp.Symbol(name): value for name, value in zip(unknowns, found, strict=True)}
+
+    def fraction(value: Any) -> Fraction:
+        number = sp.sympify(value).subs(solved)
+        return Fraction(int(number.p), int(number.q))
+
+    return {name: fraction(value) for name, value in here.items()}, list(map(fraction, K))
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("contact", [1, pytest.param(0, marks=pytest.mark.thorough)], ids=["contact", "liftoff"])
-def test_equilibria_of_the_uneliminated_equations(contact: int) -> None:
-    found = 0
-    tiny = mpmath.mpf(10) ** -44
-    with mpmath.workdps(50):
-        for point, x, y in equilibrium_points(contact):
-            found += 1
-            length = mpmath.hypot(point["cos0"] - x, point["sin0"] - y)
-            here = {**point, "L": length, "cos": (point["cos0"] - x) / length, "sin": (point["sin0"] - y) / length}
-            quartic = call(equilibrium.contact_quartic if contact else equilibrium.liftoff_quartic, here)
-            assert abs(mpmath.polyval(quartic[::-1], length)) < tiny * max(map(abs, quartic))
-            a_f, b_f, d_f, m_f = call(equilibrium.f_coefficients, here)
-            here |= {"a_f": a_f, "b_f": b_f, "d_f": d_f, "m_f": m_f}
-            assert abs(call(equilibrium.f, here)) < tiny
-            t = here["sin"] / (1 + here["cos"])
-            assert abs(mpmath.polyval(equilibrium.t_quartic(a_f, b_f, d_f, m_f)[::-1], t)) < tiny * (1 + abs(t)) ** 4
-            for ours, right in zip(call(equilibrium.state, here), (length, x, y), strict=True):
-                assert abs(ours - right) < tiny
-            assert all(abs(value) < tiny for value in call(equilibrium.residuals, here))
-            matrix = call(equilibrium.contact_matrix if contact else equilibrium.liftoff_matrix, here)
-            vector = call(equilibrium.contact_vector if contact else equilibrium.liftoff_vector, here)
-            for row, side in zip(matrix, vector, strict=True):
-                assert abs(row[0] * here["cos"] + row[1] * here["sin"] - side) < tiny
-            if contact and abs(here["cos"]) > 0.01:
-                assert abs(call(catastrophe.surface, here) - point["mu0"]) < tiny * 1000
-
-            def force(row: int, p: dict[str, Any] = point) -> Callable[[Any, Any], Any]:
-                return lambda u, v: forces(p, u, v, p["mu0"])[row]
-
-            K = [[mpmath.diff(force(row), (x, y), order) for order in ((1, 0), (0, 1))] for row in range(2)]
-            for ours, right in zip(flat(call(stability.stiffness, here)), (K[0][0], K[0][1], K[1][0], K[1][1]), strict=True):
-                assert abs(ours - right) < mpmath.mpf(10) ** -40
-            determinant = K[0][0] * K[1][1] - K[0][1] * K[1][0]
-            assert abs(call(equilibrium.f_slope, here) - length * determinant) < mpmath.mpf(10) ** -40
-    assert found >= 8
+def polynomial(coefficients: Iterable[Any], at: Any) -> Any:
+    return sum(coefficient * at**power for power, coefficient in enumerate(coefficients))
 
 
-def slope_of(function: Generated, point: dict[str, Any], name: str) -> Any:
-    return mpmath.diff(lambda value: function({**point, name: value}, mpmath)[0], point[name])
+@pytest.mark.parametrize("contact", [1, 0], ids=["contact", "liftoff"])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_equilibria_of_the_uneliminated_equations(contact: int, seed: int) -> None:
+    here, K = at_rest(seed, contact, "mu0" if contact else "alpha", "kappa")
+    assert polynomial(call(equilibrium.contact_quartic if contact else equilibrium.liftoff_quartic, here), here["L"]) == 0
+    matrix = call(equilibrium.contact_matrix if contact else equilibrium.liftoff_matrix, here)
+    vector = call(equilibrium.contact_vector if contact else equilibrium.liftoff_vector, here)
+    assert tuple(row[0] * here["cos"] + row[1] * here["sin"] for row in matrix) == vector
+    trig = call(equilibrium.f_coefficients, here)
+    assert equilibrium.f(here["cos"], here["sin"], *trig) == 0
+    assert polynomial(equilibrium.t_quartic(*trig), here["sin"] / (1 + here["cos"])) == 0
+    assert call(equilibrium.state, here) == (here["L"], here["x"], here["y"])
+    assert call(equilibrium.residuals, here) == (0, 0)
+    if contact:
+        assert call(catastrophe.surface, here) == here["mu0"]
+    assert list(flat(call(stability.stiffness, here))) == K
+    assert equilibrium.f_slope(here["cos"], here["sin"], *trig) == here["L"] * (K[0] * K[3] - K[1] * K[2])
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_folds_of_the_uneliminated_equations(seed: int) -> None:
+    """Where the forces vanish and their Jacobian is singular every fold formula holds."""
+    here, _ = at_rest(seed, 1, "mu0", "kappa", "alpha", further=lambda K: [K.det()])
+    sin0, cos0 = here["sin0"], here["cos0"]
+    assert polynomial(call(catastrophe.fold_quartic, here), here["mu0"]) == 0
+    assert call(catastrophe.fold_angles, here) == (sin0, cos0)
+    assert call(catastrophe.fold_sine, here) == sin0
+    for name in ("mu0", "kappa", "alpha", "sigma", "beta"):
+        u1, w1, u2, w2 = call(getattr(catastrophe, f"fold_lines_{name}"), here)
+        assert (u1 + w1 * here[name], u2 + w2 * here[name]) == (0, 0)
+    *in_sine, ec = call(catastrophe.fold_conic, here)
+    assert polynomial(in_sine, sin0) + ec * cos0 == 0
+    trig = call(equilibrium.f_coefficients, here)
+    assert catastrophe.fold_residuals(here["cos"], here["sin"], *trig) == (0, 0)
+    assert equilibrium.f_slope(here["cos"], here["sin"], *trig) == 0
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_flutter_onsets(seed: int) -> None:
+    """Where the forces vanish and the eigenvalues of −K meet every formula of an onset holds."""
+    difference = sp.Rational(rationals(seed)["a_v"])
+
+    def meet(K: sp.Matrix) -> list[sp.Expr]:
+        """(K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0, with a difference that is given."""
+        return [K[0, 0] - K[1, 1] - difference, K[0, 1] + difference**2 / (4 * K[1, 0])]
+
+    here, K = at_rest(seed, 1, "mu0", "kappa", "alpha", "beta", further=meet)
+    assert stability.invariants(*K)[2] == 0
+    assert call(stability.flutter_friction, here) == here["mu0"]
+    g0, g1, *cubic = call(stability.flutter_cubic, here)
+    assert here["cos0"] * (g0 + g1 * here["sin0"]) == polynomial(cubic, here["sin0"])
+    u1, w1, u2, w2 = call(stability.reference_lines, here)
+    assert (u1 + w1 * here["L"], u2 + w2 * here["L"]) == (here["sin0"], here["alpha"] * here["cos0"])
+    assert polynomial(call(stability.flutter_quadratic, here), here["L"]) == 0
+    X, Y, Z = call(stability.flutter_elimination, here)
+    assert (X * X, X) == (Y * Z, Y * here["L"])
 
 
 def test_motion_is_newtons_second_law() -> None:
-    """Away from equilibrium, on both sides of V = x' and of y = 0, with the friction law written out."""
+    """Away from equilibrium, on both sides of V = x' and of y = 0, with the friction law written out.
+
+    Its derivatives, its regimes and its energy are those of any model: ``test_models_generated``.
+    """
     tiny = mpmath.mpf(10) ** -45
     with mpmath.workdps(50):
         for seed in range(12):
@@ -519,113 +527,25 @@ def test_motion_is_newtons_second_law() -> None:
                 slip = p["V"] - vx
                 return p["mu0"] * (1 - mpmath.exp(-p["d"] * abs(slip))) * mpmath.sign(slip)
 
-            def acceleration(x: Any, y: Any, vx: Any, vy: Any, p: dict[str, Any] = point) -> Any:
-                return [-value for value in forces(p, x, y, friction(vx, p))]
-
-            state = tuple(point[name] for name in ("x", "y", "vx", "vy"))
-            right = acceleration(*state)
-            for name in ("rhs", "regime_rhs"):
-                for ours, theirs in zip(NAMED[name](point, mpmath), right, strict=True):
-                    assert abs(ours - theirs) < tiny
-            orders = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
-            slopes = [mpmath.diff(lambda *s, i=i: acceleration(*s)[i], state, order) for i in range(2) for order in orders]
-            for ours, theirs in zip(NAMED["regime_jacobian"](point, mpmath), slopes, strict=True):
-                assert abs(ours - theirs) < mpmath.mpf(10) ** -40
-
-            def changed(name: str, value: Any, p: dict[str, Any] = point) -> dict[str, Any]:
-                if name != "theta0":
-                    return {**p, name: value}
-                turn = mpmath.expj(value) * mpmath.mpc(p["cos0"], p["sin0"])
-                return {**p, "cos0": turn.real, "sin0": turn.imag}
-
-            names = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta", "V", "d")
-            slopes = [
-                mpmath.diff(lambda value, i=i, name=name, s=state: acceleration(*s, changed(name, value))[i], point.get(name, 0))
-                for i in range(2) for name in names
-            ]  # fmt: skip
-            for ours, theirs in zip(NAMED["regime_by_parameters"](point, mpmath), slopes, strict=True):
-                assert abs(ours - theirs) < mpmath.mpf(10) ** -35
-
-            # Energy changes at the rate of the friction's power, and of nothing else.
-            gradient = [slope_of(NAMED["energy"], point, name) for name in ("x", "y", "vx", "vy")]
-            rate = mpmath.fdot(gradient, (point["vx"], point["vy"], *right))
-            assert abs(rate - NAMED["friction_power"](point, mpmath)[0]) < mpmath.mpf(10) ** -40
+            right = forces(point, point["x"], point["y"], friction(point["vx"]))
+            for ours, theirs in zip(NAMED["rhs"](point, mpmath), right, strict=True):
+                assert abs(ours + theirs) < tiny
             assert abs(NAMED["friction"](point, mpmath)[0] - friction(point["vx"])) < tiny
-            rest = {**point, "vx": mpmath.mpf(0)}
-            slope = -rest["nbar"] * -rest["y"] * slope_of(NAMED["friction"], rest, "vx")
-            assert abs(NAMED["damping"](rest, mpmath)[0] - slope) < mpmath.mpf(10) ** -40
+            damping = point["nbar"] * point["y"] * mpmath.diff(friction, 0)
+            assert abs(NAMED["damping"](point, mpmath)[0] - damping) < mpmath.mpf(10) ** -40
 
 
-def test_linear_sprag_against_its_linear_balance() -> None:
-    with mpmath.workdps(50):
-        for seed in range(6):
-            point = reals(seed)
-            c0, s0, sigma, mu0 = (point[name] for name in ("cos0", "sin0", "sigma", "mu0"))
-            x, y = linear_sprag.displacement(c0, s0, mu0, point["kappa"], point["alpha"], sigma, point["beta"])
-            along_spring = sigma * (x * c0 + y * s0)
-            assert abs(point["alpha"] * x + along_spring * c0 + mu0 * y) < mpmath.mpf(10) ** -45
-            assert abs((point["beta"] + 1) * y + along_spring * s0 + point["kappa"]) < mpmath.mpf(10) ** -45
-            # At the friction of a pole that balance is singular, and the quadratic in tan θ₀ vanishes.
-            T = abs(s0 / c0)
-            stiffnesses = point["alpha"], sigma, point["beta"]
-            pole = linear_sprag.pole_friction(T, *stiffnesses)
-            cosine = 1 / mpmath.sqrt(1 + T**2)
-            matrix = mpmath.matrix([
-                [point["alpha"] + sigma * cosine**2, sigma * cosine**2 * T + pole],
-                [sigma * cosine**2 * T, point["beta"] + 1 + sigma * (T * cosine) ** 2],
-            ])  # fmt: skip
-            assert abs(mpmath.det(matrix)) < mpmath.mpf(10) ** -45
-            e0, e1, e2 = linear_sprag.pole_quadratic(pole, *stiffnesses)
-            assert abs(e0 + e1 * T + e2 * T**2) < mpmath.mpf(10) ** -44
-            # μ_cr is the least friction of a pole.
-            critical = mpmath.sqrt(linear_sprag.critical_friction_squared(*stiffnesses))
-            least = linear_sprag.pole_friction(mpmath.sqrt(e0 / e2), *stiffnesses)
-            assert abs(critical - least) < mpmath.mpf(10) ** -45
-            assert pole >= critical
-
-
-BASE = {"kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0", "nbar": "1"}
-
-
-@pytest.mark.parametrize("degrees", ["44.559317702565", "155.059418789789"])
-def test_folds_of_the_uneliminated_equations(degrees: str) -> None:
-    """F_x = F_y = det K = 0 solved for x, y, θ₀ at the base values and μ₀ = 0.5; then every fold formula."""
-    with mpmath.workdps(40):
-        point: dict[str, Any] = {name: mpmath.mpf(value) for name, value in BASE.items()} | {"mu0": mpmath.mpf("0.5")}
-
-        def at(x: Any, y: Any, theta0: Any) -> dict[str, Any]:
-            cos0, sin0 = mpmath.cos(theta0), mpmath.sin(theta0)
-            length = mpmath.hypot(cos0 - x, sin0 - y)
-            return {**point, "cos0": cos0, "sin0": sin0, "cos": (cos0 - x) / length, "sin": (sin0 - y) / length, "L": length}
-
-        def fold(x: Any, y: Any, theta0: Any) -> tuple[Any, Any, Any]:
-            here = at(x, y, theta0)
-            pull = here["sigma"] / here["L"]
-            along = here["alpha"] + here["sigma"] - pull * here["sin"] ** 2
-            across = here["beta"] + 1 + here["sigma"] - pull * here["cos"] ** 2
-            coupling = pull * here["sin"] * here["cos"]
-            return *forces(here, x, y, here["mu0"]), along * across - (coupling + here["mu0"]) * coupling
-
-        start = best_start(fold, mpmath.radians(mpmath.mpf(degrees)))
-        x, y, theta0 = mpmath.findroot(fold, start)
-        assert abs(mpmath.degrees(theta0) - mpmath.mpf(degrees)) < mpmath.mpf(10) ** -11
-        here = at(x, y, theta0)
-        tiny = mpmath.mpf(10) ** -34
-        assert abs(mpmath.polyval(call(catastrophe.fold_quartic, here)[::-1], here["mu0"])) < tiny * 1e4
-        sin0, cos0 = call(catastrophe.fold_angles, here)
-        assert abs(sin0 - here["sin0"]) < tiny
-        assert abs(cos0 - here["cos0"]) < tiny * 100
-        for name in ("mu0", "kappa", "alpha", "sigma", "beta"):
-            u1, w1, u2, w2 = call(getattr(catastrophe, f"fold_lines_{name}"), here)
-            assert abs(u1 + w1 * here[name]) < tiny
-            assert abs(u2 + w2 * here[name]) < tiny
-        assert abs(call(catastrophe.fold_sine, here) - sin0) < tiny
-        e0, e1, e2, ec = call(catastrophe.fold_conic, here)
-        assert abs(e0 + e1 * here["sin0"] + e2 * here["sin0"] ** 2 + ec * here["cos0"]) < tiny
-        here |= dict(zip(("a_f", "b_f", "d_f", "m_f"), call(equilibrium.f_coefficients, here), strict=True))
-        assert all(abs(value) < tiny for value in call(catastrophe.fold_residuals, here))
-        assert abs(call(equilibrium.f, here)) < tiny
-        assert abs(call(equilibrium.f_slope, here)) < tiny
+@pytest.mark.parametrize("seed", SEEDS)
+def test_poles_of_the_linear_sprag_model(seed: int) -> None:
+    """At the friction of a pole its linear balance is singular; two poles meet at μ_cr."""
+    here = rationals(seed)
+    alpha, sigma, beta, tangent = (here[name] for name in ("alpha", "sigma", "beta", "T"))
+    mu0 = call(linear_sprag.pole_friction, here)
+    along, across, coupling = (sigma * part / (1 + tangent**2) for part in (1, tangent**2, tangent))
+    assert (alpha + along) * (beta + 1 + across) == (coupling + mu0) * coupling
+    assert polynomial(call(linear_sprag.pole_quadratic, here | {"mu0": mu0}), tangent) == 0
+    e0, e1, e2 = call(linear_sprag.pole_quadratic, here | {"mu0": 1})
+    assert e1**2 * call(linear_sprag.critical_friction_squared, here) == 4 * e0 * e2
 
 
 def f_by_hand(point: dict[str, Any], theta: Any) -> Any:
@@ -659,6 +579,15 @@ def test_derivatives_of_f() -> None:
                 assert abs(ours - theirs) < tiny
 
 
+def test_f_in_differences_is_f() -> None:
+    """f and its slope as they are arranged for boxes, anywhere."""
+    for seed in SEEDS:
+        values = rationals(seed) | {"nbar": Fraction(1)}
+        trig = call(equilibrium.f_coefficients, values)
+        at = values["cos"], values["sin"], *trig
+        assert call(catastrophe.f_in_differences, values)[:2] == (equilibrium.f(*at), equilibrium.f_slope(*at))
+
+
 def test_magnitudes_bound_their_terms() -> None:
     for seed in SEEDS:
         values = rationals(seed)
@@ -682,84 +611,6 @@ def test_characteristic_polynomial_and_invariants() -> None:
         trace, determinant, discriminant = stability.invariants(k11, k12, k21, k22)
         assert (trace, determinant) == (k11 + k22, k11 * k22 - k12 * k21)
         assert discriminant == trace**2 - 4 * determinant
-
-
-def best_start(fold: Callable[..., tuple[Any, Any, Any]], theta0: Any) -> tuple[Any, Any, Any]:
-    """The coarse grid point with the least residual at a given θ₀."""
-    grid = [
-        (mpmath.cos(theta0) - mpmath.cos(angle) * 1, mpmath.mpf(depth) / 200)
-        for angle in (mpmath.pi * step / 40 for step in range(1, 40))
-        for depth in range(-12, 0)
-    ]
-    x, y = min(grid, key=lambda place: max(abs(value) for value in fold(*place, theta0)))
-    return x, y, theta0
-
-
-def test_cusp_at_the_base_values() -> None:
-    """Against what continuation programs agree on: θ₀ = 68.0209585077443°, μ₀ = 0.200931781805090."""
-    with mpmath.workdps(40):
-        kappa, alpha, sigma, beta = (mpmath.mpf(BASE[name]) for name in ("kappa", "alpha", "sigma", "beta"))
-        coefficients = catastrophe.cusp_polynomial(kappa, alpha, sigma, beta)
-        roots = mpmath.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
-        found = []
-        for root in roots:
-            if abs(mpmath.im(root)) > 1e-25 or abs(mpmath.re(root)) >= 1:
-                continue
-            s = mpmath.re(root)
-            sin0, cosine_ratio, mu_ratio = catastrophe.cusp_point(s, kappa, alpha, sigma, beta)
-            for ours, same in zip(catastrophe.cusp_sine(s, kappa, alpha, sigma, beta), (sin0, mu_ratio), strict=True):
-                assert abs(ours - same) < mpmath.mpf(10) ** -35
-            for c in (mpmath.sqrt(1 - s**2), -mpmath.sqrt(1 - s**2)):
-                mu0, cos0 = mu_ratio * c, cosine_ratio * c
-                assert abs(sin0**2 + cos0**2 - 1) < mpmath.mpf(10) ** -25
-                f = equilibrium.f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, mpmath.mpf(1))
-                for derivative in (equilibrium.f, equilibrium.f_slope, equilibrium.f_curvature):
-                    assert abs(derivative(c, s, *f)) < mpmath.mpf(10) ** -25
-                if mu0 > 0:
-                    found.append((mpmath.degrees(mpmath.atan2(sin0, cos0)), mu0))
-        theta0, mu0 = min(found, key=lambda cusp: abs(cusp[0] - 68))
-        assert abs(theta0 - mpmath.mpf("68.0209585077443")) < 1e-12
-        assert abs(mu0 - mpmath.mpf("0.200931781805090")) < 1e-14
-
-
-@pytest.mark.thorough
-def test_flutter_onsets() -> None:
-    """Where the cubic in sin θ₀ meets cos θ₀, an equilibrium is an onset: there the eigenvalues of −K meet."""
-    checked = 0
-    with mpmath.workdps(40):
-        for seed in range(10):
-            point = reals(seed)
-            kappa, alpha, sigma, beta = (point[name] for name in ("kappa", "alpha", "sigma", "beta"))
-            c, s = point["cos"], point["sin"]
-            g0, g1, *k = stability.flutter_cubic(c, s, kappa, alpha, sigma, beta)
-
-            def gap(angle: Any, g0: Any = g0, g1: Any = g1, k: list[Any] = k) -> Any:
-                sine = mpmath.sin(angle)
-                return mpmath.cos(angle) * (g0 + g1 * sine) - mpmath.polyval(k[::-1], sine)
-
-            angles = [mpmath.pi * (i + mpmath.mpf("0.5")) / 400 for i in range(400)]
-            for low, high in itertools.pairwise(angles):
-                if gap(low) * gap(high) > 0:
-                    continue
-                angle = mpmath.findroot(gap, (low, high), solver="anderson", tol=1e-70)
-                cos0, sin0 = mpmath.cos(angle), mpmath.sin(angle)
-                length = (sigma * s + (beta + 1) * sin0 + kappa) / ((beta + 1 + sigma) * s)
-                mu0 = stability.flutter_friction(c, s, length, alpha, sigma, beta)
-                x, y = cos0 - length * c, sin0 - length * s
-                here = {**point, "cos0": cos0, "sin0": sin0, "nbar": mpmath.mpf(1)}
-                assert max(abs(value) for value in forces(here, x, y, mu0)) < mpmath.mpf(10) ** -20
-                K = stability.stiffness(c, s, length, mu0, alpha, sigma, beta, mpmath.mpf(1))
-                _, _, discriminant = stability.invariants(*flat(K))
-                assert abs(discriminant) < mpmath.mpf(10) ** -20
-                # The two conditions that the elimination starts from, and its result.
-                u1, w1, u2, w2 = stability.reference_lines(c, s, mu0, kappa, alpha, sigma, beta)
-                assert abs(u1 + w1 * length - sin0) < mpmath.mpf(10) ** -20
-                assert abs(u2 + w2 * length - alpha * cos0) < mpmath.mpf(10) ** -20
-                X, Y, Z = stability.flutter_elimination(c, s, mu0, kappa, alpha, sigma, beta)
-                assert abs(X * X - Y * Z) < mpmath.mpf(10) ** -18 * (X * X + abs(Y * Z))
-                assert abs(X / Y - length) < mpmath.mpf(10) ** -18
-                checked += 1
-    assert checked >= 3
 
 
 def test_scales_make_the_unit_coefficients() -> None:

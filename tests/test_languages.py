@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import ast
-import ctypes
-import json
-import math
 import re
 import shutil
 import subprocess
@@ -137,87 +134,24 @@ def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
     assert not list((house / "lib").rglob("*.pyc"))
 
 
-# --------------------------------------------------------------------------------- a model that is not the article's
-
-
-@pytest.fixture(scope="module")
-def pendulum() -> dict[str, str]:
-    """What every target makes of a driven pendulum: algebra only, no kernel and no files of its own."""
-    sp = pytest.importorskip("sympy")
-    from spragsym.derive.emit import language, targets
-    from spragsym.derive.emit.function import Function, Module
-    from spragsym.derive.emit.quantities import Quantity
-
-    sine, rate, damping, drive = sp.symbols("s rate damping drive", real=True)
-    meanings = {sine: "sin φ", rate: "dφ/dτ", damping: "damping over critical", drive: "torque over weight and length"}
-    acceleration = -sine - 2 * damping * rate - rate * sp.Abs(rate) ** 3 / 7 + drive * sp.exp(-sp.sqrt(1 + drive**2))
-    arguments = (sine, rate, damping, drive)
-    functions = (
-        Function("acceleration", "Angular acceleration.", "Newton's law", arguments, acceleration, "φ″", transcendental=True),
-        Function(
-            "slopes", "Its derivatives.", "by hand", arguments, (sp.S(-1), -2 * damping - sp.Abs(rate) ** 3 * 4 / 7), "both"
-        ),
-    )
-    return targets.render(
-        targets.Material(
-            modules=(Module("pendulum", "A driven pendulum.", functions),),
-            kernel=language.NOTHING,
-            counts={},
-            quantities={str(it): Quantity(it, str(it), text) for it, text in meanings.items()},
-            parameters=("damping", "drive"),
-            base_values={},
-            public=("acceleration", "slopes"),
-            variant=False,
-            digest="0123456789abcdef",
-            header="Generated.",
-            library="pendulum",
-            summary="A driven pendulum.",
-        )
-    )
-
-
-def test_a_model_without_a_kernel_is_printed(pendulum: dict[str, str]) -> None:
-    assert {"pendulum.py", "quantities.py", "c/pendulum.c", "c/pendulum.h", "c/target.json"} <= pendulum.keys()
-    assert not {"kernel.py", "c/main.c", "c/Makefile"} & pendulum.keys()
-    assert json.loads(pendulum["c/target.json"])["files"] == ["pendulum.h", "pendulum.c"]
-    for path in ("c/pendulum.h", "c/pendulum.c"):
-        assert not re.search("spragsym|theta", pendulum[path], re.IGNORECASE), f"{path} knows the article's model"
-        assert not re.search(r"@(?!file|param|return)", pendulum[path]), f"{path} has a place that nothing fills"
-
-
-@pytest.mark.skipif(not shutil.which("cc"), reason="no C compiler on this machine")
-def test_c_computes_a_model_without_a_kernel(pendulum: dict[str, str], tmp_path: Path) -> None:
-    for path in ("pendulum.h", "pendulum.c"):
-        (tmp_path / path).write_text(pendulum[f"c/{path}"], encoding="utf-8")
-    built = tmp_path / "pendulum.so"
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wconversion", "-Wshadow", "-shared", "-fPIC"]
-    done = subprocess.run(
-        ["cc", *flags, "-o", built, tmp_path / "pendulum.c", "-lm"], capture_output=True, text=True, timeout=60, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    library = ctypes.CDLL(str(built))
-    sine, rate, damping, drive = 0.3, -1.7, 0.05, 0.8
-    value = (ctypes.c_double * 2)()
-    numbers = [ctypes.c_double(number) for number in (sine, rate, damping, drive)]
-    assert library.pendulum_acceleration(*numbers, value) == 0
-    expected = -sine - 2 * damping * rate - rate * abs(rate) ** 3 / 7 + drive * math.exp(-math.hypot(1.0, drive))
-    assert value[0] == pytest.approx(expected, rel=1e-14)
-    assert library.pendulum_slopes(*numbers, value) == 0
-    h = 1e-5
-    ahead, behind = (-2 * damping * (rate + s * h) - (rate + s * h) * abs(rate + s * h) ** 3 / 7 for s in (1, -1))
-    assert list(value) == pytest.approx([-1.0, (ahead - behind) / (2 * h)], rel=1e-9)
-    assert library.pendulum_slopes(ctypes.c_double(math.nan), *numbers[1:], value) == 2
+# ----------------------------------------------------------------------------------------- what is printed
 
 
 @pytest.mark.thorough
-def test_generated_c_comes_out_formatted(pendulum: dict[str, str], tmp_path: Path) -> None:
-    """The printer lays C out by itself, as clang-format would, for any model."""
+def test_generated_c_comes_out_formatted() -> None:
+    """The printer lays C out by itself, as clang-format would, for any model; of the article's another one knows nothing."""
+    pytest.importorskip("sympy")
+    from spragsym.derive import export
+
     formatter = shutil.which("clang-format", path=Path(sys.executable).parent)
     if formatter is None:
         pytest.skip("clang-format is not installed")
     published = ROOT / "generated" / "c"
     texts = {name: (published / name).read_text(encoding="utf-8") for name in ("spragsym.h", "spragsym.c", "main.c")}
-    for name, text in {**texts, "pendulum.h": pendulum["c/pendulum.h"], "pendulum.c": pendulum["c/pendulum.c"]}.items():
+    another = export.export(ROOT / "tests/pressed.py", "pressed", "c")
+    for path in ("pressed.h", "pressed.c"):
+        assert not re.search(r"spragsym_|theta|@(?!file|param|return)", another[path], re.IGNORECASE), path
+    for name, text in {**texts, **{name: text for name, text in another.items() if name != "Makefile"}}.items():
         call = [formatter, f"--style=file:{ROOT / '.clang-format'}", f"--assume-filename={name}"]
         done = subprocess.run(call, input=text, capture_output=True, text=True, timeout=60, check=True)
         assert done.stdout == text, name

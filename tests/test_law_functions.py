@@ -121,7 +121,7 @@ def test_a_root_by_exponential_and_logarithm_begins_at_zero() -> None:
     assert found.high[2] == pytest.approx(0.1, rel=1e-13)
 
 
-@pytest.mark.parametrize("name", ["exp", "log", "tanh", "atan", "cos", "sin"])
+@pytest.mark.parametrize("name", ["exp", "log", "tanh", "atan", "cos", "sin", "sqrt"])
 def test_series_in_time_are_those_of_mpmath(name: str) -> None:
     """Of x(t) = 0.4 + t − t²/2, by balls of python-flint."""
     flint = pytest.importorskip("flint")

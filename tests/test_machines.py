@@ -54,9 +54,11 @@ def test_the_same_bits(machine: Machine, expected: str, tmp_path: Path) -> None:
     [
         ("gcc", ("-m32", "-mfpmath=387"), "computed in double precision"),
         ("gcc", ("-Ofast",), "break the error bounds"),
+        ("gcc", ("-ffast-math",), "break the error bounds"),
+        ("gcc", ("-ffinite-math-only",), "break the error bounds"),
         ("clang", (*MSVC, "/fp:fast"), "break the error bounds"),
     ],
-    ids=["x87", "fast math", "MSVC's fast math"],
+    ids=["x87", "fastest", "fast math", "finite numbers", "MSVC's fast math"],
 )
 def test_arithmetic_of_another_kind_is_refused(compiler: str, flags: tuple[str, ...], said: str, tmp_path: Path) -> None:
     if not shutil.which(compiler):

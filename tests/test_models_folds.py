@@ -147,6 +147,11 @@ def test_curves_of_folds_are_smooth_to_their_cusps_and_the_ends_of_the_ranges():
     assert sorted(float(line[1, end]) for line in lines for end in (0, -1)) == [0.0, 0.0, 1.0, 1.0]
     cusp = found.cusps.mu0[0]
     assert any(((curve.mu0 == cusp) & (curve.theta0 == found.cusps.theta0[0])).any() for curve in found.curves)
+    for curve in found.curves:  # each point is a fold, or the cusp, in which two have met
+        for theta0, mu0 in zip(curve.theta0, curve.mu0, strict=True):
+            known = ss.folds(p.replace(theta0=theta0), "mu0").mu0
+            assert np.abs(np.append(known, cusp) - mu0).min() < 1e-7 or mu0 == 0.0
+        assert np.abs(np.diff(curve.theta0)).max() < 2.1 * np.pi / 12  # no farther than to the next line, but for the steep ends
     steps = np.geomspace(1e-6, 0.3, 25)
     for mu0 in np.concatenate([cusp * (1 + steps), cusp * (1 - steps[steps < 0.9])]):
         for theta0 in ss.folds(p.replace(mu0=float(mu0))).theta0:

@@ -50,18 +50,6 @@ def test_both_integrators_agree(name: str) -> None:
     np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-7)
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_the_articles_page_moves_as_the_article(backend: str) -> None:
-    model, theta0 = ss.load("kang_nam").search, np.radians(49)
-    ours = model.simulate(model.Parameters(theta0=theta0), t_end=60.0, backend=backend)
-    theirs = ss.simulate(ss.Parameters.article(theta0=theta0), V=0.5, d=10.0, t_end=60.0, backend=backend)
-    assert ours.events is not None
-    assert theirs.events is not None
-    assert ours.events.which.tolist() == theirs.events.which.tolist()
-    np.testing.assert_allclose(ours.events.t, theirs.events.t, rtol=0, atol=1e-8)
-    np.testing.assert_allclose(ours(50.0), theirs(50.0), rtol=0, atol=1e-8)
-
-
 @pytest.mark.parametrize("name", ["trolley", "hertz_contact", "stribeck"])
 def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> None:
     """SciPy's implicit Radau on the field as a whole, in small steps: no modes, no events, no restart."""
@@ -97,29 +85,6 @@ def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
         assert abs(np.log(size[-1] / size[0]) / tr.t[-1] + change / 2) < 1e-3
 
 
-def test_mode_coupling_flutters_beyond_the_closed_form() -> None:
-    """μ = ((1 + β − α)² + σ²)/(2 σ): there the two eigenvalues of K meet, and a pair of complex ones comes of them."""
-    model = ss.load("mode_coupling")
-    alpha, sigma, beta = 1.3, 0.5, 0.2
-    threshold = ((1 + beta - alpha) ** 2 + sigma**2) / (2 * sigma)
-    for change, flutters in ((-1e-6, False), (1e-6, True)):
-        p = model.Parameters(alpha=alpha, sigma=sigma, beta=beta, mu0=threshold + change, d=1000.0)
-        taken = model.arguments(p)
-        K = np.array(model.algebra.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
-        assert (np.abs(np.linalg.eigvals(K).imag).max() > 0) == flutters
-    growth = []
-    for factor in (0.9, 1.1):
-        p = model.Parameters(alpha=alpha, sigma=sigma, beta=beta, mu0=factor * threshold, d=1000.0)
-        taken = model.arguments(p)
-        K = np.array(model.algebra.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
-        x, y = np.linalg.solve(K, [0.0, -1.0])
-        tr = model.simulate(p, x0=x + 1e-5, y0=y, t_end=120.0)
-        away = np.hypot(tr.x - x, tr.y - y)
-        growth.append(away[tr.t > 60].max() / away[tr.t < 60].max())
-    assert growth[0] < 1.1
-    assert growth[1] > 4
-
-
 def test_arguments_that_make_no_sense() -> None:
     model = ss.load("trolley")
     p = model.Parameters(theta0=1.0)
@@ -151,16 +116,6 @@ def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
 
 
 # ------------------------------------------------------------------------------------------------ sweeps
-
-
-def test_a_sweep_of_the_articles_page_is_that_of_the_article() -> None:
-    model, angles = ss.load("kang_nam").search, np.radians([30.0, 49.0])
-    ours = model.rms_sweep(model.Parameters(theta0=angles), t_end=120.0, transient=40.0)
-    theirs = ss.rms_sweep(ss.Parameters.article(theta0=angles), 0.5, 10.0, t_end=120.0, transient=40.0)
-    for name in ("rms", "spread", "largest", "mean", "mean_y"):
-        np.testing.assert_allclose(getattr(ours, name), getattr(theirs, name), rtol=1e-6)
-    for name in ("contact_lost", "slip_reversed", "regime"):
-        assert getattr(ours, name).tolist() == getattr(theirs, name).tolist()
 
 
 @pytest.mark.thorough

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import importlib.util
-import math
 from dataclasses import asdict, replace
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import spragsym as ss
 from spragsym.dynamics import with_compiled
@@ -30,15 +29,8 @@ SLOW = ss.Parameters.article(theta0=np.radians(42))
 needs_heyoka = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="long motions take SciPy minutes")
 
 
-def plain(p: ss.Parameters, V: float, d: float, start: list[float], t_end: float, method: str = "DOP853"):
-    """The motion by ``solve_ivp``, which knows nothing of kinks."""
-    theta0, *rest = p.scalars("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
-    constants = (math.cos(theta0), math.sin(theta0), *rest, V, d)
-
-    def field(_, state):
-        return (state[2], state[3], *article_motion.everywhere(state.tolist(), constants))
-
-    return solve_ivp(field, (0, t_end), start, method=method, rtol=1e-10, atol=1e-13, dense_output=True)
+#: Another integrator, which does not stop at kinks.
+plain = partial(article_motion.integrated, method="DOP853", rtol=1e-10, atol=1e-13, dense_output=True)
 
 
 @pytest.fixture(scope="session")

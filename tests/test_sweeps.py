@@ -88,16 +88,6 @@ def test_the_same_bits_from_dask() -> None:
         assert_same(rms_sweep(P, **SHORT), rms_sweep(P, **SHORT, workers=client.map))
 
 
-def test_a_point_that_fails_is_nan_with_its_reason_and_stops_nothing() -> None:
-    anchor = float(np.cos(P.theta0[1])), float(np.sin(P.theta0[1]))
-    found = rms_sweep(P, **SHORT, x0=anchor[0], y0=anchor[1])
-    failed = np.arange(6) == 1
-    np.testing.assert_array_equal(np.isnan(found.rms), failed)
-    np.testing.assert_array_equal(found.regime == Regime.FAILED, failed)
-    assert "no direction" in found.reason[1]
-    assert (found.reason[~failed] == "").all()
-
-
 @needs_a_quick_integrator
 def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> None:
     # Not at the fold, 44.56 degrees: from rest at x = y = 0 the mass overshoots the middle one before that.
@@ -111,16 +101,6 @@ def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> Non
     np.testing.assert_array_equal(small, found.largest < middle)
     assert (np.diff(small.astype(int)) <= 0).all()  # once it jumps it stays
     assert found.rms[~small].min() > 5 * found.rms[small].max()
-
-
-def test_the_limit_cycle_of_figure_7_comes_late() -> None:
-    pytest.importorskip("heyoka")
-    p = ss.Parameters.article(theta0=np.radians(49))
-    assert rms_sweep(p, 0.5, 10.0).regime == Regime.UNSETTLED
-    late = rms_sweep(p, 0.5, 10.0, t_end=2e4, transient=1.9e4)
-    later = rms_sweep(p, 0.5, 10.0, t_end=2.3e4, transient=2.2e4, rtol=1e-12)
-    assert late.regime == Regime.LIMIT_CYCLE
-    assert late.period == pytest.approx(float(later.period), rel=1e-5)
 
 
 @needs_a_quick_integrator

@@ -180,42 +180,6 @@ def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
         assert abs(off[-1]) > 0.2
 
 
-def roots_by_hand(p: dict[str, float], pushing: bool) -> list[tuple[Any, Any]]:
-    """MINPACK's hybrid method from many places, then Newton's with many digits; what is found, each once, sorted."""
-    from scipy.optimize import root
-
-    found: list[tuple[Any, Any]] = []
-    exact = {name: mpmath.mpf(value) for name, value in p.items()}
-    for x0 in np.linspace(-1.7, 2.5, 12):
-        for y0 in np.linspace(-0.2, 0.0, 4) if pushing else np.linspace(0.02, 2.4, 10):
-            near = root(lambda q: forces(*map(float, q), p, p["mu0"], pushing, math), (x0, y0), tol=1e-13)
-            if not near.success or (near.x[1] < 0) != pushing:
-                continue
-            if all(np.abs(near.x - np.array(other, dtype=float)).max() > 1e-7 for other in found):
-                balance = lambda x, y: forces(x, y, exact, exact["mu0"], pushing)  # noqa: E731
-                found.append(tuple(mpmath.findroot(balance, tuple(near.x.tolist()))))
-    return sorted(found)
-
-
-@pytest.mark.parametrize(("changes", "contact"), [
-    ({}, True), ({"theta0": 1.0472, "tau": 0.02}, True), ({"theta0": 0.5, "tau": 0.0}, True),
-    ({"theta0": 2.5, "mu0": 0.9, "tau": 0.004}, True), ({"theta0": 0.4, "tau": 1.0, "sigma": 2.0}, True),
-    ({"tau": 0.0005, "alpha": 0.0}, False), ({"theta0": 2.5, "tau": 0.0002, "alpha": 0.001}, False),
-])  # fmt: skip
-def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str, float], contact: bool) -> None:
-    """Every equilibrium that Newton's method finds from many places is among those proved, to 1e-12, and no other one is."""
-    p = model.Parameters(**changes)
-    eq = model.equilibria(p, contact=contact)
-    assert eq.complete
-    with mpmath.workdps(40):
-        values = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
-        known = roots_by_hand(values, contact)
-        proved = sorted((mpmath.mpf(float(x)), mpmath.mpf(float(y))) for x, y in zip(eq.x, eq.y, strict=True) if x == x)
-        assert len(known) == len(proved) == int(eq.count)
-        for one, other in zip(known, proved, strict=True):
-            assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 1e-12
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize(("vary", "between"), [("tau", (0.0, 0.5)), ("theta0", (0.1, 3.0))])
 def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tuple[float, float]) -> None:

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
+
+from scipy.integrate import solve_ivp
+
+from spragsym.parameters import NAMES, Parameters
 
 #: cos θ₀, sin θ₀, μ₀, κ, α, σ, β, V, d.
 Constants = Sequence[float]
@@ -42,6 +47,13 @@ def everywhere(state: Sequence[float], constants: Constants) -> tuple[float, flo
     """x″ and y″, kinked where y = 0 and where x' = V."""
     slip = constants[7] - state[2]
     return accelerations(state, constants, state[1] < 0, math.copysign(1.0, slip) if slip else 0.0)
+
+
+def integrated(p: Parameters, V: float, d: float, start: Sequence[float], t_end: float, **options: Any) -> Any:
+    """The motion by ``solve_ivp``, which knows nothing of kinks."""
+    theta0, *others = p.scalars(*NAMES)
+    constants = (math.cos(theta0), math.sin(theta0), *others, V, d)
+    return solve_ivp(lambda _, state: [*state[2:], *everywhere(state, constants)], (0.0, t_end), start, **options)
 
 
 def stored(state: Sequence[float], constants: Constants) -> float:

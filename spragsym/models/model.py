@@ -447,12 +447,15 @@ class Model:
 
     @question
     def have_jumped(
-        self, p: ParameterSet, *, vary: str | None = None, begin: float | FloatArray | None = None
+        self, p: ParameterSet, *, vary: str | None = None, begin: float | FloatArray | None = None, hasty: bool = False
     ) -> FloatArray:  # fmt: skip
-        """1 where the followed state has ended at the value in p of what rises or below, else 0; NaN where that is not known."""
+        """1 where the followed state has ended at the value in p of what rises or below, else 0; NaN where that is not known.
+
+        A ``hasty`` answer leaves out what would take long.
+        """
         from .design.jumps import have_jumped
 
-        return have_jumped(self, p, *self.rising(vary, begin))
+        return have_jumped(self, p, *self.rising(vary, begin), hasty=hasty)
 
     @question
     def precise_equilibria(

@@ -120,9 +120,10 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
     return ending(study, values_at(study, shares))
 
 
-def ending(study: Study, values: Mapping[str, Any], target: float | None = None) -> FloatArray:
+def ending(study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False) -> FloatArray:
     """The same of brakes by their quantities in SI: up to a target, or up to the own value of each that works."""
-    found: FloatArray = load(study.model).have_jumped(rises.risen(study, values, target), **rises.along(study, values))
+    brakes = rises.risen(study, values, target)
+    found: FloatArray = load(study.model).have_jumped(brakes, **rises.along(study, values), hasty=hasty)
     return found
 
 

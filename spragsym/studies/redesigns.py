@@ -130,7 +130,7 @@ class _Search:
         """Which designs are known not to jump at the target or below it."""
         shape = np.shape(next(iter(changed.values())))
         rows = {name: np.broadcast_to(changed.get(name, value), shape) for name, value in self.study.values.items()}
-        return np.asarray(ending(self.study, rows, self.target) == 0)
+        return np.asarray(ending(self.study, rows, self.target, hasty=True) == 0)
 
     def _kept(self, changed: Mapping[str, FloatArray]) -> int | None:
         """The first design that jumps at the target at the earliest, and at no corner of its tolerances."""
@@ -140,7 +140,7 @@ class _Search:
             designs = [self.study.changed({name: float(values[i]) for name, values in changed.items()}) for i in some]
             about = [values_at(design, shares) for design in designs]
             rows = {name: np.concatenate([one[name] for one in about]) for name in about[0]}
-            free = (ending(self.study, rows) == 0).reshape(len(some), -1).all(axis=1)
+            free = (ending(self.study, rows, hasty=True) == 0).reshape(len(some), -1).all(axis=1)
             if free.any():
                 return int(some[np.flatnonzero(free)[0]])
         return None

@@ -25,13 +25,15 @@ from .jump_values import BLOCK, first_jumps, small
 _NEAR = 1e-9
 
 
-def have_jumped(p: Parameters) -> FloatArray:
+def have_jumped(p: Parameters, *, hasty: bool = False) -> FloatArray:
     """1 where the state of small deformation jumps at a friction up to that of the point, ``jump_value(p) <= p.mu0``, else 0.
 
     Parameters
     ----------
     p : Parameters
         Any shape.
+    hasty : bool
+        Of no effect: closed forms are quick everywhere.
 
     Returns
     -------

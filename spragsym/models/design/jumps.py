@@ -22,7 +22,7 @@ from ..statics.foremost import foremost
 from ..statics.stability import filled
 from ..tubes.tube_regions import Parts, Place
 from ..tubes.tubes import Tubes
-from ..tubes.turning_points import past, turned
+from ..tubes.turning_points import SEGMENTS, past, turned
 
 #: Points at a time.
 BLOCK = 4096
@@ -30,8 +30,8 @@ BLOCK = 4096
 THIN = 2.0**-14
 #: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
 ROUNDS, PAST = 4, 2.0**-8
-#: What is left to a goal, over the whole way, where the fold itself is asked for.
-NEAR = 2.0**-5
+#: Segments towards a fold where an answer in haste is asked for: beside a cusp more are needed.
+HASTY = 60
 
 
 @dataclass(frozen=True)
@@ -104,10 +104,11 @@ def jump_gradient(
     return JumpGradient(vary, found.value, asked.slopes(found))
 
 
-def have_jumped(model: Any, p: Any, vary: str, begin: float | FloatArray) -> FloatArray:
+def have_jumped(model: Any, p: Any, vary: str, begin: float | FloatArray, *, hasty: bool = False) -> FloatArray:
     """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where tubes don't decide it.
 
-    It rises from ``begin``, one value for all points or one for each.
+    It rises from ``begin``, one value for all points or one for each. A ``hasty`` answer is NaN beside cusps too, which take
+    longest.
 
     Returns
     -------
@@ -116,7 +117,7 @@ def have_jumped(model: Any, p: Any, vary: str, begin: float | FloatArray) -> Flo
     """
     names = [name for name in model.parameters if getattr(p, name) is not None]
     p = p.replace(**dict(zip(names, p.broadcast(*names), strict=True)))  # each of the shape of all, without mu0 too
-    return Followed(model, p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended()
+    return Followed(model, p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(hasty=hasty)
 
 
 class Followed:
@@ -159,20 +160,19 @@ class Followed:
             )
         return ends
 
-    def have_ended(self) -> FloatArray:
-        """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide it.
+    def have_ended(self, *, hasty: bool = False) -> FloatArray:
+        """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide it, in haste beside cusps too.
 
-        Tubes over a coordinate pass a fold without coming near to it; where one lies near the value, it is asked for itself.
+        Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing, the fold itself is asked for.
         """
-        found, near = np.full(self.begin.size, np.nan), np.zeros(self.begin.size, dtype=np.bool_)
+        found = np.full(self.begin.size, np.nan)
         for rows in self._blocks(np.arange(found.size)):
             parts, start, goal = self._start(rows)
             safe, top, _ = self.tubes.passed(parts, start, goal)
             found[rows] = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
-            near[rows] = start.sure & (goal - safe <= NEAR * (goal - self.begin[rows]))
         out = self._nothing()
-        for rows in self._blocks(np.flatnonzero(np.isnan(found) & near)):
-            decided = rows[self._block(rows, out)]
+        for rows in self._blocks(np.flatnonzero(np.isnan(found))):
+            decided = rows[self._block(rows, out, *((1, HASTY) if hasty else (ROUNDS, SEGMENTS)))]
             found[decided] = np.isfinite(out.value[decided])
         return found.reshape(self.shape)
 
@@ -222,20 +222,20 @@ class Followed:
         start.sure[~known] = False
         return parts, start, self.until[rows]
 
-    def _block(self, rows: Any, out: Ends) -> Any:
+    def _block(self, rows: Any, out: Ends, rounds: int = ROUNDS, segments: int = SEGMENTS) -> Any:
         """Fold or no fold by tubes, for some points; of which of them that is decided."""
         n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
         parts, start, goal = self._start(rows)
         left = np.arange(rows.size)
         decided, at = np.zeros(rows.size, dtype=np.bool_), start
-        for _ in range(ROUNDS):
+        for _ in range(rounds):
             at = tubes.followed(parts[left], at, goal[left], THIN)
             arrived = at.sure & (at.z[n] == goal[left])
             decided[left[arrived]] = True
             left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
             if not left.size:
                 break
-            fold = turned(tubes, parts[left], at, self.forward)
+            fold = turned(tubes, parts[left], at, self.forward, segments)
             found = fold.sure & (fold.high <= goal[left] if self.forward > 0 else fold.low >= goal[left])
             to = rows[left[found]]
             out.value[to], out.state[:, to] = fold.z[n, found], fold.z[:n, found]

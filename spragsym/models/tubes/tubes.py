@@ -33,10 +33,8 @@ FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
 NARROW, INFLATIONS, ROOM = 1e-9, 6, 0.1
 #: Steps of Newton's method at the end of a step.
 STEPS = 6
-#: Steps through a fold of a box, which else is cut in two, and of a point, which can't be.
-TURNS, OF_A_POINT = 60, 480
-#: The first of them as a share of the straight way, and what counts as no size of a coordinate.
-TURN, SMALL = 0.25, 1e-3
+#: Steps through a fold, the first one as a share of the straight way, and what counts as no size of a coordinate.
+TURNS, TURN, SMALL = 60, 0.25, 1e-3
 #: A step towards a fold that is this share of what is left to the goal is near enough to go over it.
 NEAR = 0.1
 #: For a sharp answer: a step that is this share of how far apart the folds of a part lie, and this one of the whole.
@@ -356,7 +354,7 @@ class Tubes:
         rising = open_.copy()
         # All states of the place lie within the first segment.
         here, step = start[np.arange(goal.size)], np.maximum(TURN * straight, 2 * start.held[pivot])
-        for _ in range(TURNS if parts.half.any() else OF_A_POINT):
+        for _ in range(TURNS):
             rows = np.flatnonzero(open_ & (step > LEAST * straight))
             if not rows.size:
                 break

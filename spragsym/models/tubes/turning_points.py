@@ -33,7 +33,7 @@ class Turned:
     sure: Flags
 
 
-def turned(tubes: Tubes, parts: Parts, start: Place, forward: int) -> Turned:
+def turned(tubes: Tubes, parts: Parts, start: Place, forward: int, segments: int = SEGMENTS) -> Turned:
     """The first folds of states at a place as v moves on, up or down, where it turns back; points without width.
 
     The pivot is the coordinate that moves most. Newton's method along the curve, with secants, gives the fold in floats. Then
@@ -48,7 +48,7 @@ def turned(tubes: Tubes, parts: Parts, start: Place, forward: int) -> Turned:
         some = rows[found]
         out.z[:, some] = z[:, found]
         out.low[some], out.high[some], out.sure[some] = _proved(
-            tubes, parts[some], start[some], z[:, found], pivot, towards[found], forward
+            tubes, parts[some], start[some], z[:, found], pivot, towards[found], forward, segments
         )
     return out
 
@@ -120,14 +120,21 @@ def secants(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: Floa
 
 
 def _proved(
-    tubes: Tubes, parts: Parts, here: Place, fold: FloatArray, pivot: int, towards: FloatArray, forward: int
+    tubes: Tubes,
+    parts: Parts,
+    here: Place,
+    fold: FloatArray,
+    pivot: int,
+    towards: FloatArray,
+    forward: int,
+    segments: int,
 ) -> tuple[FloatArray, FloatArray, Flags]:
     """Between which values v lies where it turns back, and whether that is proved."""
     n, last, moving = tubes.n, LAST * _size(fold[pivot]), forward * towards
     by_s = tubes.tangents(parts, here.z, pivot)[0]
     open_ = tubes.rises(parts, here.region(), by_s, pivot) == moving
     share = np.full(fold.shape[1:], SHARE)
-    for _ in range(SEGMENTS):
+    for _ in range(segments):
         rest = fold[pivot] - here.z[pivot]
         rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > LEAST))
         if not rows.size:

@@ -24,6 +24,7 @@ from spragsym.explorer import Preset, explorer_page
 from spragsym.explorer.described import described
 from spragsym.parameters import NAMES
 from tests.explorer_pages import WITHOUT_WEBGL, Explorer, chromium
+from tests.support import derived
 
 ROOT = Path(__file__).resolve().parent.parent
 ASSETS = ROOT / "spragsym" / "explorer" / "assets"
@@ -126,10 +127,22 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     assert isinstance(problem, ss.SpragsymError)
 
 
+#: Too few for a plane.
+ONE_PARAMETER = '''r"""A mass in two wells."""
+from spragsym.derive.model import Page
+page = Page("A mass in two wells.")
+m, k, l = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness"), page.unit("l", "m", "length")
+b = page.parameter("b", "1", "hardening", "> 0", 1.0)
+x = page.coordinate("x", "m", "displacement")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.potential(k * (b * x**4 / (4 * l**2) - x**2 / 2))
+'''
+
+
 @pytest.mark.thorough
 def test_a_page_with_the_map_of_stability(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    for options in ([], ["--model", "inclined_belt"]):
+    for options in ([], ["--model", "stick_slip"]):
         texts = []
         for more in (["--onsets"], ["--onsets"], []):
             out = tmp_path / f"{len(texts)}{len(options)}.html"
@@ -141,7 +154,8 @@ def test_a_page_with_the_map_of_stability(tmp_path: Path) -> None:
         (command,) = re.findall(r"spragsym (onsets [^<]*)</pre>", texts[0])
         told = json.loads(CliRunner().invoke(cli, command.split()).stdout)
         assert told["curves"]
-    problem = CliRunner().invoke(explore, ["--model", "stick_slip", "--onsets", "--out", str(out), "--force"]).exception
+    where = derived(ONE_PARAMETER, "one_parameter")
+    problem = CliRunner().invoke(explore, ["--model", str(where), "--onsets", "--out", str(out), "--force"]).exception
     assert "leave it out" in str(problem)
 
 

@@ -40,13 +40,14 @@ def test_they_are_those_of_closed_forms(number: int) -> None:
 
 
 @pytest.mark.thorough
-def test_beside_a_cusp_tubes_decide() -> None:
+def test_beside_a_cusp_tubes_decide(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the state moves 600 times as fast as what rises, with a fold behind it or without one; a path took a second each."""
     closed = ARTICLE.Parameters.article(theta0=0.7)
     cusps = ss.cusps(closed, vary=("theta0", "mu0"))
     angle = cusps.theta0[(cusps.mu0 > 0) & (cusps.theta0 > 0) & (cusps.theta0 < 1.5)][0]
     p = SEARCH.Parameters(theta0=angle + np.outer([-1.0, 1.0], [1e-1, 1e-2, 1e-3, 1e-4]))
-    found = Followed(SEARCH, p, "mu0", "up", None, 3.0).ends(patient=False)
+    monkeypatch.delattr("spragsym.models.design.jumps.first_end")  # no path is asked
+    found = Followed(SEARCH, p, "mu0", "up", None, 3.0).ends()
     assert not found.reasons
     assert np.isnan(found.value[1]).all()
     np.testing.assert_allclose(found.value[0], ss.jump_value(p, method="closed")[0], rtol=0, atol=1e-12)

@@ -165,20 +165,20 @@ class Followed:
 
         Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing, the fold itself is asked for.
         """
-        found = np.full(self.begin.size, np.nan)
-        for rows in self._blocks(np.arange(found.size)):
+        found, out = np.full(self.begin.size, np.nan), self._nothing()
+        for rows in self._blocks():
             parts, start, goal = self._start(rows)
             safe, top, _ = self.tubes.passed(parts, start, goal)
-            found[rows] = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
-        out = self._nothing()
-        for rows in self._blocks(np.flatnonzero(np.isnan(found))):
-            decided = rows[self._block(rows, out, *((1, HASTY) if hasty else (ROUNDS, SEGMENTS)))]
-            found[decided] = np.isfinite(out.value[decided])
+            ended = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
+            left = np.flatnonzero(np.isnan(ended))
+            left = left[self._block(rows[left], (parts[left], start[left], goal[left]), out, hasty=hasty)]
+            ended[left] = np.isfinite(out.value[rows[left]])
+            found[rows] = ended
         return found.reshape(self.shape)
 
-    @staticmethod
-    def _blocks(rows: Any) -> Iterator[Any]:
-        return (rows[first : first + BLOCK] for first in range(0, rows.size, BLOCK))
+    def _blocks(self) -> Iterator[Any]:
+        count = self.begin.size
+        return (np.arange(first, min(first + BLOCK, count)) for first in range(0, count, BLOCK))
 
     def _nothing(self) -> Ends:
         count = self.begin.size
@@ -187,8 +187,8 @@ class Followed:
     def ends(self) -> Ends:
         """Where the state of each point ends."""
         n, out, reasons = self.balance.n, self._nothing(), dict[int, str]()
-        for rows in self._blocks(np.arange(self.begin.size)):
-            for i in rows[~self._block(rows, out)].tolist():
+        for rows in self._blocks():
+            for i in rows[~self._block(rows, self._start(rows), out)].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 try:
                     end = first_end(self.model, self._point(i), self.vary, span) if span[0] != span[1] else None
@@ -222,10 +222,11 @@ class Followed:
         start.sure[~known] = False
         return parts, start, self.until[rows]
 
-    def _block(self, rows: Any, out: Ends, rounds: int = ROUNDS, segments: int = SEGMENTS) -> Any:
+    def _block(self, rows: Any, started: tuple[Parts, Place, FloatArray], out: Ends, *, hasty: bool = False) -> Any:
         """Fold or no fold by tubes, for some points; of which of them that is decided."""
         n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
-        parts, start, goal = self._start(rows)
+        parts, start, goal = started
+        rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
         left = np.arange(rows.size)
         decided, at = np.zeros(rows.size, dtype=np.bool_), start
         for _ in range(rounds):

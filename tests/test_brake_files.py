@@ -197,6 +197,7 @@ def test_a_wrong_measurement(name: str, tmp_path: Path) -> None:
         assert part in text
 
 
+@pytest.mark.thorough
 def test_measurements_are_read_as_they_are_meant_or_refused(tmp_path: Path) -> None:
     assert len(validate_measurements.READ) + len(validate_measurements.REFUSED) >= 60
     assert validate_measurements.wrong(tmp_path) == []

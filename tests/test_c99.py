@@ -24,7 +24,7 @@ from spragsym.kang_nam.statics import adaptive_precision, kernel
 from tests.mutants.c99 import Judge
 from tests.oracles import c_target, languages, reference
 from tests.oracles.families import FAMILIES
-from tests.support import in_python, leaves, lowest_sets
+from tests.support import few, in_python, leaves, lowest_sets
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "driver.c"
@@ -278,7 +278,7 @@ def test_everything_that_was_asked_for_is_there() -> None:
 
 
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
-@pytest.mark.parametrize("kind", adversarial())
+@pytest.mark.parametrize("kind", few(adversarial(), "random", "cusp wedge", "wild decades", "onset of flutter", "alpha = 0"))
 def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int) -> None:
     """Counts that certified roots decide, states by Newton's method on the forces; the kinds are Python's."""
     points = adversarial()[kind]
@@ -299,6 +299,7 @@ def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: i
     assert sure.sum() >= (0.35 if regime == CONTACT and re.search("fold|flutter|wedge", kind) else 0.95) * len(points)
 
 
+@pytest.mark.thorough
 def test_it_stands_before_the_judge_of_its_mutants() -> None:
     """Batches of several sizes in memory that ends with them, and points one by one, of every family and where digits run out.
 
@@ -325,6 +326,7 @@ def test_batch_is_the_single_call_bit_for_bit(compiler: str, level: tuple[str, .
         assert batch.equilibria[name].tobytes() == single.equilibria[name].tobytes()
 
 
+@pytest.mark.thorough
 def test_roots_that_may_be_one_are_not_vouched_for(inside: ctypes.CDLL) -> None:
     """Two roots count as two only if what is proved of each leaves them apart."""
     run = inside.are_two

@@ -282,6 +282,7 @@ def test_extreme_parameters_have_an_answer_in_time(values: tuple[float, ...]) ->
     assert friction >= 0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("bracket", [(0, 1e100), (0, 1.7e308), (1e-300, 1e300), (1.6, 1.7)])
 def test_a_wide_bracket_finds_the_crossing(bracket: tuple[float, float]) -> None:
     assert ss.critical_value(BASE, "beta", bracket) == pytest.approx(ss.critical_value(BASE, "beta", (1, 2)), rel=1e-13)

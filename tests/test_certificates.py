@@ -52,6 +52,7 @@ def test_counts_are_those_of_known_roots() -> None:
                 assert polynomials.count_between(chain, low, high, exact_sign) == known
 
 
+@pytest.mark.thorough
 def test_a_squarefree_part_has_the_same_roots_once() -> None:
     for roots, polynomial in _cases(random.Random(2), 60):
         simple = polynomials.squarefree(polynomial)

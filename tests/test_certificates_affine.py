@@ -68,7 +68,9 @@ def affine_ones(seed: int, count: int = 90, size: float = 1.0) -> Affine:
 
 @pytest.mark.parametrize("operation", OPERATIONS)
 @pytest.mark.parametrize(("ones", "size"), [
-    (rounded_ones, 1.0), (rounded_ones, 2.0**-537), (rounded_ones, 2.0**-1060), (affine_ones, 1.0), (affine_ones, 2.0**-537),
+    (rounded_ones, 1.0), (affine_ones, 2.0**-537), *(pytest.param(*one, marks=pytest.mark.thorough) for one in (
+        (rounded_ones, 2.0**-537), (rounded_ones, 2.0**-1060), (affine_ones, 1.0),
+    )),
 ])  # fmt: skip
 def test_every_number_that_a_result_stands_for_is_within_its_error(operation: Any, ones: Any, size: float) -> None:
     divides, rng = operation is operator.truediv, np.random.default_rng(5)

@@ -55,6 +55,7 @@ def _borders_in_liftoff(n: int) -> ss.Parameters:
     )
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contact", [True, False])
 def test_counts_codes_and_bounds_over_every_family(contact: bool) -> None:
     p, rng = _points(24), np.random.default_rng(52)

@@ -130,7 +130,10 @@ ALGEBRA = [id for id, entry in PRINTED.items() if not callable(entry.expression)
 
 
 #: Those whose LaTeX takes longest to be parsed.
-LONG = ("A2", "A3", "A4", "A6", "A7", "A8", "A9", "eq-28", "eq-9", "eq-12", "eq-13", "eq-14", "eq-15", "eq-18")
+LONG = (
+    "A2", "A3", "A4", "A6", "A7", "A8", "A9", "def-n", "eq-6", "eq-8", "eq-9", "eq-12", "eq-13", "eq-14", "eq-15", "eq-18",
+    "eq-19", "eq-24", "eq-28",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("id", [pytest.param(id, marks=pytest.mark.thorough) if id in LONG else id for id in ALGEBRA])
@@ -141,6 +144,7 @@ def test_typesetting_agrees_with_transcription(id: str) -> None:
         assert sp.expand(read - transcribed) == 0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("id", sorted(explanations.CORRECTIONS))
 def test_the_right_form_is_typeset_as_it_is_transcribed(id: str) -> None:
     correction = explanations.CORRECTIONS[id]
@@ -266,7 +270,7 @@ def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
 #: Those that take longest; what the others show is the same, by the same code.
 LARGE = (
     "def-n", "A11", "A1-c0", "A1-d0", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9", "A10", "eq-1", "eq-2", "eq-6", "eq-8",
-    "eq-9", "eq-10", "eq-12", "eq-13", "eq-14", "eq-15", "eq-28",
+    "eq-9", "eq-10", "eq-12", "eq-13", "eq-14", "eq-15", "eq-18", "eq-19", "eq-24", "eq-28", "A12",
 )  # fmt: skip
 
 

@@ -131,6 +131,7 @@ def test_folds_of_figures_4_and_5(id: str, place: tuple[str, int | None], side: 
     assert [sign_changes(np.radians(stated + step), **p) for step in (side, -side)] == [3, 1]
 
 
+@pytest.mark.thorough
 def test_cusp_by_residuals() -> None:
     start = {"theta": 1.1, "theta0": np.radians(value("fig-12-cusp", "theta0_deg")), "mu0": value("fig-12-cusp", "mu0")}
     start["theta"] = float(ss.cusps(ss.Parameters.article()).theta[2])
@@ -144,8 +145,10 @@ def test_cusp_by_residuals() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "id"), [("beta", "fig-8-beta-2"), ("alpha", "fig-9-alpha-0.07"), ("sigma", "fig-10-sigma-0.01")]
-)
+    ("name", "id"),
+    [("beta", "fig-8-beta-2"), *(pytest.param(*one, marks=pytest.mark.thorough) for one in
+                                 (("alpha", "fig-9-alpha-0.07"), ("sigma", "fig-10-sigma-0.01")))],
+)  # fmt: skip
 def test_yes_or_no_of_figures_8_to_10(name: str, id: str) -> None:
     """At the critical value there is a cusp at μ₀ = 0.5; and each curve, followed by the nearest state, jumps or does not."""
     critical = value(id, f"critical {name}")
@@ -173,6 +176,7 @@ def test_bifurcation_set_by_counts() -> None:
 # ------------------------------------------------------------------------------------------------------- jumps
 
 
+@pytest.mark.thorough
 def test_jumps_of_figure_6() -> None:
     p = ss.Parameters.article(mu0=0.7)
     at = value("fig-6-rising", "theta0_deg")

@@ -82,6 +82,7 @@ def test_a_torsion_spring_against_equations_written_by_hand() -> None:
     assert onsets.criticality.tolist() == ["gentle"]
 
 
+@pytest.mark.thorough
 def test_the_bound_covers_a_wider_box() -> None:
     """A box around another middle that holds the point holds the coefficient too."""
     onsets = onsets_of("damped", "mu0", theta0=0.7)
@@ -185,6 +186,7 @@ def test_a_law_that_is_smooth_at_rest_is_not_refused() -> None:
         side * 2
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 @pytest.mark.parametrize(
     ("name", "vary", "values", "row", "amplitudes"),
@@ -228,6 +230,7 @@ def test_the_amplitude_is_the_one_that_was_asked_for(stick_slip: Any) -> None:
         ss.cycle(onset=stick_slip, index=0, amplitude=0.2)  # x = A cos t is as fast as the belt, V = 0.101
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 def test_where_statics_takes_another_friction_the_cycle_is_of_the_motion() -> None:
     """The Hopf point of the motion has μ₀ (1 − e^(−V d)) in the place of μ₀ in statics, here 0.7 % from the proved onset."""

@@ -140,6 +140,7 @@ def test_a_strongly_unstable_cycle_by_multiple_shooting() -> None:
     assert not worst.stable
 
 
+@pytest.mark.thorough
 def test_a_state_and_a_motion_lead_to_the_same_cycle(slow: ss.Cycle) -> None:
     tr = ss.simulate(at(42.0), **BELT, t_end=1000.0)
     found = ss.cycle(at(42.0), **BELT, near=tr)
@@ -236,6 +237,7 @@ def folding() -> ss.CycleBranch:
     return ss.cycle_branch(finding.cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3)
 
 
+@pytest.mark.thorough
 def test_switching_at_a_fold_goes_to_its_other_side(folding: ss.CycleBranch) -> None:
     (fold,) = folding.of("fold")
     assert fold.value == pytest.approx(-1, abs=1e-9)
@@ -379,6 +381,7 @@ def test_a_turn_where_two_stretches_meet_is_no_round(slow: ss.Cycle) -> None:
 # ------------------------------------------------------------------------------------------------------ branches
 
 
+@pytest.mark.thorough
 def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -> None:
     assert [event.kind for event in branch.events].count("grazing") == 1
     (doubling,) = branch.of("period_doubling")
@@ -826,6 +829,7 @@ def test_rounding_is_no_chaos() -> None:
         assert (np.abs(found.exponents) <= found.error).all()
 
 
+@pytest.mark.thorough
 def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Path) -> None:
     p, store, asked = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 42.0]), mu0=0.5), tmp_path / "map.csv", []
     options: dict[str, Any] = {**BELT, "t_end": 10_000.0, "store": store}
@@ -1203,6 +1207,7 @@ def test_a_loaded_model_has_branches_and_exponents() -> None:
         stribeck.basin_boundary(stribeck.Parameters(theta0=0.6))
 
 
+@pytest.mark.thorough
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.SimpleNamespace) -> None:
     flint, ball_flow = proving.flint, proving.ball_flow
     fly, _ = carrier(SPRAG, None)
@@ -1286,6 +1291,7 @@ def test_a_loaded_model_is_proved() -> None:
     assert stiff.multipliers[1][1] < 1e-11
 
 
+@pytest.mark.thorough
 def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
     pytest.importorskip("flint")
     found = ss.precise.prove_cycle(slow, patience=0.3)

@@ -39,6 +39,7 @@ def of(found: ss.Diagram, label: str) -> list[float]:
     return [each.value for each in found.labels if each.label == label]
 
 
+@pytest.mark.thorough
 def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
     model = ss.load("stick_slip")
     onsets = model.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})

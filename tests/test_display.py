@@ -154,10 +154,7 @@ def test_every_result_is_known_here() -> None:
 
 @pytest.mark.parametrize(
     "kind",
-    few(
-        RESULTS,
-        *(RESULTS.keys() - {"FateBoundary", "EventCurve", "BasinBoundary", "Diagram", "CycleBranch", "Points of a search"}),
-    ),
+    few(RESULTS, "Equilibria", "Points", "BifurcationSet", "Jump", "Trajectory", "Sweep", "JumpProbability"),
 )
 def test_a_notebook_gets_a_table(kind: str) -> None:
     if kind in LONG_MOTIONS and LONG_MOTIONS_TAKE_MINUTES:
@@ -287,6 +284,7 @@ def test_what_is_shown_is_escaped() -> None:
     assert "&lt;script&gt;&amp;" in text
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("quantity", ["x", "y", "theta", "L"])
 def test_axes_have_names_and_units(quantity: str) -> None:
     figure = pytest.importorskip("matplotlib.figure").Figure

@@ -49,6 +49,7 @@ def base() -> dict[str, Trajectory]:
     return {name: simulate(BASE, **BELT, rtol=1e-13, t_end=500.0, backend=name) for name in _installed()}
 
 
+@pytest.mark.thorough
 def test_two_integrators_agree_on_the_base_case(base: dict[str, Trajectory]) -> None:
     pytest.importorskip("heyoka")
     one, other = base["scipy"], base["heyoka"]
@@ -97,7 +98,9 @@ def test_events_lie_on_the_kinks_and_alternate(base: dict[str, Trajectory]) -> N
         np.testing.assert_allclose(tr(tr.events.t).T, tr.events.state, atol=1e-10)
 
 
-@pytest.mark.parametrize(("backend", "rtol", "t_end"), [("scipy", 1e-12, 4e2), ("heyoka", 1e-13, 1e4)])
+@pytest.mark.parametrize(
+    ("backend", "rtol", "t_end"), [pytest.param("scipy", 1e-12, 4e2, marks=pytest.mark.thorough), ("heyoka", 1e-13, 1e4)]
+)
 def test_energy_is_kept_without_friction(backend: str, rtol: float, t_end: float) -> None:
     if backend == "heyoka":
         pytest.importorskip("heyoka")
@@ -230,6 +233,7 @@ def through_a_thin_layer() -> np.ndarray:
     return _through_a_thin_layer(1e-13, "scipy")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("rtol", few([1e-7, 1e-9, 1e-11, 1e-13], 1e-9))
 def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, through_a_thin_layer: np.ndarray) -> None:
@@ -283,6 +287,7 @@ def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
     assert 0 < with_heyoka.compiled_for(problem).solver.time < 1e6
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_error_falls_with_the_tolerance_and_is_estimated(backend: str, base: dict[str, Trajectory]) -> None:
     reference = base["scipy"]

@@ -396,6 +396,7 @@ DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
 UP_TO_A_FACTOR = {"fold_quartic"}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", few(DERIVED, *(set(DERIVED) - {"cusp_polynomial", "flutter_cubic"})))
 def test_fractions_equal_the_derived_value(name: str) -> None:
     function, expressions = NAMED[name], DERIVED[name]()

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.test_documents import ROOT, assert_shown, commands, run
+from validation import __main__ as campaigns
 
 PAGE = ROOT / "CONTRIBUTING.md"
 #: Modules of spragsym that every room may use.
@@ -112,6 +113,10 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.thorough
+def test_every_campaign_is_among_those_that_are_run_together() -> None:
+    assert {campaign.split()[0] for campaign in campaigns.ALL} == campaigns.names()
+
+
 def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
     """The steps as CONTRIBUTING shows them: the language is found, generated, offered, exported and packed."""
     pytest.importorskip("sympy")

@@ -67,6 +67,7 @@ def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool
     assert int(penalty.equilibria(penalty.Parameters(**SHALLOW), contact).count) == (3 if contact else 1)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend: str) -> None:
     """From touch to lift-off: against SciPy's LSODA on forces by hand, and the energy is a number."""
@@ -127,6 +128,7 @@ def test_arguments_that_make_no_sense(case: str) -> None:
         ask(model, model.Parameters(theta0=1.0))
 
 
+@pytest.mark.thorough
 def test_a_plane_of_which_one_parameter_moves_no_fold() -> None:
     """V is none of the statics' of the article: its folds in (V, mu0) are lines, at the folds of the closed form."""
     model, p = ss.load("kang_nam").search, ss.Parameters(theta0=0.8)

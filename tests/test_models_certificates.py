@@ -205,6 +205,7 @@ def test_at_a_fold_and_without_friction() -> None:
     assert ss.certify(none, none).outcome == "proved"
 
 
+@pytest.mark.thorough
 def test_what_is_asked() -> None:
     low, high = sets(ss.load("two_springs"), {"theta0": (0.5, 0.52), "mu0": (0.2, 0.3)})
     with pytest.raises(ss.ParameterError, match="is not one of"):

@@ -240,6 +240,7 @@ def circle():
     return model_of(CIRCLE, "circle")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("radius", few([0.03, 1e-3, 1e-5], 1e-3))
 @pytest.mark.parametrize(("u", "v", "angle"), [
     ((-5.5, 2.5), (-2.5, 5.5), 2 * np.pi), ((0.9, 5.0), (-4.0, 3.0), 2 * np.arccos(0.9)),

@@ -31,6 +31,7 @@ def models() -> dict[str, Any]:
     return Derived()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", few(range(4), 1))
 @pytest.mark.parametrize("name", few(HANDS, "rod", "rail"))
 def test_all_and_only_what_is_in_contact_is_listed(models: dict[str, Any], name: str, seed: int) -> None:
@@ -45,6 +46,7 @@ def closed(hand: Any, found: Any, model: Any, p: Any, vary: tuple[str, ...]) -> 
     return bool((np.asarray(hand.gap(q, at)) <= 0).all())
 
 
+@pytest.mark.thorough
 def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
     """Where the rod rests with an open gap, the forces of a law that goes on beyond the border vanish there or beside."""
     model, hand = models["rod"], HANDS["rod"]

@@ -151,6 +151,7 @@ def test_words_of_a_path_are_those_of_its_states() -> None:
         assert {row["undamped"] for row in rows} == {"stable"}
 
 
+@pytest.mark.thorough
 def test_columns_are_those_of_the_search_in_shapes_and_lift_off() -> None:
     """Points, slots and regimes of closed forms, against the search; parameters of the motion alone may have the shape."""
     p = ss.Parameters.article(theta0=np.radians([[30.0], [49.0]]), V=[0.1, 0.5, 5.0], beta=0.2)

@@ -85,6 +85,7 @@ def test_they_are_those_of_states_followed_one_by_one(name: str) -> None:
         assert np.isnan(value) if end is None else abs(value - end.value) <= 1e-9
 
 
+@pytest.mark.thorough
 def test_a_set_is_not_answered_for_another_model() -> None:
     """0.5916 was said, the article's value; by hand along the curve of states it is 0.5998."""
     p = ss.load("cubic_contact").Parameters(theta0=np.radians(40.0), gamma=3000.0)

@@ -50,6 +50,7 @@ def test_both_integrators_agree(name: str) -> None:
     np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-7)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["trolley", "hertz_contact", "stribeck"])
 def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> None:
     """SciPy's implicit Radau on the field as a whole, in small steps: no modes, no events, no restart."""

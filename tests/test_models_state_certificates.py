@@ -81,6 +81,7 @@ def test_flutter_begins_where_its_onset_is_proved() -> None:
     assert found.undecided < 1e-6
 
 
+@pytest.mark.thorough
 def test_where_two_states_meet() -> None:
     """Next to a fold points are told apart; floats do not decide the point next to it, which can't be halved."""
     model = ss.load("inclined_belt")

@@ -34,7 +34,9 @@ def padded(values, slots, empty=np.nan):
     return out
 
 
-@pytest.mark.parametrize("family", ["random", "ends", "right_angle", "frictionless", "false_double_root", "equal_stiffness"])
+@pytest.mark.parametrize(
+    "family", few(("random", "ends", "right_angle", "frictionless", "false_double_root", "equal_stiffness"), "right_angle")
+)
 def test_the_articles_model_through_the_general_way(family):
     p = getattr(families, family)(np.random.default_rng(1), 60)
     eq, known = model("kang_nam").equilibria(same_parameters("kang_nam", p)), ss.equilibria(p)
@@ -120,6 +122,7 @@ def test_what_can_not_be_asked_is_named(ask, name, words, options, named):
 # ------------------------------------------------------------------------------- other pages, by other formulations
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "changes", [{"theta0": 0.6}, pytest.param({"theta0": 1.3, "mu0": 0.22, "beta": 0.1}, marks=pytest.mark.thorough)]
 )
@@ -164,7 +167,7 @@ def test_hopf_points_of_a_falling_friction_law():
 
 @pytest.mark.parametrize(("ask", "vary", "fixed", "options"), [
     ("folds", "theta0", {"mu0": 0.5}, {}), ("folds", "mu0", {"theta0": 1.0472}, {}), ("folds", "kappa", {"theta0": 1.0}, {}),
-    ("folds", "theta0", {"mu0": 1e-7, "alpha": 0.0}, {}),  # not quite mirrored: its pitchforks are folds
+    pytest.param("folds", "theta0", {"mu0": 1e-7, "alpha": 0.0}, {}, marks=pytest.mark.thorough),  # its pitchforks are folds
     ("flutter_onsets", "theta0", {"alpha": 0.7}, {"damping": False}),
     pytest.param("cusps", ("theta0", "mu0"), {}, {"between": {"mu0": (0.0, 2.0)}}, marks=pytest.mark.thorough),
 ])  # fmt: skip

@@ -52,6 +52,7 @@ def by_hand(page: str, P: dict[str, float], q: np.ndarray) -> np.ndarray:
     return np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), rows])
 
 
+@pytest.mark.thorough
 def test_stick_slip_in_closed_form() -> None:
     """ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², and F‴ = 0 at V = (1 + √2) v_s: below it the onset is gentle."""
     p = ss.load("stick_slip").Parameters(mu_s=0.4, v_s=0.2)

@@ -349,11 +349,11 @@ def test_commands_without_extras(python: Path) -> None:
     ("arguments", "extra"),
     [
         (["check"], "derive"),
-        (["bifurcation", "--plot", "a.pdf"], "plot"),
+        pytest.param(["bifurcation", "--plot", "a.pdf"], "plot", marks=pytest.mark.thorough),
         pytest.param(["figures", "--out", "figures"], "plot", marks=pytest.mark.thorough),
         (["simulate", "--theta0", "49", "--backend", "heyoka"], "fast"),
         pytest.param(["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"], "sweep", marks=pytest.mark.thorough),
-        (["sweep", "--theta0", "49", "--output", "a.nc"], "sweep"),
+        pytest.param(["sweep", "--theta0", "49", "--output", "a.nc"], "sweep", marks=pytest.mark.thorough),
     ],
 )
 def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str) -> None:

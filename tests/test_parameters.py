@@ -105,6 +105,7 @@ def test_names_that_mean_nothing_get_no_suggestion() -> None:
         ss.PhysicalParameters(kx=1)  # type: ignore[call-arg]  # the mistake that is tested
 
 
+@pytest.mark.thorough
 @given(st.text())
 def test_any_name_has_an_answer(name: str) -> None:
     assert closest(name, NAMES) in (None, *NAMES)

@@ -24,6 +24,7 @@ from validation.precise import points, worst_shares
 # ------------------------------------------------------------------------------------------------------ bounds
 
 
+@pytest.mark.thorough
 def test_bounds_hold_at_any_precision() -> None:
     """True errors, by Newton's method on the forces with a hundred digits more, whatever precision the caller has set."""
     for point in [(0.5, 0.5, 0.007, 0.007, 0.1, 0.0), *points(20, seed=3)]:

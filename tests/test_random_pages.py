@@ -24,6 +24,7 @@ def test_a_page_at_random_is_as_it_is_written(number: int) -> None:
     assert outcome["kind"] == "right", outcome
 
 
+@pytest.mark.thorough
 def test_pages_are_the_same_wherever_they_are_drawn() -> None:
     texts = [draw(SEED, number).text() for number in range(40)]
     assert texts == [draw(SEED, number).text() for number in range(40)]

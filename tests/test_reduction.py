@@ -30,6 +30,7 @@ def bent(roots):
 SINGULAR = np.array([[1.0, 1.0], [-1.0, -1.0]])
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("gap", [1e-3, 1e-8, 1e-12])
 def test_three_close_roots(gap):
     roots = [0.1 - gap, 0.1, 0.1 + gap]

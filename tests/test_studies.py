@@ -117,6 +117,7 @@ def brake(**changes: float | None) -> ss.PhysicalParameters:
     return ss.PhysicalParameters(**(values | changes))  # type: ignore[arg-type]  # None for V and d only
 
 
+@pytest.mark.thorough
 def test_a_study_from_numbers_is_the_study_of_the_file(report: ss.Report) -> None:
     tolerance = {"k": "15 %", "k_x": 1350.0, "k_c": (1275e3, 1725e3), "theta0": "1 deg", "mu0": (0.3, 0.6)}
     found = ss.Study(brake(mu0=0.45), tolerance=tolerance).report(oscillation=False, redesign=False, n=1024)
@@ -856,6 +857,7 @@ def test_a_terminal_is_told_what_of_a_report_is_being_computed(
     assert capsys.readouterr().err != ""
 
 
+@pytest.mark.thorough
 def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> None:
     from spragsym.figures.motion_pictures import Units, motion_figure
 

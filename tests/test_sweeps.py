@@ -53,6 +53,7 @@ def test_a_sweep_is_a_map_of_simulate(backend: str | None) -> None:
         assert found.contact_lost[i] == len(tr.events.of(Event.CONTACT_LOST))
 
 
+@pytest.mark.thorough
 def test_results_broadcast() -> None:
     p = ss.Parameters.article(theta0=P.theta0[:2, None, None])
     found = rms_sweep(p, np.array([0.2, 0.5, 1.0])[:, None], 10.0, x0=[0.0, 0.1], t_end=20.0, transient=5.0)
@@ -79,6 +80,7 @@ def test_the_same_bits_from_any_map() -> None:
         assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
 
 
+@pytest.mark.thorough
 def test_the_same_bits_from_dask() -> None:
     distributed = pytest.importorskip("distributed")
     with (
@@ -103,6 +105,7 @@ def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> Non
     assert found.rms[~small].min() > 5 * found.rms[small].max()
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 def test_basin() -> None:
     p = ss.Parameters.article(theta0=np.radians(30))
@@ -152,9 +155,8 @@ def interrupted(path: Path, points: int) -> Path:
     ("cut", "ending"),
     [
         (0, "csv"),
-        (1, "nc"),
         (7, "csv"),
-        *(pytest.param(*one, marks=pytest.mark.thorough) for one in ((0, "nc"), (1, "csv"), (7, "nc"))),
+        *(pytest.param(*one, marks=pytest.mark.thorough) for one in ((0, "nc"), (1, "csv"), (1, "nc"), (7, "nc"))),
     ],
 )
 def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int) -> None:

@@ -223,6 +223,7 @@ def boxes(count: int) -> tuple[Intervals, Intervals]:
     return cosine, sine
 
 
+@pytest.mark.thorough
 def test_angles_of_rectangles_hold_all_and_jump_nowhere() -> None:
     """Against 40 digits at corners, edges and inside; what meets the ray of negative cosines is unknown, or as a side says."""
     cosine, sine = boxes(400)

@@ -7,9 +7,11 @@ confirms the algebra of a corrected row and computes what a misprint would cost.
 
 from __future__ import annotations
 
+import cmath
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 import mpmath
 
@@ -30,27 +32,27 @@ class Point:
     sigma: Fraction = Fraction(str(article.BASE[nm.sigma]))
     beta: Fraction = Fraction(str(article.BASE[nm.beta]))
 
-    def number(self, name: str) -> mpmath.mpf:
+    def number(self, name: str, arithmetic: Any = mpmath.mp) -> mpmath.mpf:
         """A parameter in the working precision; the angle in radians."""
         value = getattr(self, "theta0_deg" if name == "theta0" else name)
-        exact = mpmath.mpf(value.numerator) / value.denominator
-        return mpmath.radians(exact) if name == "theta0" else exact
+        exact = arithmetic.mpf(value.numerator) / value.denominator
+        return exact * arithmetic.pi / 180 if name == "theta0" else exact
 
 
-def anchor(point: Point) -> mpmath.mpc:
+def anchor(point: Point, arithmetic: Any = mpmath.mp) -> mpmath.mpc:
     """Where the inclined spring is held, over L_0."""
-    return mpmath.expj(point.number("theta0"))
+    return arithmetic.expj(point.number("theta0", arithmetic))
 
 
-def forces(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
+def forces(
+    point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf, arithmetic: Any = mpmath.mp
+) -> tuple[mpmath.mpf, mpmath.mpf]:
     """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact stiffness over k_c."""
-    spring = anchor(point) - mpmath.mpc(x, y)
-    pull = point.number("sigma") * (abs(spring) - 1) * spring / abs(spring)
+    sigma, alpha, mu0, beta, kappa = (point.number(name, arithmetic) for name in ("sigma", "alpha", "mu0", "beta", "kappa"))
+    spring = anchor(point, arithmetic) - arithmetic.mpc(x, y)
+    pull = sigma * (abs(spring) - 1) * spring / abs(spring)
     push = -contact * y
-    return (
-        point.number("alpha") * x - pull.real - point.number("mu0") * push,
-        point.number("beta") * y - pull.imag - push + point.number("kappa"),
-    )
+    return alpha * x - pull.real - mu0 * push, beta * y - pull.imag - push + kappa
 
 
 def energy_slope_y(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf) -> mpmath.mpf:
@@ -68,28 +70,28 @@ def energy_slope_y(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.m
 def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpmath.mpf, mpmath.mpf]]:
     """Rest positions (x, y) in contact, or in lift-off for ``contact=0``, sorted by x.
 
-    Newton's method from a grid of starting points, in the precision of the first call. There may be states that it does not find.
+    Newton's method from a grid of starting points, first in floats, then in the precision of the first call. There may be states
+    that it does not find.
     """
-    stiffness = mpmath.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
 
-    def residual(x: mpmath.mpf, y: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
-        return forces(point, x, y, stiffness)
+    def root(arithmetic: Any, start: tuple[Any, Any], **options: Any) -> Any:
+        stiffness = arithmetic.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
+        return arithmetic.findroot(lambda x, y: forces(point, x, y, stiffness, arithmetic), start, **options)
 
     found: list[tuple[mpmath.mpf, mpmath.mpf]] = []
     for start in _STARTS:
-        with mpmath.workdps(15):
-            position = anchor(point) - start
-            try:
-                rough = mpmath.findroot(residual, (position.real, position.imag), maxsteps=30)
-            except (ValueError, ZeroDivisionError):
-                continue
-        if (rough[1] < 0) == (stiffness > 0) and all(abs(rough[0] - x) + abs(rough[1] - y) > 1e-7 for x, y in found):
-            found.append(tuple(mpmath.findroot(residual, tuple(rough))))
+        position = anchor(point, mpmath.fp) - start
+        try:
+            rough = root(mpmath.fp, (position.real, position.imag), maxsteps=30)
+        except (ValueError, ZeroDivisionError):
+            continue
+        if (rough[1] < 0) == (contact > 0) and all(abs(rough[0] - x) + abs(rough[1] - y) > 1e-7 for x, y in found):
+            found.append(tuple(root(mpmath.mp, tuple(map(mpmath.mpf, rough)))))
     return sorted(found)
 
 
 #: Spring vectors to start from: directions all around, two lengths.
-_STARTS = [mpmath.rect(length, (2 * step + 1) * mpmath.pi / 8) for length in (1, 0.5) for step in range(8)]
+_STARTS = [cmath.rect(length, (2 * step + 1) * cmath.pi / 8) for length in (1, 0.5) for step in range(8)]
 
 
 def spring_length(point: Point, x: mpmath.mpf, y: mpmath.mpf) -> mpmath.mpf:

@@ -23,7 +23,7 @@ def multipliers(loop: Loop) -> NDArray[np.complex128]:
 
 
 def _factors(loop: Loop, kind: str) -> Iterator[tuple[complex, float]]:
-    """What is multiplied with each other, each of size 1 at most, and its error."""
+    """The factors of a test function, 1 ± a multiplier or 1 − a product of two, scaled to size 1 at most, and their errors."""
     values, errors = loop.multipliers.others, loop.multipliers.errors
     if kind == "torus":
         for (a, e), (b, f) in combinations(zip(values.tolist(), errors.tolist(), strict=True), 2):

@@ -68,7 +68,7 @@ class _Cycle:
         return self.orbit.slope * self.scale / self.scale[:, None]
 
     def returned(self, places: FloatArray) -> FloatArray:
-        """Where the motions from sections next come back, after about a period."""
+        """The return map: where motions from places on the section next meet it, after about a period."""
         states = np.insert(places * self.scale, (places.shape[1] + 1) // 2, 0.0, axis=1)
         courses = self.onward.courses(states, 1.1 * self.orbit.period)
         return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])

@@ -36,9 +36,9 @@ class Rounded:
     def __add__(self, other: Any) -> Rounded:
         if isinstance(other, Rounded):
             value = self.value + other.value
-            return Rounded(value, (self.error + other.error + UNIT * np.abs(value)) * _SLACK)
+            return Rounded(value, (self.error + other.error + UNIT * abs(value)) * _SLACK)
         value = self.value + other
-        return Rounded(value, (self.error + UNIT * np.abs(value)) * _SLACK)
+        return Rounded(value, (self.error + UNIT * abs(value)) * _SLACK)
 
     __radd__ = __add__
 
@@ -53,21 +53,21 @@ class Rounded:
 
     def __mul__(self, other: Any) -> Rounded:
         if isinstance(other, Rounded):
-            value, size = self.value * other.value, np.abs(other.value)
-            carried = np.abs(self.value) * other.error + (size + other.error) * self.error
-            return Rounded(value, (carried + UNIT * np.abs(value)) * _SLACK + _TINY)
+            value, size = self.value * other.value, abs(other.value)
+            carried = abs(self.value) * other.error + (size + other.error) * self.error
+            return Rounded(value, (carried + UNIT * abs(value)) * _SLACK + _TINY)
         value = self.value * other
-        return Rounded(value, (abs(other) * self.error + UNIT * np.abs(value)) * _SLACK + _TINY)
+        return Rounded(value, (abs(other) * self.error + UNIT * abs(value)) * _SLACK + _TINY)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Rounded:
         divisor = other if isinstance(other, Rounded) else Rounded(other)
         value = self.value / divisor.value
-        least = np.abs(divisor.value) - divisor.error
+        least = abs(divisor.value) - divisor.error
         # |a/b − v/w| ≤ (|δa| + |v/w| |δb|) / (|w| − |δb|), and v/w is rounded.
-        carried = (self.error + np.abs(value) * divisor.error) / least
-        error = (carried + UNIT * np.abs(value)) * _SLACK**3 + _TINY
+        carried = (self.error + abs(value) * divisor.error) / least
+        error = (carried + UNIT * abs(value)) * _SLACK**3 + _TINY
         return Rounded(value, np.where(least > 0, error, np.inf))
 
     def __rtruediv__(self, other: Any) -> Rounded:
@@ -106,5 +106,5 @@ class Rounded:
 
 def cosine_and_sine(angle: Any) -> tuple[Rounded, Rounded]:
     """Cosine and sine of angles that are exact, with the error that NumPy's functions are taken to have."""
-    cosine, sine = (Rounded(value, 2 * FUNCTION_ULPS * UNIT * np.abs(value) + _TINY) for value in (np.cos(angle), np.sin(angle)))
+    cosine, sine = (Rounded(value, 2 * FUNCTION_ULPS * UNIT * abs(value) + _TINY) for value in (np.cos(angle), np.sin(angle)))
     return cosine, sine

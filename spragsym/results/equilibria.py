@@ -37,7 +37,7 @@ class Undecided(Result):
 
 
 class Source(Protocol):
-    """What an answer is read from: columns are made when they are asked for.
+    """Where equilibria have their columns from, each made when it is asked for.
 
     It must bring ``stability``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it may bring others.
     """

@@ -50,7 +50,7 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
                 assert abs(number - exact) <= error + rest
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", few(MODELS, *(set(MODELS) - {"pad_on_disc", "two_springs", "soft_brake"})))
 def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
     """Forces by mpmath, which the search does not use."""
     p = a_set(name)
@@ -94,7 +94,7 @@ def test_the_search_is_a_second_witness_of_the_closed_forms(given: dict[str, Any
 
 #: Around the anchor of a torsion spring only numbers that floats hold are searched in polar coordinates.
 UNDECIDED = pytest.mark.xfail(raises=ss.ConvergenceError, strict=True)
-BESIDE = [pytest.param(name, marks=UNDECIDED if name == "soft_brake" else ()) for name in MODELS]
+BESIDE = [pytest.param(name, marks=[UNDECIDED, pytest.mark.thorough] if name == "soft_brake" else ()) for name in MODELS]
 
 
 @pytest.mark.parametrize("name", BESIDE)

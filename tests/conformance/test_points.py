@@ -19,7 +19,7 @@ ATTRIBUTES = (
 
 
 @pytest.mark.parametrize("question", ["folds", "flutter_onsets"])
-@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "mode_coupling", "pressed"))
+@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "mode_coupling"))
 def test_points_of_every_model_have_everything(name: str, question: str) -> None:
     p = a_set(name)
     found = getattr(ss, question)(p)

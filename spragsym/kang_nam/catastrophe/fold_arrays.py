@@ -6,6 +6,7 @@ isolated by :mod:`spragsym.exact.bernstein`, and every sign that says what a fol
 
 from __future__ import annotations
 
+import functools
 import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -245,8 +246,8 @@ def _kept(
     """Those in contact with the value in its range; a sign that is needed and open makes the point undecided."""
     L, _, y = kernel.state(*angles, here["kappa"], here["sigma"], here["beta"], 1)
     tests = [value.sign(), L.sign(), -y.sign(), angles[3].sign()]
-    out = np.logical_or.reduce([test < 0 for test in tests])
-    vague = np.logical_or.reduce([test == 0 for test in (*tests, side, upper)]) & ~out
+    out = functools.reduce(np.logical_or, [test < 0 for test in tests])
+    vague = functools.reduce(np.logical_or, [test == 0 for test in (*tests, side, upper)]) & ~out
     undecided = roots.undecided.copy()
     undecided[roots.row[vague]] = True
     keep = np.flatnonzero(~out & ~undecided[roots.row])

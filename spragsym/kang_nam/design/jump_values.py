@@ -128,7 +128,8 @@ def _block(
     size = next(iter(given.values())).size
     start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
     eq = equilibria(Parameters(**{**given, vary: start}))
-    others = {name: column for name, column in given.items() if name != vary}
+    # What all points share is one number, of which the polynomials' coefficients are computed once.
+    others = {name: column[0] if (column == column[0]).all() else column for name, column in given.items() if name != vary}
     found = fold_arrays.folds(vary, others, size)
     undecided = found.undecided | ~eq.decided | eq.fold
     value, theta, coarse = _walk(found, start, forward, small(eq), eq.count, undecided)

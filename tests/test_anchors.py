@@ -84,6 +84,7 @@ def test_without_torsion_and_hardening_the_article_comes_back(model: Any) -> Non
         assert np.nanmax(np.abs(eq.x - want)) < 1e-11
 
 
+@pytest.mark.thorough
 def test_a_torsion_spring_that_vanishes_leaves_what_is_there_without_it(model: Any) -> None:
     p = {"theta0": 0.8, "mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "gamma": 5.0}
     for contact in (True, False):
@@ -158,6 +159,7 @@ STIFF = [
 ]  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("p", STIFF)
 def test_stiff_springs_between_extremes_are_decided_to_12_digits(p: dict[str, float]) -> None:
     """States so near to the contact's border that floats do not tell the side; against the article's closed forms."""

@@ -54,6 +54,7 @@ def root_of(square):
     return Fraction(isqrt(int(square * 2**360)), 2**180)
 
 
+@pytest.mark.thorough
 def test_many_points_at_once():
     rng = np.random.default_rng(1)
     p, q = rng.uniform(-2, 2, (2, 3000))

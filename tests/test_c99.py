@@ -337,6 +337,7 @@ def test_roots_that_may_be_one_are_not_vouched_for(inside: ctypes.CDLL) -> None:
     assert not run(ctypes.c_double(-0.5), numbers[1], numbers[2])  # not in contact
 
 
+@pytest.mark.thorough
 def test_cosine_and_sine_are_those_of_python(inside: ctypes.CDLL) -> None:
     """Bit for bit those of the compiled solver, whose accuracy is tested there."""
     rng = np.random.default_rng(11)

@@ -116,6 +116,7 @@ def test_curves_that_float64_cannot_tell_are_refused(given: dict[str, float]) ->
     assert ss.folds(p).theta0.size == 2
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("vary", "bracket"), [("beta", (1, 2)), ("alpha", (0.007, 0.07)), ("sigma", (0.01, 0.1))])
 def test_critical_values_put_the_cusp_at_the_friction(vary: str, bracket: tuple[float, float]) -> None:
     value = ss.critical_value(BASE, vary, bracket)

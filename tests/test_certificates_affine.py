@@ -148,6 +148,7 @@ def test_cosines_of_angles() -> None:
 # ----------------------------------------------------------------------------------------------------------- affine
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("size", [1.0, 2.0**-1060, 2.0**1015])
 def test_numbers_without_width_are_rounded_too(size: float) -> None:
     """An exact number, or terms and no error, times and over an exact number: roundings are all that the error is."""

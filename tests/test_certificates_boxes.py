@@ -190,6 +190,7 @@ def test_boxes_inside_of_boxes_and_apart():
 # -------------------------------------------------------------------------------------------------------- matrices
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("spread", [0.0, 0.1])
 def test_products_hold_the_exact_ones(spread):
     rng = np.random.default_rng(7)

@@ -41,6 +41,7 @@ def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
     return Fraction(float(number.value[k])) + sum(Fraction(float(term)) * as_fraction(mpmath.mpf(share)) for term, share in terms)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("powers", [{}, POWERS], ids=["parameters", "units"])
 @pytest.mark.parametrize("fixed", [True, False])
 def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> None:
@@ -145,6 +146,7 @@ def test_what_is_no_unit_is_named(case: str, method: str) -> None:
         ss.certify(BASE, BASE, "no jump", units=units, method=method)
 
 
+@pytest.mark.thorough
 def test_a_power_of_0_is_none_and_other_claims_are_not_answered_without_their_units() -> None:
     base = ss.Parameters.article(theta0=np.radians(30.0), mu0=0.6)
     units = {"u": Unit(0.9, 1.1, {"theta0": 0.0, "mu0": 0.0, "V": -1.0})}

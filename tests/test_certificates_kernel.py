@@ -344,6 +344,7 @@ def test_the_factors_multiply_to_the_quartic() -> None:
     assert worst < 6
 
 
+@pytest.mark.thorough
 def test_the_resolvents_root_is_the_one_apart_to_a_few_roundings() -> None:
     worst = 0.0
     with mpmath.workdps(60):

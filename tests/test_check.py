@@ -338,6 +338,7 @@ _RELATIONS = {
 }  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("id", "change"),
     [

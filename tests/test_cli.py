@@ -715,6 +715,7 @@ def test_numbers_at_the_ends_of_the_range(option: tuple[str, str]) -> None:
     end_as_documented(["equilibria", "--theta0", "49", *option])
 
 
+@pytest.mark.thorough
 def test_a_check_of_a_model_takes_rows_and_no_claims(run: Run) -> None:
     """Both were passed over in silence: the equations came, all of them."""
     asked = ("check", "--model", "stick_slip")

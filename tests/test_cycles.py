@@ -391,6 +391,7 @@ def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -
     assert max(cycle.residual for cycle in branch.cycles) < 1e-12
 
 
+@pytest.mark.thorough
 def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     for side, grows in ((-0.3, False), (0.3, True)):

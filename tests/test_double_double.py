@@ -37,6 +37,7 @@ def _pairs(rng: np.random.Generator, n: int) -> list[tuple[float, float]]:
     return [*zip(total.tolist(), (low - (total - high)).tolist(), strict=True)]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("operation", "truth", "bound"),
     [

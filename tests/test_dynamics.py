@@ -57,6 +57,7 @@ def test_two_integrators_agree_on_the_base_case(base: dict[str, Trajectory]) -> 
     assert one.largest() == pytest.approx(other.largest(), rel=1e-8)
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")
 def test_compiled_is_scipy_step_for_step(base: dict[str, Trajectory]) -> None:
     """The same steps and events, since C has the page's algebra; digits part slowly, as a compiler sums in another order."""
@@ -404,6 +405,7 @@ def test_scipy_is_the_fallback(monkeypatch: pytest.MonkeyPatch) -> None:
         simulate(BASE, **BELT, t_end=5.0, backend="heyoka")
 
 
+@pytest.mark.thorough
 def test_the_gap_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     tr = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
     monkeypatch.setattr(with_scipy, "GAP", 1e-10)

@@ -107,6 +107,7 @@ def test_a_curve_of_folds_goes_on_where_multipliers_are_known_to_ten_digits() ->
     assert other.value == pytest.approx(V, abs=1e-8)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("start", [(0.5, 1.0), (2.0, 0.0)])
 def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float]) -> None:
     """Flight and contact, a half of a harmonic swing and more: nothing damps, so that all orbits close."""

@@ -253,6 +253,7 @@ def test_a_path_is_drawn_to_the_fold_and_from_where_it_lands() -> None:
     assert len(artists) == 2 * (1 + 2) + 2
 
 
+@pytest.mark.thorough
 def test_no_line_crosses_a_pole(sheets: dict[str, Sheet]) -> None:
     low, high = np.sort(np.degrees(ss.linear_sprag(P.replace(theta0=1.0, mu0=0.7)).poles))
     for ax in (sheets["5"].axes[2], sheets["5"].axes[3], sheets["6"].axes[1]):
@@ -503,6 +504,7 @@ def test_command(tmp_path: Path) -> None:
     assert "2/2" in result.stderr
 
 
+@pytest.mark.thorough
 def test_neighbouring_points_of_a_figure_are_close(sheets: dict[str, Sheet]) -> None:
     """No line across a jump: in the trajectories every step but the jumps is small."""
     for name in ("a_rising", "a_falling", "b_rising", "b_falling"):

@@ -207,6 +207,7 @@ def test_no_onset_is_a_fold() -> None:
 # --------------------------------------------------------------------------------------------------- boundary
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("changes", [
     {"alpha": 0.7}, {"sigma": 1.0}, {"alpha": 1.3, "sigma": 0.32}, {"alpha": 0.0, "beta": 0.3}, {"alpha": 0.0, "sigma": 0.7},
 ])  # fmt: skip

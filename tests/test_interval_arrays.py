@@ -50,6 +50,7 @@ def members(x: Intervals | np.ndarray | float, row: int) -> list[Fraction]:
     return inner + ([Fraction(0)] if low <= 0 <= high else [])
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("operation", OPERATIONS)
 def test_operations_hold_every_exact_result(operation):
     """Of two intervals, and of one and a number or an array, on either side."""

@@ -60,6 +60,7 @@ def test_nothing_jumps_below_it_and_something_at_it() -> None:
     assert {"cusp", "turn"} <= kinds
 
 
+@pytest.mark.thorough
 def test_turning_points_solve_the_balance_of_forces() -> None:
     """Written in x and y, (14) and (15): both forces, the determinant, and the change with θ₀ along the left null vector."""
     rng = np.random.default_rng(27)

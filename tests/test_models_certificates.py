@@ -174,6 +174,7 @@ def test_the_bracket_of_a_law_without_an_end() -> None:
     assert found.proved[0] <= law.sf(fold.value) <= found.proved[1] < found.proved[0] + 0.1
 
 
+@pytest.mark.thorough
 def test_another_state_is_not_taken_for_the_followed_one() -> None:
     """Of three in contact, about two of which a part may begin; by way of other angles the followed one is still told."""
     ranges = {"theta0": (0.66, 0.67), "mu0": (0.2, 0.21)}

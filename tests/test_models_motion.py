@@ -183,6 +183,7 @@ def test_the_motion_of_a_model_is_drawn(tmp_path: Path, run: Run) -> None:
     assert "the ending must be .pdf, .png or .svg" in run(*words, "--plot", str(tmp_path / "motion.doc"), code=2)
 
 
+@pytest.mark.thorough
 def test_a_component_is_drawn_by_its_name() -> None:
     """A trolley's third component is x_a, an article's is vx."""
     figures = pytest.importorskip("spragsym.figures")

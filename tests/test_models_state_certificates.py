@@ -39,6 +39,7 @@ def fails(eq: Any, claim: str) -> Any:
     return eq.count != 1 if claim == CLAIMS[0] else (eq.stability == ss.Stability.FLUTTER).any(axis=-1)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("claim", CLAIMS)
 @pytest.mark.parametrize("number", few(range(40), 1, 2, 3))
 def test_nothing_is_said_that_closed_forms_contradict(number: int, claim: str) -> None:

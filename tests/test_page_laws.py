@@ -140,6 +140,7 @@ def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     assert not (np.asarray(it.jump_value(middle.replace(**values))) <= values["mu0"]).any()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     """The mass begins beyond the belt's speed, above the belt: both borders are crossed."""

@@ -218,6 +218,7 @@ def test_a_statement_that_does_not_fit_is_refused_by_its_line(said: str, words: 
         pages.read(path)
 
 
+@pytest.mark.thorough
 def test_a_limit_that_depends_on_a_sign_is_refused_by_its_line(tmp_path: Path) -> None:
     with pytest.raises(PageError, match=r'line 25: .*domains that decide it, as "> 0"'):
         pages.read(written(tmp_path, ("exp(-d * Abs(v))", "exp(-a * d * Abs(v))")))

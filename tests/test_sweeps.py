@@ -116,6 +116,7 @@ def test_basin() -> None:
     assert found.attractors[found.attractor[0, 0]][:2] == (Regime.EQUILIBRIUM, 0)
 
 
+@pytest.mark.thorough
 @needs_a_quick_integrator
 def test_sensitivity_brackets_the_jump() -> None:
     p = ss.Parameters.article(theta0=np.radians([38.0, 40.0, 42.0, 44.0]))

@@ -325,6 +325,7 @@ def test_a_folder_of_an_older_version_is_refused(model: Any, tmp_path: Path, old
         ss.load(folder)
 
 
+@pytest.mark.thorough
 def test_a_number_is_no_inclination_at_rest(tmp_path: Path) -> None:
     """Its cosine would be no algebra: a parameter is, and pi/2 is."""
     from spragsym.derive import pages

@@ -211,13 +211,14 @@ class Mechanics:
     def in_coordinates(self) -> bool:
         """Whether the contact law stands in coordinates, else in DEPTH.
 
-        In DEPTH stand laws that are no polynomials, and powers of a gap that bends: in coordinates those would be large terms
-        that cancel, and whose intervals tell nothing.
+        In DEPTH stand laws that are no polynomials, and powers of a gap that bends or takes several coordinates: in coordinates
+        those would be large terms that cancel, and whose intervals tell nothing.
         """
         if self.gap is None or not self.polynomial:
             return False
-        bends = any(sp.diff(self.gap, one, other) != 0 for one in self.coordinates for other in self.coordinates)
-        return not bends or sp.degree(self.law, DEPTH) <= 1
+        slopes = [slope for one in self.coordinates if (slope := sp.diff(self.gap, one)) != 0]
+        alone = len(slopes) == 1 and not slopes[0].has(*self.coordinates)
+        return alone or sp.degree(self.law, DEPTH) <= 1
 
     @cached_property
     def push(self) -> sp.Expr:

@@ -59,6 +59,34 @@ def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
         assert eq.complete
 
 
+def test_a_belt_that_hardens_bounds_where_its_states_are(models: dict[str, Any]) -> None:
+    """Depths below 0, from which the law would pull the harder the deeper, widen no region: some hundred boxes for 20,000."""
+    model, hand = models["sledge"], HANDS["sledge"]
+    p = model.Parameters(tau=[0.01, 0.02, 0.05], psi=1.2)
+    eq = model.equilibria(p)
+    assert eq.complete
+    assert eq.decided.all()
+    # No force turns the rod farther than the largest normal force at its largest lever does.
+    largest = hand.law(1 - 0.85, {"gamma": 10.0}) * (1 + 0.5)
+    assert (eq.region[:, 1, 1] - eq.region[:, 1, 0] < 2.1 * largest / p.tau).all()
+    for row in range(3):
+        at = {name: float(np.broadcast_to(getattr(p, name), 3)[row]) for name in model.parameters}
+        phi = np.linspace(-40, 40, 400_001)
+        x = at["mu0"] * hand.law(np.cos(phi) - at["eta"], at) / at["sigma"]
+        turning = np.where(np.cos(phi) >= at["eta"], hand.forces([x, phi], at, 1)[1], np.nan)
+        assert int(eq.count[row]) == (turning[1:] * turning[:-1] < 0).sum()
+
+
+@pytest.mark.thorough
+def test_a_point_with_too_many_states_leaves_the_others_their_own_regions(models: dict[str, Any]) -> None:
+    """A rod on a spring that hardly resists turns thousands of times: beside it a stiff one is decided, as it is alone."""
+    model = models["sledge"]
+    both, alone = (model.equilibria(model.Parameters(tau=tau, psi=0.5)) for tau in ([1e-6, 0.05], 0.05))
+    assert both.decided.tolist() == [False, True]
+    assert alone.count == both.count[1] > 0
+    assert both.phi[1, : both.count[1]] == pytest.approx(alone.phi, abs=1e-13)
+
+
 @pytest.mark.thorough
 def test_curves_of_folds_end_with_the_contact(models: dict[str, Any]) -> None:
     model, hand = models["rail"], HANDS["rail"]

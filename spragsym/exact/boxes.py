@@ -176,7 +176,7 @@ def search(
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
     with np.errstate(all="ignore"):
         beyond = np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None]
-        search_state = _Search(system, points, beyond, budget, narrow, bool((low == high).all()))
+        search_state = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), region)
         search_state.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
     unique, where, undecided = (joined(part, n) for part in (search_state.unique, search_state.where, search_state.undecided))
     return Outcome(unique, where, undecided, points, search_state.looks)
@@ -185,8 +185,19 @@ def search(
 class _Search:
     """A stack of pairs, and what has been found."""
 
-    def __init__(self, system: System, points: Tree, limits: FloatArray, budget: int, narrow: float, sharp: bool = True) -> None:
+    def __init__(
+        self,
+        system: System,
+        points: Tree,
+        limits: FloatArray,
+        budget: int,
+        narrow: float,
+        sharp: bool = True,
+        region: FloatArray | None = None,
+    ) -> None:
         self.system, self.points, self.limits, self.budget, self.narrow = system, points, limits, budget, narrow
+        #: What is searched for the points of each node, where that is not the same for all points.
+        self.regions = None if region is None or region.shape[2] <= 1 else points.hulls(region)
         self.parameters = system.prepared(points.bounds)
         #: Whether points are points. Over a box of them roots are as wide as it makes them, and what is cut closely has no room
         #: for these.
@@ -279,8 +290,15 @@ class _Search:
         better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < ENOUGH)
         halve = np.flatnonzero(again & ~better)
         places, children = self.points.children(now.nodes[split_node])
-        halved_nodes = Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children)
+        halved_nodes = self._in_their_regions(Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children))
         return joined([halved_nodes, now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])], n)
+
+    def _in_their_regions(self, pairs: Pairs) -> Pairs:
+        """What is left of boxes in the regions of their nodes: that of one point may be wide, and that of another narrow."""
+        if self.regions is None:
+            return pairs
+        ends = np.minimum(pairs.ends, self.regions[:, :, pairs.nodes])
+        return Pairs(ends, pairs.nodes)[np.logical_and.reduce(ends[0] + ends[1] >= 0)]
 
 
 def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:

@@ -46,6 +46,12 @@ class Tree:
         there = self.order[leaves] >= 0
         return places[there], self.order[leaves[there]]
 
+    def hulls(self, ends: FloatArray) -> FloatArray:
+        """The hull of the boxes of all points below each node: ends of shape (2, n, points), result of shape (2, n, nodes)."""
+        least = np.concatenate([ends, np.full((*ends.shape[:2], 1), -np.inf)], axis=2)  # of leaves that are not there
+        levels = [least[:, :, self.order.reshape(1 << level, -1)].max(axis=3) for level in range(self.depth + 1)]
+        return np.concatenate(levels, axis=2)
+
     def children(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows (place among ``nodes``, child) for all children that have points."""
         children = np.concatenate([2 * nodes + 1, 2 * nodes + 2])

@@ -6,7 +6,8 @@ Forces are those that pull back, so that the balance is ``forces = 0``; with com
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -365,8 +366,9 @@ page.friction(x + L_0 * sin(phi), V, {TANH})
 )
 
 
-def _carriage(q: Any, p: Values, contact: int) -> list[Any]:
-    N, (x, phi) = push(CARRIAGE, q, p, contact), q
+def _carriage(q: Any, p: Values, contact: int, law: Callable[[Any, Values], Any] = hertz) -> list[Any]:
+    x, phi = q
+    N = law(np.cos(phi) - p["eta"], p) if contact else 0.0
     drag = p["mu0"] * N
     return [p["sigma"] * x - drag, p["tau"] * (phi - p["psi"]) - N * np.sin(phi) - drag * np.cos(phi)]
 
@@ -381,6 +383,20 @@ CARRIAGE = Hand(
     lambda q, p: [[1 + p["nu"], np.cos(q[1])], [np.cos(q[1]), 1.0]], _carriage_damped,
     law=hertz, reach=12.0, ranges={"psi": (-1.5, 1.5), "eta": (0.3, 1.05), "mu0": (0.0, 1.5)}, vary=("eta", (0.1, 1.2)),
 )  # fmt: skip
+
+# --------------------------------------------------------------------------------------------------------- sledge
+
+#: The carriage on a belt that hardens: its law, written for any depth, pulls far beyond the border.
+_SLEDGE = _CARRIAGE.replace("k_c * L_0 * (depth / L_0)**(3 / 2)", "k_c * depth + k_3 * depth**3").replace(
+    "x = page.coord", 'k_3 = page.parameter("k_3", "N/m^3", "hardening", ">= 0", 10.0, becomes="gamma")\nx = page.coord', 1
+)
+
+
+def _hardening(depth: Any, p: Values) -> Any:
+    return depth + p["gamma"] * depth**3
+
+
+SLEDGE = replace(CARRIAGE, page=_SLEDGE, forces=partial(_carriage, law=_hardening), law=_hardening)
 
 # --------------------------------------------------------------------------------------------------------- hollow
 
@@ -576,5 +592,5 @@ STACK = Hand(
 
 HANDS = {
     "rod": ROD, "rail": RAIL, "disc": DISC, "cam": CAM, "bead": BEAD, "wedge": WEDGE, "rods": RODS, "carriage": CARRIAGE,
-    "hollow": HOLLOW, "pad": PAD, "chain": CHAIN, "stack": STACK,
+    "sledge": SLEDGE, "hollow": HOLLOW, "pad": PAD, "chain": CHAIN, "stack": STACK,
 }  # fmt: skip

@@ -223,12 +223,23 @@ class Forces:
         return self.by_coordinate(self.sums.get(name, name), q, directions, values, xp)
 
     def by_coordinate(
-        self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
+        self,
+        name: str,
+        q: Sequence[Any],
+        directions: Sequence[Any],
+        values: Mapping[str, Any],
+        xp: Any = XP,
+        pushing: Any = None,
     ) -> Any:
-        """The same, each row that of its coordinate."""
+        """The same, each row that of its coordinate; with ``pushing`` 0 as in lift-off."""
         mu = self.friction(values, xp)
         function = undecorated(getattr(self.model.algebra, name))
-        return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
+        given = self.pushing if pushing is None else pushing
+        return function(*q, *directions, *self._listed(values, "statics"), mu, given, xp=xp)
+
+    def contact_force(self, q: Sequence[Any], values: Mapping[str, Any], pushing: Any, xp: Any = XP) -> Any:
+        """The normal force of the contact."""
+        return undecorated(self.model.algebra.contact_force)(*q, *self._listed(values, "motion"), pushing, xp=xp)
 
     def by_parameters(
         self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP

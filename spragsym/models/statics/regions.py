@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ...errors import ParameterError, ParameterTypeError
 from ...exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ...parameters import as_numbers
+from ..mechanics import contact_bounds
 from ..mechanics.balance import Balance
 
 #: The plane, as far as it is looked at.
@@ -108,6 +109,8 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray
             ends = balance.with_directions(Intervals(ends), values, directions)
             if balance.model.about.get("waves"):
                 ends = balance.with_waves(Intervals(ends), values, directions)
+            if contact_bounds.applies(balance):
+                ends = contact_bounds.by_contact_force(balance, ends, values, directions)
             widths, widths_before = ends.sum(axis=0), before.sum(axis=0)
             if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break

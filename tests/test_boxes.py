@@ -73,6 +73,22 @@ def test_many_points_at_once():
     assert (np.abs(x**2 + p[found.point] * x + q[found.point]) < 1e-14).all()
 
 
+def test_each_point_is_searched_in_its_own_region():
+    """x² + p x = 0 for p = −1 up to |x| = 30, and for p = 1 up to 2: no box of the second lies farther out."""
+    seen = []
+
+    class Watched(Quadratic):
+        def residuals(self, unknowns, parameters):
+            second = (parameters.low[0] == 1) & (parameters.high[0] == 1)
+            seen.append(unknowns.magnitude[0, second].max(initial=0.0))
+            return super().residuals(unknowns, parameters)
+
+    region = np.array([[30.0, 2.0], [30.0, 30.0]])
+    found = solved(Watched(), np.stack([region, region]), np.array([[-1.0, 1.0], [0.0, 0.0]]))
+    assert sorted(zip(found.point.tolist(), found.middle[0].round(9).tolist(), strict=True)) == [(0, 0), (0, 1), (1, -1), (1, 0)]
+    assert max(seen) <= 2
+
+
 def test_exact_double_root_stays_undecided_with_a_small_box():
     found = solved(Quadratic(), WIDE, np.array([[-2.0], [1.0]]))
     assert found.point.size == 0

@@ -78,16 +78,6 @@ def test_a_belt_that_hardens_bounds_where_its_states_are(models: dict[str, Any])
 
 
 @pytest.mark.thorough
-def test_a_point_with_too_many_states_leaves_the_others_their_own_regions(models: dict[str, Any]) -> None:
-    """A rod on a spring that hardly resists turns thousands of times: beside it a stiff one is decided, as it is alone."""
-    model = models["sledge"]
-    both, alone = (model.equilibria(model.Parameters(tau=tau, psi=0.5)) for tau in ([1e-6, 0.05], 0.05))
-    assert both.decided.tolist() == [False, True]
-    assert alone.count == both.count[1] > 0
-    assert both.phi[1, : both.count[1]] == pytest.approx(alone.phi, abs=1e-13)
-
-
-@pytest.mark.thorough
 def test_curves_of_folds_end_with_the_contact(models: dict[str, Any]) -> None:
     model, hand = models["rail"], HANDS["rail"]
     vary = ("mu0", "kappa")

@@ -148,19 +148,6 @@ def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
 # ------------------------------------------------------------------------------------------------ the command line
 
 
-@pytest.mark.thorough
-def test_commands_take_a_model(tmp_path: Any, run: Run) -> None:
-    shown = run("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20", "--x_a0", "0.1", "--json")
-    assert '"model": "trolley"' in shown
-    target = tmp_path / "s.csv"
-    run("sweep", "--model=stick_slip", "--zeta", "0.1:0.6:2", "-V", "0.5", "-q", "--t-end", "50", "-o", str(target))
-    assert target.is_file()
-    shown = run("equilibria", "--model", "stick_slip", "-V", "0.3")
-    friction = 2 * 0.5 * 0.3 * 0.1 / (0.3**2 + 0.1**2)  # x = μ(V) N_0/k
-    assert float(shown.split()[-3]) == pytest.approx(friction, abs=1e-9)
-    assert "44.5593" in run("bifurcation", "--method", "search", "--vary", "theta0")
-
-
 def test_a_state_that_oscillates_does_not_pass_for_stable(run: Run) -> None:
     """Without damping, as (27), sliding of `stick_slip` is stable; the falling friction law makes it grow without a damper."""
     growth = []

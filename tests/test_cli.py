@@ -458,13 +458,6 @@ def test_a_typo_gets_the_name_that_was_meant(typed: str, meant: str, run: Run) -
     assert said.count("\n") == 1
 
 
-@pytest.mark.thorough
-def test_figures_may_be_listed_with_commas(tmp_path: Path, run: Run) -> None:
-    pytest.importorskip("matplotlib")
-    run("figures", "--only", "3,12", "--format", "svg", "--quiet", "-j", "1", "--out", str(tmp_path))
-    assert {path.name for path in tmp_path.glob("*.svg")} == {"figure_3.svg", "figure_12.svg"}
-
-
 @pytest.mark.parametrize("place", [0, 1, 3])
 def test_debug_shows_the_traceback_wherever_it_stands(place: int, run: Run) -> None:
     arguments = ["equilibria", "--theta0", "-3"]

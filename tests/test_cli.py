@@ -85,16 +85,6 @@ def test_bifurcation_json(run: Run) -> None:
     assert all(found[name]["complete"] for name in ("folds", "onsets", "cusps"))
 
 
-def test_critical_frictions_json(run: Run) -> None:
-    found, p = json.loads(run("critical", "--theta0", "40", "--json")), ss.Parameters.article()
-    lowest = ss.critical_friction(p)
-    assert found["mu0_cusp"] == ss.cusp_friction(p)
-    assert (found["mu0_lowest"], found["kind_lowest"]) == (float(lowest), lowest.kind)
-    assert found["theta0_lowest_deg"] == math.degrees(lowest.theta0)
-    assert found["mu_cr"] == float(ss.linear_critical_friction(p))
-    assert found["jumps"][0]["mu0"] == found["mu0_jump"] == ss.jump_value(p.replace(theta0=math.radians(40.0)))
-
-
 @pytest.mark.parametrize(("asked", "at_this_angle"), [(["--theta0", "40"], True), (["--vary", "theta0", "--mu0", "0.7"], False)])
 def test_the_friction_of_the_jump_is_told_where_the_angle_is_given(asked: list[str], at_this_angle: bool, run: Run) -> None:
     assert ("mu0_jump: mu0 of the jump at this angle" in run("critical", *asked)) == at_this_angle

@@ -85,7 +85,7 @@ def test_choice_by_itself() -> None:
 def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "available", lambda: False)
     assert backends.chosen() == ("numpy", 1)
-    with pytest.raises(ss.BackendError, match="compiler"):
+    with pytest.raises(ss.BackendError, match="install spragsym again, with a compiler"):
         ss.set_backend("compiled")
 
 

@@ -939,13 +939,7 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(
-    ("degrees", "kind"),
-    [
-        pytest.param(42.0, "cycle", marks=pytest.mark.thorough), (35.0, "rest"),
-        pytest.param(60.0, "undecided", marks=pytest.mark.thorough), (70.0, "undecided"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("degrees", "kind"), [(42.0, "cycle"), (35.0, "rest"), (60.0, "undecided"), (70.0, "undecided")])
 def test_exponents_that_are_not_resolved_decide_nothing(degrees: float, kind: str) -> None:
     """The last two are transients with a positive exponent; at 42 degrees two exponents are below their errors."""
     found = ss.lyapunov(at(degrees), **BELT, start=(0, 0, 0, 0), t_end=4000.0)

@@ -108,17 +108,9 @@ RESULTS: dict[str, Callable[[], Any]] = {
 
 #: Those that take long motions.
 LONG_MOTIONS = (
-    "Cycle",
-    "CycleBranch",
-    "CycleEvent",
-    "Diagram",
-    "EventCurve",
-    "Fate",
-    "FateMap",
-    "FateBoundary",
-    "BasinBoundary",
+    "Cycle", "CycleBranch", "CycleEvent", "Diagram", "EventCurve", "Fate", "FateMap", "FateBoundary", "BasinBoundary",
     "Lyapunov",
-)
+)  # fmt: skip
 
 
 class Tables(HTMLParser):

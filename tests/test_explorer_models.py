@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import math
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -145,20 +143,3 @@ def test_a_page_of_anybody_is_text_and_its_names_are_its_own(browser: Any, tmp_p
     assert page.inner_text("#states") == before
     assert explorer.errors == []
     page.close()
-
-
-@pytest.mark.thorough
-def test_a_brake_of_another_model_begins_at_its_data(tmp_path: Path) -> None:
-    pytest.importorskip("pint", reason="pint is not installed")
-    data, out = tmp_path / "brake.toml", tmp_path / "brake.html"
-    example = Path(ss.__file__).parent / "studies" / "brake.toml"
-    text = example.read_text(encoding="utf-8").replace('"kang_nam"', '"damped"')
-    data.write_text(text.replace("[brake]", '[brake]\nc_x = "30 N s/m"\nc_y = "0 N s/m"\nc_s = "1 N s/m"'), encoding="utf-8")
-    done = CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"])
-    assert done.exit_code == 0, done.exception
-    (found,) = re.findall(r'id="data">(.*?)</script>', out.read_text(encoding="utf-8"))
-    said = json.loads(found)
-    point = said["presets"][0]["point"]
-    assert point["zeta_x"] == pytest.approx(30 / math.sqrt(1500e3 * 0.35), rel=1e-12)
-    assert point["kappa"] == pytest.approx(420 / (1500e3 * 0.038), rel=1e-12)
-    assert said["units"]["length"] == [pytest.approx(38), "mm"]

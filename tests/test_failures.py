@@ -26,7 +26,6 @@ from spragsym.dynamics import integrators
 from spragsym.errors import DamageWarning, StoreError, SweepError
 from spragsym.files import locks, storage
 from spragsym.files.journal import journal, path_of
-from spragsym.files.storage import read
 from spragsym.sweeps import rms_sweep
 from tests.support import needs_posix
 from validation import sweeps as attack
@@ -159,12 +158,8 @@ def test_a_map_may_give_results_in_any_order(recorded: attack.Recorded) -> None:
     ("heyoka", "message"),
     [
         ("raise ImportError('it is not on this machine')", "ImportError: it is not on this machine"),
-        pytest.param("raise MemoryError", "MemoryError", marks=pytest.mark.thorough),
-        pytest.param(
-            "import os, signal; os.kill(os.getpid(), signal.SIGKILL)",
-            "ended by SIGKILL",
-            marks=[needs_posix, pytest.mark.thorough],
-        ),
+        ("raise MemoryError", "MemoryError"),
+        pytest.param("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", "ended by SIGKILL", marks=needs_posix),
         ("import os; print('LLVM ERROR: out of memory', flush=True); os._exit(3)", "exit code 3.*LLVM ERROR"),
     ],
 )
@@ -263,40 +258,7 @@ def wait_for(condition: Callable[[], bool], seconds: float = 30.0) -> None:
         time.sleep(0.02)
 
 
-@pytest.mark.thorough
-@needs_posix
-def test_a_command_in_poor_circumstances(tmp_path: Path, begin: Begin) -> None:
-    """As nohup, setsid and cron start it: no terminal, no input, no home to write to, ASCII, and Ctrl-C ignored."""
-    environment = {"PATH": os.environ["PATH"], "HOME": "/proc/none", "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
-    path = tmp_path / "rms.csv"
-    ignored = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); from spragsym.cli import main; main()"
-    grid = ["sweep", "--theta0", "35:60:4", "--t-end", "30", "--transient", "10", "-j", "2", "-o", str(path)]
-    process = begin(
-        [sys.executable, "-W", "error", "-c", ignored, *grid], env=environment,
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-    )  # fmt: skip
-    shown, said = process.communicate(timeout=60)
-    assert process.returncode == 0, said
-    assert shown.startswith(f"{path}: ")
-    assert len(read(path)[0]["rms"]) == 4
-
-
 # --------------------------------------------------------------------------------------------------- two on one store
-
-
-@pytest.mark.thorough
-def test_a_second_process_is_refused_and_told_who_is_first(tmp_path: Path, begin: Begin) -> None:
-    path = tmp_path / "rms.csv"
-    command = [sys.executable, "-m", "spragsym", "sweep", "--theta0", "35,40", "-q", "-o", str(path)]
-    with journal(path, "another sweep", 2):
-        with pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"):
-            rms_sweep(P, **SHORT, store=path)
-        process = begin(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        _, said = process.communicate(timeout=60)
-        path.write_text("")  # as the first one does at its end
-    assert process.returncode == 1
-    assert f"is being written by process {os.getpid()} on this machine" in said
-    assert said.count("\n") == 1
 
 
 def test_who_is_first_is_told_where_a_lock_hides_the_first_byte(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

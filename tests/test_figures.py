@@ -495,13 +495,13 @@ def test_data_are_written_to_twelve_digits(tmp_path: Path, sheets: dict[str, She
 
 @pytest.mark.thorough
 def test_command(tmp_path: Path) -> None:
-    result = CliRunner().invoke(command, ["--only", "12", "13", "--out", str(tmp_path), "--format", "png,svg", "--workers", "1"])
+    result = CliRunner().invoke(command, ["--only", "3,12", "13", "--out", str(tmp_path), "--format", "png,svg", "-j", "1"])
     assert result.exit_code == 0, result.output
     written = [Path(line) for line in result.stdout.splitlines()]
     assert all(path.is_file() for path in written)
     pictures = [path.name for path in written if path.suffix in (".png", ".svg")]
-    assert pictures == ["figure_12.png", "figure_12.svg", "figure_13.png", "figure_13.svg"]
-    assert "2/2" in result.stderr
+    assert pictures == [f"figure_{name}.{kind}" for name in (3, 12, 13) for kind in ("png", "svg")]
+    assert "3/3" in result.stderr
 
 
 @pytest.mark.thorough

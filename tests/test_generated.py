@@ -9,7 +9,7 @@ import random
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import mpmath
@@ -299,11 +299,6 @@ def _spelled(values: Iterable[Any], case: dict[Any, int] | None = None) -> tuple
     return tuple(balance.spell_out(sp.sympify(value)).subs(case or {}) for value in values)
 
 
-def _state() -> tuple[sp.Expr, ...]:
-    state = elimination.state()
-    return state[nm.L], state[nm.x].subs(nm.L, state[nm.L]), state[nm.y]
-
-
 def _cusp_point() -> tuple[sp.Expr, ...]:
     sin0, ratio = folds.cusp_angles()
     return sin0, ratio, (folds.cusp_friction() / nm.c / nm.sigma).subs(elimination.f_coefficients())
@@ -350,54 +345,26 @@ def _fold_events_without_alpha() -> tuple[sp.Expr, ...]:
 
 
 CONTACT, LIFTOFF = balance.CONTACT, balance.LIFTOFF
-#: What the derivation gives, before it is arranged for emission; spelled out in parameters.
+#: What the derivation gives, before it is arranged for emission; spelled out in parameters. Of the functions that the tests by
+#: hand below do not hold to equations.
 DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
-    "contact_matrix": lambda: _spelled(balance.matrix_form()[0], CONTACT),
-    "contact_vector": lambda: _spelled(balance.matrix_form()[1], CONTACT),
-    "liftoff_matrix": lambda: _spelled(balance.matrix_form()[0], LIFTOFF),
-    "liftoff_vector": lambda: _spelled(balance.matrix_form()[1], LIFTOFF),
-    "contact_quartic": lambda: _spelled(elimination.quartic_in_L(), CONTACT),
-    "liftoff_quartic": lambda: _spelled(elimination.quartic_in_L(), LIFTOFF),
     "singular_lengths": lambda: _spelled(elimination.singular_lengths()),
-    "f_coefficients": lambda: _spelled(elimination.f_coefficients()[name] for name in (nm.fa, nm.fb, nm.fd, nm.fm)),
-    "f": lambda: (elimination.f_form,),
-    "t_quartic": elimination.quartic_in_t,
     "resolvent": lambda: elimination.resolvent_cubic()[:3],
-    "state": lambda: _spelled(_state()),
-    "residuals": lambda: _spelled(balance.balance()),
-    "stiffness": lambda: _spelled(linearized.stiffness()),
-    "reference_lines": lambda: _spelled(linearized.reference_lines(), CONTACT),
-    "flutter_quadratic": lambda: _spelled(linearized.flutter_quadratic(), CONTACT),
-    "flutter_elimination": lambda: _spelled(map(_in_lines, linearized.flutter_elimination()), CONTACT),
     "flutter_without_alpha": lambda: _spelled([_in_lines(linearized.flutter_without_alpha())], {**CONTACT, nm.alpha: 0}),
     "flutter_crossing": lambda: _spelled(linearized.flutter_crossing(), CONTACT),
-    "flutter_cubic": lambda: _spelled(linearized.flutter_cubic(), CONTACT),
-    "flutter_friction": lambda: _spelled([linearized.flutter_friction()], CONTACT),
-    "surface": lambda: _spelled([folds.surface()], CONTACT),
-    "fold_residuals": lambda: tuple(name - value for name, value in folds.fold_relations().items()),
-    "fold_angles": lambda: _spelled((s0 := folds.fold_angles()[0], folds.fold_angles()[1].subs(nm.s0, s0)), CONTACT),
-    "fold_sine": lambda: _spelled(folds.fold_angles()[:1], CONTACT),
-    **{f"fold_lines_{name}": partial(_fold_lines, name) for name in nm.PARAMETERS},
-    "fold_conic": _fold_conic,
     "fold_events": _fold_events,
     "fold_events_without_alpha": _fold_events_without_alpha,
-    "fold_quartic": lambda: _spelled(folds.fold_quartic(), CONTACT),
     "fold_quadratic": lambda: tuple(value.subs(nm.alpha, 0) for value in _spelled(folds.fold_quadratic(), CONTACT)),
     "cusp_polynomial": lambda: _spelled(folds.cusp_polynomial(), CONTACT),
     "cusp_cubic": lambda: _spelled(folds.cusp_cubic(), CONTACT),
     "cusp_point": lambda: _spelled(_cusp_point(), CONTACT),
     "cusp_sine": lambda: _spelled(_cusp_point()[::2], CONTACT),
     "displacement": linear_model.equilibrium,
-    "pole_quadratic": linear_model.pole_quadratic,
-    "pole_friction": lambda: (linear_model.pole_friction(),),
-    "critical_friction_squared": lambda: (linear_model.critical_friction_squared(),),
 }
-#: Emitted up to a factor that is free of the unknown.
-UP_TO_A_FACTOR = {"fold_quartic"}
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", few(DERIVED, *(set(DERIVED) - {"cusp_polynomial", "flutter_cubic"})))
+@pytest.mark.parametrize("name", few(DERIVED, *(set(DERIVED) - {"cusp_polynomial"})))
 def test_fractions_equal_the_derived_value(name: str) -> None:
     function, expressions = NAMED[name], DERIVED[name]()
     for seed in SEEDS[:3]:
@@ -405,8 +372,6 @@ def test_fractions_equal_the_derived_value(name: str) -> None:
         by_name = {key: sp.Rational(value.numerator, value.denominator) for key, value in values.items()}
         ours = [sp.Rational(item.numerator, item.denominator) for item in function(values)]
         derived = [item.xreplace({symbol: by_name[symbol.name] for symbol in item.free_symbols}) for item in expressions]
-        if name in UP_TO_A_FACTOR:
-            derived = [item * ours[-1] / derived[-1] for item in derived]
         assert ours == derived
 
 

@@ -109,17 +109,10 @@ def test_algebra_is_that_of_python(package: Path) -> None:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize(
-    ("changes", "at"),
-    [
-        ({"alpha": 0.0}, (0.7, 0.5)),
-        *(
-            pytest.param({"alpha": alpha}, at, marks=pytest.mark.thorough)
-            for alpha, at in ((0.007, (0.7, 0.5)), (0.7, (0.3, 15.0)), (1.0, (0.3, 20.0)), (1.001, (0.3, 20.0)))
-        ),
-    ],
+    ("alpha", "at"), [(0.0, (0.7, 0.5)), (0.007, (0.7, 0.5)), (0.7, (0.3, 15.0)), (1.0, (0.3, 20.0)), (1.001, (0.3, 20.0))]
 )
-def test_folds_and_cusps_are_those_that_python_proves(package: Path, changes: dict[str, float], at: tuple[float, float]) -> None:
-    p = ss.Parameters.article(theta0=at[0], **{"mu0": at[1], **changes})
+def test_folds_and_cusps_are_those_that_python_proves(package: Path, alpha: float, at: tuple[float, float]) -> None:
+    p = ss.Parameters.article(theta0=at[0], mu0=at[1], alpha=alpha)
     given = ", ".join(f"'{name}', {literal(getattr(p, name))}" for name in NAMES)
     program = f"p = struct({given});\nb = spragsym.bifurcation_set(p, 128);\n" + shown("numel(b.curves)")
     program += "".join(shown(f"b.cusps.{name}") for name in ("theta0", "mu0", "theta", "x", "y"))

@@ -25,11 +25,7 @@ def test_a_region_without_width_holds_its_equilibrium():
 
 @pytest.mark.thorough
 @pytest.mark.parametrize(
-    ("name", "vary", "onsets"),
-    [
-        ("kang_nam", "sigma", 2),
-        *(pytest.param(name, "sigma", n, marks=pytest.mark.thorough) for name, n in (("stribeck", 2), ("mode_coupling", 1))),
-    ],
+    ("name", "vary", "onsets"), [("kang_nam", "sigma", 2), ("stribeck", "sigma", 2), ("mode_coupling", "sigma", 1)]
 )
 def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, onsets):
     # At σ = 0 nothing damps the direction across the belt, in any state.

@@ -40,8 +40,7 @@ MODELS = ["kang_nam", "damped", "stribeck", "trolley", "two_springs", "mode_coup
     ("name", "method"),
     [
         ("kang_nam", "closed"),
-        *((name, "search") for name in MODELS[:2]),
-        *(pytest.param(name, "search", marks=pytest.mark.thorough) for name in MODELS[2:]),
+        *((name, "search") for name in MODELS),
     ],
 )
 def test_stable_is_only_what_does_not_grow(name: str, method: str) -> None:

@@ -119,24 +119,6 @@ def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
 # ------------------------------------------------------------------------------------------------ sweeps
 
 
-@pytest.mark.thorough
-def test_a_sweep_goes_through_a_file_and_other_processes(tmp_path: Any) -> None:
-    """The same bits from two processes; a finished file is read, that of another model refused."""
-    model = ss.load("stick_slip")
-    p = model.Parameters(zeta=[0.1, 0.2, 0.6])
-    one = model.rms_sweep(p, t_end=60.0, x0=0.1)
-    two = model.rms_sweep(p, t_end=60.0, x0=0.1, workers=2, store=tmp_path / "sweep.csv")
-    again = model.rms_sweep(p, t_end=60.0, x0=0.1, store=tmp_path / "sweep.csv")
-    for name in ("rms", "regime", "period", "mean"):
-        np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
-        np.testing.assert_array_equal(getattr(one, name), getattr(again, name))
-    text = (tmp_path / "sweep.csv").read_text(encoding="utf-8")
-    assert "# model: stick_slip" in text
-    assert text.splitlines()[0].startswith("mu_s,v_s,zeta,V,x0,vx0,rms")
-    with pytest.raises(ss.ParameterError, match="something else"):
-        model.rms_sweep(p.replace(V=0.4), t_end=60.0, x0=0.1, store=tmp_path / "sweep.csv")
-
-
 def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
     model = ss.load("kang_nam").search
     x0 = np.array([0.1, float(np.cos(1.0))])
@@ -146,19 +128,6 @@ def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
 
 
 # ------------------------------------------------------------------------------------------------ the command line
-
-
-@pytest.mark.thorough
-def test_commands_take_a_model(tmp_path: Any, run: Run) -> None:
-    shown = run("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20", "--x_a0", "0.1", "--json")
-    assert '"model": "trolley"' in shown
-    target = tmp_path / "s.csv"
-    run("sweep", "--model=stick_slip", "--zeta", "0.1:0.6:2", "-V", "0.5", "-q", "--t-end", "50", "-o", str(target))
-    assert target.is_file()
-    shown = run("equilibria", "--model", "stick_slip", "-V", "0.3")
-    friction = 2 * 0.5 * 0.3 * 0.1 / (0.3**2 + 0.1**2)  # x = μ(V) N_0/k
-    assert float(shown.split()[-3]) == pytest.approx(friction, abs=1e-9)
-    assert "44.5593" in run("bifurcation", "--method", "search", "--vary", "theta0")
 
 
 def test_a_state_that_oscillates_does_not_pass_for_stable(run: Run) -> None:

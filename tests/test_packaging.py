@@ -364,13 +364,6 @@ def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str
     assert f"pip install 'spragsym[{extra}]'" in done.stderr
 
 
-def test_a_missing_backend_is_named(python: Path) -> None:
-    done = call(python, "-c", "import sys; sys.modules['spragsym.kang_nam.statics._compiled'] = None\nimport spragsym as ss\n"
-                "ss.set_backend('compiled')")  # fmt: skip
-    assert "BackendError" in done.stderr
-    assert "install spragsym again, with a compiler" in done.stderr
-
-
 # --------------------------------------------------------------------------------------------------- a clone in use
 
 

@@ -426,13 +426,14 @@ def test_commands_take_the_file(path: Path, tmp_path: Path, run: Run) -> None:
     p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
     rows = answer("folds", "--vary", "k_x")["points"]
     assert [row["k_x_N/mm"] for row in rows] == pytest.approx((1500 * ss.folds(p, "alpha").alpha).tolist(), rel=1e-9)
-    frictions = answer("critical")
+    frictions, lowest = answer("critical"), ss.critical_friction(p)
     for name, value in (
-        ("mu0_jump", ss.jump_value(p)),
-        ("mu0_cusp", ss.cusp_friction(p)),
-        ("mu0_lowest", ss.critical_friction(p)),
-    ):
+        ("mu0_jump", ss.jump_value(p)), ("mu0_cusp", ss.cusp_friction(p)), ("mu0_lowest", lowest),
+        ("theta0_lowest_deg", math.degrees(lowest.theta0)), ("mu_cr", ss.linear_critical_friction(p)),
+    ):  # fmt: skip
         assert frictions[name] == pytest.approx(float(value), rel=1e-12)
+    assert frictions["kind_lowest"] == lowest.kind
+    assert frictions["jumps"][0]["mu0"] == frictions["mu0_jump"]
     jumps = answer("path", "--vary", "mu0=0:1:3")["jumps"]
     assert jumps[0]["mu0"] == pytest.approx(ss.jump_value(p), rel=1e-12)
     assert answer("equilibria")["equilibria"][0]["x_mm"] == pytest.approx(38 * ss.equilibria(p).x[0], rel=1e-9)

@@ -18,16 +18,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli.motion import sweep as sweep_command
 from spragsym.dynamics import Event, Regime, simulate
 from spragsym.files import storage
 from spragsym.kang_nam.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
-from tests.support import LONG_MOTIONS_TAKE_MINUTES, needs_a_quick_integrator, needs_posix
+from tests.support import needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -78,16 +76,6 @@ def test_the_same_bits_from_any_map() -> None:
         assert_same(one, rms_sweep(P, **SHORT, workers=pool.map))
         # Futures, as an engine's own map gives them.
         assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
-
-
-@pytest.mark.thorough
-def test_the_same_bits_from_dask() -> None:
-    distributed = pytest.importorskip("distributed")
-    with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, processes=False) as cluster,
-        distributed.Client(cluster) as client,
-    ):
-        assert_same(rms_sweep(P, **SHORT), rms_sweep(P, **SHORT, workers=client.map))
 
 
 @needs_a_quick_integrator
@@ -244,40 +232,16 @@ def _imported(package: Path, start: str) -> set[str]:
     return found
 
 
-SPAN = ("60", "45") if LONG_MOTIONS_TAKE_MINUTES else ("2000", "1500")  # long enough to be killed in the midst
-GRID = ["--theta0", "1:179:61", "--t-end", SPAN[0], "--transient", SPAN[1], "-q"]
-COMMAND = [sys.executable, "-m", "spragsym", "sweep", *GRID, "-o"]
-
-
-def begun(command: list[str], path: Path, begin: Callable[..., subprocess.Popen[str]]) -> tuple[subprocess.Popen[str], Path]:
-    """A sweep in a process of its own that has written some points, and its journal."""
-    process = begin([*COMMAND, str(path), *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    partial = path.with_name("rms.nc.partial")
-    deadline = time.monotonic() + 60
-    while time.monotonic() < deadline and not (partial.exists() and partial.stat().st_size > 1000):
-        time.sleep(0.001)
-    return process, partial
-
-
-@pytest.mark.thorough
-def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
-    """At fifty random moments: ``python -m validation.sweeps``."""
-    path, whole = tmp_path / "rms.nc", tmp_path / "whole.nc"
-    CliRunner().invoke(sweep_command, [*GRID, "-o", str(whole)], catch_exceptions=False)
-    process, partial = begun([], path, begin)
-    process.kill()
-    process.wait()
-    assert partial.exists()
-    CliRunner().invoke(sweep_command, [*GRID, "-o", str(path)], catch_exceptions=False)
-    assert path.read_bytes() == whole.read_bytes()
-    assert not partial.exists()
-
-
 @pytest.mark.thorough
 @needs_posix
 def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
-    command = ["-j", "2", "--t-end", "60", "--transient", "45", "--backend", "scipy"]
-    process, partial = begun(command, tmp_path / "rms.nc", begin)
+    partial = tmp_path / "rms.nc.partial"
+    motions = ["--theta0", "1:179:61", "--t-end", "60", "--transient", "45", "--backend", "scipy", "-j", "2", "-q"]
+    call = [sys.executable, "-m", "spragsym", "sweep", *motions, "-o", str(tmp_path / "rms.nc")]
+    process = begin(call, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60
+    while time.monotonic() < deadline and not (partial.exists() and partial.stat().st_size > 1000):
+        time.sleep(0.001)
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does
     _, stderr = process.communicate(timeout=30)
     assert process.returncode == 130

@@ -234,6 +234,7 @@ def test_every_model_is_swept(name: str, tmp_path: Path, run: Run) -> None:
     ranges = [f"{options_of(load(name).about, vary)[0]}={0.8 * base!r},{base!r}", f"--{first['name']}0=0,1,2"]
     told = run("sweep", *of(name), *ranges, "--t-end", "20", "--backend", "scipy", "-q", "-o", file)
     assert told.startswith(file)
+    assert f"# model: {name}\n" in Path(file).read_text(encoding="utf-8")
     found = np.genfromtxt(file, delimiter=",", names=True, comments="#", dtype=None, encoding="utf-8")
     assert sorted(set(found[vary].tolist())) == [0.8 * base, base]
     begin = np.radians([0.0, 1.0, 2.0]) if first["unit"] == "rad" else np.array([0.0, 1.0, 2.0])

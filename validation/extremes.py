@@ -33,7 +33,7 @@ def drawn(model: Any, rng: np.random.Generator, decades: float) -> dict[str, flo
         if low is not None and high is not None:
             value = low + (high - low) * rng.random()
             if entry["name"] in model.about["angles"] and special:
-                value = float(np.clip(np.pi / 4 * rng.integers(1, 4), low, high))
+                value = float(np.clip(np.pi / 4 * rng.integers(1, 4), low + 1e-9, high - 1e-9))
         elif special and not entry["low_open"]:
             value = 0.0
         else:

@@ -100,6 +100,16 @@ def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) 
         assert np.allclose(state.frequencies_hz, hertz[hertz > 0], rtol=1e-3)  # the law's damping is left out here
 
 
+@pytest.mark.thorough
+def test_the_text_has_the_forces_and_frequencies_of_the_state(report: ss.Report) -> None:
+    here, said = report.current, " ".join(report.text().split())
+    assert here is not None
+    assert len(here.frequencies_hz) == 2
+    told = [f"{f:.4g} Hz (damping ratio {ratio:.2g})" for f, ratio in zip(here.frequencies_hz, here.damping_ratio, strict=True)]
+    assert f"frequencies {', '.join(told)}" in said
+    assert f"force of the contact {here.contact_force_N:.5g} N" in said
+
+
 @pytest.mark.parametrize("tolerances", few([True, False], False))
 def test_json_has_the_keys_of_the_contract(tolerances: bool, tmp_path: Path, run: Run) -> None:
     found = json.loads(run("report", str(written(tmp_path, {} if tolerances else EXACT | {"mu0": "0.45"})), "--json"))

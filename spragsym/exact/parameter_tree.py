@@ -48,9 +48,11 @@ class Tree:
 
     def hulls(self, ends: FloatArray) -> FloatArray:
         """The hull of the boxes of all points below each node: ends of shape (2, n, points), result of shape (2, n, nodes)."""
-        least = np.concatenate([ends, np.full((*ends.shape[:2], 1), -np.inf)], axis=2)  # of leaves that are not there
-        levels = [least[:, :, self.order.reshape(1 << level, -1)].max(axis=3) for level in range(self.depth + 1)]
-        return np.concatenate(levels, axis=2)
+        nothing = np.full((*ends.shape[:2], 1), -np.inf)  # of leaves that are not there, whose number is −1
+        levels = [np.concatenate([ends, nothing], axis=2)[:, :, self.order]]
+        for _ in range(self.depth):
+            levels.append(levels[-1].reshape(*ends.shape[:2], -1, 2).max(axis=3))
+        return np.concatenate(levels[::-1], axis=2)
 
     def children(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows (place among ``nodes``, child) for all children that have points."""

@@ -54,6 +54,14 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
 
 
 @pytest.mark.thorough
+def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
+    model = ss.load("stick_slip")
+    onsets = model.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
+    found = ss.diagram(model.Parameters(), "V", (0.08, 0.2), points=40, starts=[model.cycle(onset=onsets, index=0)])
+    assert len(found.cycles) == 1
+
+
+@pytest.mark.thorough
 def test_a_branch_of_equilibria_is_there_once() -> None:
     """On one branch a torsion spring is counted on either of its ways."""
     found = ss.diagram(ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", (0.0, 2.0))

@@ -121,7 +121,7 @@ def main() -> None:
         told = [done[f"{name}: {digits}"]["decimals"] for digits in DIGITS if done[f"{name}: {digits}"]["proved"]]
         meet = all(
             max(interval(one[key])[0] for one in told) <= min(interval(one[key])[1] for one in told)
-            for key in set.intersection(*map(set, told))
+            for key in set(told[0] if told else ()).intersection(*told)
         )
         print(f"{name}: {len(told)} proofs, all intervals meet: {meet}")
 

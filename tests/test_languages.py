@@ -112,11 +112,11 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return copy
 
 
-@pytest.mark.thorough
 def test_every_campaign_is_among_those_that_are_run_together() -> None:
     assert {campaign.split()[0] for campaign in campaigns.ALL} == campaigns.names()
 
 
+@pytest.mark.thorough
 def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
     """The steps as CONTRIBUTING shows them: the language is found, generated, offered, exported and packed."""
     pytest.importorskip("sympy")

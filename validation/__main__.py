@@ -52,7 +52,7 @@ def main() -> int:
     sys.argv[0] = f"python -m validation.{name}"
     try:
         runpy.run_module(f"validation.{name}", run_name="__main__")
-    except pytest.skip.Exception as missing:
+    except pytest.skip.Exception as missing:  # what tests skip without, a campaign that shares their helpers can't run without
         print(f"skipped: {missing}")
         return SKIPPED
     return 0

@@ -40,7 +40,7 @@ class _Nothing:
         return self
 
     def __add__(self, depth: Intervals) -> Intervals:
-        return _not_negative(depth)
+        return _cut_off(depth)
 
     def __sub__(self, gap: Intervals) -> Intervals:
         return self + -gap
@@ -48,7 +48,8 @@ class _Nothing:
     __radd__ = __add__
 
 
-def _not_negative(value: Intervals) -> Intervals:
+def _cut_off(value: Intervals) -> Intervals:
+    """What is below 0 moved to 0: 0 alone of what lies below as a whole."""
     return Intervals(np.stack([np.minimum(value.ends[0], 0.0), np.maximum(value.ends[1], 0.0)]))
 
 
@@ -67,7 +68,7 @@ def by_contact_force(balance: Balance, ends: FloatArray, values: Mapping[str, An
     ends = _closed(balance, ends, values)
     unknowns = Intervals(ends)
     near, shape = np.clip(0.0, unknowns.low, unknowns.high), unknowns.shape[1:]
-    force = _not_negative(stacked([balance.contact_force(list(unknowns), values, _Pressed(), FREE)], shape)[0])
+    force = _cut_off(stacked([balance.contact_force(list(unknowns), values, _Pressed(), FREE)], shape)[0])
     # Slopes by pushing, where that is 0: the force of a touch, and what of it goes along each coordinate.
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 1)
     of_touch = balance.by_coordinate("forces", list(unknowns), directions, values, FREE, pushing=pushing)

@@ -111,9 +111,11 @@ def derived(text: str, name: str) -> Path:
 
 @functools.cache
 def _derivation() -> str:
-    from spragsym.derive.emit.write import source_hash
-
-    return f"{source_hash()[:16]}-{version('sympy')}"
+    digest = hashlib.sha256()
+    for path in sorted((ROOT / "derive").rglob("*")):
+        if path.is_file() and path.suffix != ".pyc":
+            digest.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+    return f"{digest.hexdigest()[:16]}-{version('sympy')}"
 
 
 def model_of(text: str, name: str) -> Any:

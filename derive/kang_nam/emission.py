@@ -32,16 +32,15 @@ _RUNTIME = Path(__file__).parent / "runtime"
 
 def render(outcome: ledger.Ledger) -> dict[str, str]:
     """The text of every file, by its path below ``generated/``."""
-    digest = write.source_hash()
-    given = material(digest)
+    given = material()
     return {
         **targets.render(given),
-        "ledger.json": write.as_json(ledger.as_dict(outcome, digest)),
+        "ledger.json": write.as_json(ledger.as_dict(outcome)),
         "LEDGER.md": ledger.markdown(outcome, given.header),
     }
 
 
-def material(digest: str) -> targets.Material:
+def material() -> targets.Material:
     """What every target prints."""
     parts, of_page = modules(), (motion.module(),)
     solver = kernel()
@@ -57,7 +56,7 @@ def material(digest: str) -> targets.Material:
         base_values={str(symbol): float(value) for symbol, value in article.BASE.items()},
         public=PUBLIC,
         variant=bool(mechanics.further_parameters()),
-        digest=digest,
+        digest=write.DIGEST,
         header=write.header(),
         summary=SUMMARY,
         runtime=own_files(),

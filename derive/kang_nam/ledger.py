@@ -22,10 +22,9 @@ class Ledger:
     lowest_fold: tuple[Step, ...]
 
 
-def as_dict(ledger: Ledger, digest: str) -> dict[str, Any]:
+def as_dict(ledger: Ledger) -> dict[str, Any]:
     """For JSON."""
     return {
-        "source_hash": digest,
         "sympy": sp.__version__,
         "summary": summary(ledger.rows),
         "rows": [row.recorded() for row in ledger.rows],

@@ -38,7 +38,7 @@ class Material:
     base_values: Mapping[str, float]
     public: tuple[str, ...]  #: functions of the algebra that a library in another language offers to its callers
     variant: bool  #: whether there are parameters that the published model does not have
-    digest: str  #: SHA-256 of the derivation
+    digest: str  #: SHA-256 of what is emitted
     header: str  #: one sentence for the head of every file: where it comes from
     library: str = "spragsym"  #: names of files and functions begin with it in languages without modules of their own
     summary: str = ""  #: one sentence: what the library computes

@@ -43,7 +43,7 @@ def _package(material: Material) -> str:
     listed = "\n".join(f"- :mod:`{name}`: {summary}" for name, summary in summaries.items())
     return (
         f'"""Plain algebra, derived from first principles and checked against the article.\n\n{listed}\n\n{material.header}\n"""\n\n'
-        f'#: SHA-256 of the derivation that this package was generated from.\nSOURCE_HASH = "{material.digest}"\n'
+        f'#: SHA-256 over all files that were generated with this one.\nSOURCE_HASH = "{material.digest}"\n'
     )
 
 

@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-/** The derivation that this was generated from: the head of a hash of its sources. */
+/** Head of the SHA-256 of what was emitted together. */
 #define @LIBRARY@_SOURCE "@source@"
 
 /** What became of a call. */

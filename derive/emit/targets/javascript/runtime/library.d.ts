@@ -1,6 +1,6 @@
 // Types of @library@.mjs. @header@
 
-/** The derivation that this was generated from: the head of a hash of its sources. */
+/** Head of the SHA-256 of what was emitted together. */
 export declare const SOURCE: string;
 /** Names of the parameters, in the order in which the algebra takes them. */
 export declare const NAMES: readonly [@typed_names@];

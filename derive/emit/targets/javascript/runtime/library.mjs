@@ -13,7 +13,7 @@
  * @module @library@
  */
 
-/** The derivation that this was generated from: the head of a hash of its sources. */
+/** Head of the SHA-256 of what was emitted together. */
 export const SOURCE = "@source@";
 
 /** Names of the parameters, in the order in which the algebra takes them. */

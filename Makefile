@@ -98,7 +98,7 @@ derive: $(DERIVE)
 
 # As many workers as processors leave none for the threads of OpenBLAS; `make check` keeps them, so that both are tested.
 test: $(TEST)
-	OPENBLAS_NUM_THREADS=1 $(TESTS) -m "not thorough"
+	OPENBLAS_NUM_THREADS=1 $(TESTS) -m "not thorough and not validate"
 
 # In an environment of its own, from what is committed.
 poor:
@@ -114,7 +114,7 @@ lint: $(TEST)
 	else echo "cppcheck is not installed: skipped, C is checked for its layout only"; fi
 
 thorough: $(TEST)
-	HYPOTHESIS_PROFILE=all $(TESTS) --durations=20
+	HYPOTHESIS_PROFILE=all $(TESTS) --durations=20 -m "not validate"
 
 # What they reach of spragsym decides nothing, and to count it doubles the time: CI does not.
 coverage: $(TEST)

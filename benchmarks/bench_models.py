@@ -50,8 +50,8 @@ def random_values(names: Any, points: int) -> dict[str, Any]:
 def single(of: Any, parameters: Any, values: dict[str, Any]) -> float:
     """Processor time of a call with one point, on average."""
     points = [parameters(**{name: float(row[k]) for name, row in values.items()}) for k in range(CALLS)]
-    of.equilibria(points[0])
-    return seconds(lambda: [of.equilibria(p) for p in points])[0] / CALLS
+    ss.equilibria(points[0])
+    return seconds(lambda: [ss.equilibria(p) for p in points])[0] / CALLS
 
 
 def table(points: int) -> None:
@@ -63,18 +63,18 @@ def table(points: int) -> None:
         model = ss.load(name).search
         values = random_values(model.parameters, points)
         p = model.Parameters(**values)
-        spent, eq = seconds(model.equilibria, p)
+        spent, eq = seconds(ss.equilibria, p)
         one = model.Parameters(**({"theta0": 1.0} if "theta0" in model.parameters else {}))
         cells, left = [], int((~eq.decided).sum())
         for vary in ("theta0", "mu0"):
             if vary in model.parameters:
-                time_of, found = seconds(model.folds, one, vary)
+                time_of, found = seconds(ss.folds, one, vary)
                 cells.append(f"{time_of:.2f}")
                 left += len(found.undecided)
             else:
                 cells.append("")
         if {"theta0", "mu0"} <= set(model.parameters) and len(model.coordinates) == 2:
-            time_of, found = seconds(model.cusps, one, ("theta0", "mu0"), between={"mu0": (0, 2)})
+            time_of, found = seconds(ss.cusps, one, ("theta0", "mu0"), between={"mu0": (0, 2)})
             cells.append(f"{time_of:.2f}")
             left += len(found.undecided)
         else:
@@ -101,7 +101,7 @@ def families(points: int) -> None:
         every = 10 if name == "cusp wedge" else 1
         p = family(np.random.default_rng(1), points * every)
         values = {key: np.broadcast_to(getattr(p, key), p.shape)[::every] for key in NAMES}
-        spent, eq = seconds(model.equilibria, model.Parameters(**values))
+        spent, eq = seconds(ss.equilibria, model.Parameters(**values))
         time_of, known = seconds(ss.equilibria, ss.Parameters(**values))
         other = eq.decided & known.decided & ~known.fold & (eq.count != known.count)
         print(
@@ -119,7 +119,7 @@ def grid(side: int) -> None:
     print("| model | s | left open |\n|---|---|---|")
     for name in ("kang_nam", "cubic_contact"):
         model = ss.load(name).search
-        spent, eq = seconds(model.equilibria, model.Parameters(theta0=theta0, mu0=mu0))
+        spent, eq = seconds(ss.equilibria, model.Parameters(theta0=theta0, mu0=mu0))
         print(f"| {name} | {spent:.1f} | {int((~eq.decided).sum())} |", flush=True)
 
 

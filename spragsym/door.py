@@ -25,15 +25,17 @@ from __future__ import annotations
 import functools
 import importlib
 import inspect
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 from .errors import ModelError, ParameterError, ParameterTypeError
 from .parameters import Parameters, ParameterSet, PhysicalParameters
+from .questions import model_of as _model_of
+from .questions import of, sets_among
 
 #: Public functions that are asked of a model.
 INTERFACE = frozenset((
-    "equilibria", "count", "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface",
+    "flutter_boundary", "bifurcation_set", "surface",
     "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign",
     "onset_curves", "diagram",
@@ -57,16 +59,17 @@ def question(general: Callable[..., Any]) -> Callable[..., Any]:
             raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
         _check(model, args, options)
         if method != "search" and name in model.closed:
-            room, along, only = model.closed[name]
-            closed = _closed(room, name)
-            alone = len(args) == 1 and not options and not only  # one argument always fits
-            if alone or not answered or _takes(closed, along, only, model, args, options):
+            room, along = model.closed[name]
+            closed = closed_form(room, name)
+            alone = len(args) == 1 and not options  # one argument always fits
+            if alone or not answered or _takes(closed, along, model, args, options):
                 return closed(*args, **options)
         if method == "closed":
             raise ModelError(
                 f"{model.name} answers {name} with these arguments by no closed form; leave method out, or give method='search'"
             )
-        return general(model.search if method == "search" else model, *args, **options)
+        asked = model.search if method == "search" else model
+        return general(asked, *of(asked, args), **options)
 
     return ask
 
@@ -78,7 +81,7 @@ def part(general: Callable[..., Any]) -> Callable[..., Any]:
     @functools.wraps(general)
     def taken(model: Any, *args: Any, **options: Any) -> Any:
         if name in model.closed:
-            return _closed(model.closed[name][0], name)(*args, **options)
+            return closed_form(model.closed[name][0], name)(*args, **options)
         return general(model, *args, **options)
 
     return taken
@@ -106,7 +109,9 @@ def public(closed: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(closed)
     def ask(*args: Any, **options: Any) -> Any:
-        first = args[0] if args and isinstance(args[0], ParameterSet) else next(sets_among((*args, *options.values())), None)
+        first = (
+            args[0] if args and isinstance(args[0], ParameterSet) else next(iter(sets_among((*args, *options.values()))), None)
+        )
         return getattr(model_of(first if first is not None else Parameters()), name)(*args, **options)
 
     summary, *more = inspect.cleandoc(closed.__doc__ or "").split("\n\n", 1)
@@ -115,19 +120,8 @@ def public(closed: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def model_of(p: ParameterSet) -> Any:
-    """The model of a set, also where one of its parameters is called ``model``."""
-    if not isinstance(p, ParameterSet):
-        p.require()  # quantities with units say what to call
-    return ParameterSet.model.fget(p)  # type: ignore[attr-defined]  # a property
-
-
-def sets_among(things: Iterable[Any]) -> Iterator[ParameterSet]:
-    """The sets of parameters among arguments, those in a pair of corners included."""
-    for thing in things:
-        if isinstance(thing, ParameterSet):
-            yield thing
-        elif isinstance(thing, tuple):
-            yield from sets_among(thing)
+    """The model of a set."""
+    return _model_of(p)
 
 
 def _check(model: Any, args: tuple[Any, ...], options: Mapping[str, Any]) -> None:
@@ -148,7 +142,7 @@ def _check(model: Any, args: tuple[Any, ...], options: Mapping[str, Any]) -> Non
 
 
 @functools.cache
-def _closed(room: str, name: str) -> Callable[..., Any]:
+def closed_form(room: str, name: str) -> Callable[..., Any]:
     found: Callable[..., Any] = getattr(importlib.import_module(f".{room}", __package__), name)
     return found
 
@@ -159,12 +153,9 @@ def _signature(function: Callable[..., Any]) -> inspect.Signature:
 
 
 def _takes(
-    closed: Callable[..., Any], along: Collection[Any], only: Mapping[str, Any], model: Any, args: tuple[Any, ...],
-    options: dict[str, Any],
-) -> bool:  # fmt: skip
+    closed: Callable[..., Any], along: Collection[Any], model: Any, args: tuple[Any, ...], options: dict[str, Any]
+) -> bool:
     """Whether a closed form has arguments of these names and values, and knows what varies, if that is of the model at all."""
-    if any(name not in options or options[name] != value for name, value in only.items()):
-        return False
     try:
         given = _signature(closed).bind(*args, **options).arguments
     except TypeError:

@@ -30,7 +30,7 @@ def model() -> Any:
 
 def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool) -> None:
     """Counts, and states within their bounds, of sets of shape (N,)."""
-    eq = model.equilibria(model.Parameters(**sets), contact=contact)
+    eq = ss.equilibria(model.Parameters(**sets), contact=contact)
     assert eq.complete
     assert eq.whole.all()
     for i in range(eq.count.size):
@@ -61,7 +61,7 @@ def test_states_as_near_to_the_anchor_as_the_torsion_spring_is_weak_are_found(mo
     sets = {"theta0": 3.0, "mu0": 0.5, "kappa": 0.5, "alpha": 0.0, "sigma": 0.1, "gamma": 5.0}
     every = {name: value * ones for name, value in sets.items()} | {"tau": tau}
     same_as_the_scalar_equation(model, every, False)
-    eq = model.equilibria(model.Parameters(**every), contact=False)
+    eq = ss.equilibria(model.Parameters(**every), contact=False)
     nearest = np.nanmin(np.hypot(eq.x - np.cos(3.0), eq.y - np.sin(3.0)), axis=1)
     assert (nearest < 20 * tau).all()
     assert (nearest > tau).all()
@@ -76,7 +76,7 @@ def test_without_torsion_and_hardening_the_article_comes_back(model: Any) -> Non
         "alpha": 10.0 ** rng.uniform(-2.5, -0.5, n), "sigma": 10.0 ** rng.uniform(-1.5, 5.0, n),
     }  # fmt: skip
     for contact in (True, False):
-        eq = model.equilibria(model.Parameters(**common, tau=0.0, gamma=0.0), contact=contact)
+        eq = ss.equilibria(model.Parameters(**common, tau=0.0, gamma=0.0), contact=contact)
         known = ss.equilibria(ss.Parameters(**common, beta=0.0), contact=contact)
         assert eq.complete
         assert (eq.count == known.count).all()
@@ -88,7 +88,7 @@ def test_without_torsion_and_hardening_the_article_comes_back(model: Any) -> Non
 def test_a_torsion_spring_that_vanishes_leaves_what_is_there_without_it(model: Any) -> None:
     p = {"theta0": 0.8, "mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "gamma": 5.0}
     for contact in (True, False):
-        with_it, without = (model.equilibria(model.Parameters(**p, tau=tau), contact=contact) for tau in (1e-13, 0.0))
+        with_it, without = (ss.equilibria(model.Parameters(**p, tau=tau), contact=contact) for tau in (1e-13, 0.0))
         assert with_it.count == without.count
         assert np.nanmax(np.abs(with_it.x - without.x), initial=0.0) < 1e-10
 
@@ -103,7 +103,7 @@ def test_turned_by_half_a_turn_it_pushes_away_from_the_ray(model: Any) -> None:
         kappa=10.0 ** rng.uniform(-2, 1, n), alpha=10.0 ** rng.uniform(-6, 0, n), sigma=0.1,
         tau=10.0 ** rng.uniform(-12, -1, n), gamma=0.0,
     )  # fmt: skip
-    eq = model.equilibria(p, contact=False)
+    eq = ss.equilibria(p, contact=False)
     assert eq.complete
     c0, s0 = np.cos(p.theta0)[:, None], np.sin(p.theta0)[:, None]
     dx, dy = c0 - eq.x, s0 - eq.y
@@ -121,7 +121,7 @@ def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
         p = {name: model.base[name] * 10.0 ** rng.uniform(-2, 2) for name in NAMES[2:]}
         p |= {"theta0": rng.uniform(0.1, 3.0), "mu0": rng.uniform(0, 1)}
         for contact in (True, False):
-            eq = model.equilibria(model.Parameters(**p), contact=contact)
+            eq = ss.equilibria(model.Parameters(**p), contact=contact)
             assert eq.whole.all()
             with mp.workdps(50):
                 for state in turned_spring(model.Parameters(**p), contact):
@@ -133,7 +133,7 @@ def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open() -> None:
     line = "page.torsion(k_t, mass, anchor, rest=theta0)\n"
     more = "page.torsion(k_t, mass, (-anchor[0], anchor[1]), rest=theta0)\n"
     two = model_of(replaced(PAGE, (line, line + more)), "two_torsions")
-    eq = two.equilibria(two.Parameters(), contact=False)
+    eq = ss.equilibria(two.Parameters(), contact=False)
     assert eq.whole.all()
     assert eq.complete or any("resists turning" in remark for remark in eq.remarks)
 
@@ -165,7 +165,7 @@ def test_stiff_springs_between_extremes_are_decided_to_12_digits(p: dict[str, fl
     """States so near to the contact's border that floats do not tell the side; against the article's closed forms."""
     model = ss.load("kang_nam").search
     for contact in (True, False):
-        eq = model.equilibria(model.Parameters(**p), contact=contact)
+        eq = ss.equilibria(model.Parameters(**p), contact=contact)
         known = ss.equilibria(ss.Parameters(**p), contact=contact)
         assert eq.complete
         assert eq.count == known.count

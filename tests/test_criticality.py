@@ -25,7 +25,7 @@ from validation import criticality as validate_criticality
 
 def onsets_of(name: str, vary: str, **values: float) -> Any:
     model = ss.load(name)
-    return model.flutter_onsets(model.Parameters(**values), vary=vary)
+    return ss.flutter_onsets(model.Parameters(**values), vary=vary)
 
 
 @pytest.fixture(scope="module")
@@ -76,7 +76,7 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
 def test_a_torsion_spring_against_equations_written_by_hand() -> None:
     pytest.importorskip("sympy")
     model = model_of((ROOT / "tests/soft_brake.py").read_text(encoding="utf-8"), "soft_brake")
-    onsets = model.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
+    onsets = ss.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
     exact = validate_criticality.reference_of(onsets, 0)
     assert abs(mpmath.mpf(float(onsets.lyapunov[0])) - exact.lyapunov) <= onsets.lyapunov_error[0] < 1e-9
     assert onsets.criticality.tolist() == ["gentle"]
@@ -130,7 +130,7 @@ def test_columns_are_made_when_they_are_asked_for() -> None:
 
 def test_undamped_flutter_is_no_hopf_point() -> None:
     model = ss.load("mode_coupling")
-    onsets = model.flutter_onsets(model.Parameters(), vary="mu0", damping=False)
+    onsets = ss.flutter_onsets(model.Parameters(), vary="mu0", damping=False)
     assert onsets.kind.tolist() == ["flutter"]
     assert onsets.criticality.tolist() == ["undecided"]
     assert np.isnan(onsets.lyapunov).all()
@@ -241,7 +241,7 @@ def test_where_statics_takes_another_friction_the_cycle_is_of_the_motion() -> No
     assert abs(start / onsets.mu0[0] - 1 / (1 - shift)) < 1e-3
     roots = []
     for mu0 in (start - 1e-4, start + 1e-4):
-        rest = model.equilibria(model.Parameters(theta0=0.7, mu0=mu0 * (1 - shift)))
+        rest = ss.equilibria(model.Parameters(theta0=0.7, mu0=mu0 * (1 - shift)))
         p = model.Parameters(theta0=0.7, mu0=mu0)
         u = [float(rest.x[0]), float(rest.y[0]), 0.0, 0.0]
         values = [float(value) for value in model.arguments(p, "motion")]
@@ -311,7 +311,7 @@ def test_what_a_cycle_at_an_onset_is_asked_with(stick_slip: Any) -> None:
 
 def test_a_kink_is_named_by_its_line() -> None:
     model = ss.load("mode_coupling")
-    onsets = model.flutter_onsets(model.Parameters(V=0.0), "mu0", damping=True, between={"mu0": (0.0, 2.0)})
+    onsets = ss.flutter_onsets(model.Parameters(V=0.0), "mu0", damping=True, between={"mu0": (0.0, 2.0)})
     line = int(onsets.why[0].split("line ")[1].split()[0])
     text = (Path(ss.__file__).parent / "derive" / "models" / "mode_coupling.py").read_text(encoding="utf-8")
     assert "page.friction(" in text.splitlines()[line - 1]

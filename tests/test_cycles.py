@@ -599,7 +599,7 @@ def test_each_half_of_a_doubled_cycle_touches_where_it_does() -> None:
 def test_a_family_of_cycles_at_one_value_has_no_events() -> None:
     """x stays 0 and y swings by itself, as far as one likes: two multipliers are 1, and what is told from them is rounding."""
     model = ss.load("mode_coupling")
-    onsets = model.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 3.0)})
+    onsets = ss.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 3.0)})
     branch = model.cycle_branch(model.cycle(onset=onsets, index=0), "mu0", (0.2, 0.3), points=30)
     assert branch.values == pytest.approx(0.25 / -math.expm1(-5.0), abs=1e-12)
     assert {(event.kind, event.how) for event in branch.events} == {("end", branches.VERTICAL)}

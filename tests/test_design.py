@@ -466,7 +466,7 @@ def test_folds_say_what_the_path_does() -> None:
     p = families.random(np.random.default_rng(21), 24)
     seen = set()
     for i in range(24):
-        found = ss.folds(one(p, i), "mu0", negative_friction=False)
+        found = ss.folds(one(p, i), "mu0")
         for k in range(found.mu0.size):
             value, rising = float(found.mu0[k]), found.when[k] == "up"
             before, after = value * (1 - 1e-6), value * (1 + 1e-6)

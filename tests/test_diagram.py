@@ -42,7 +42,7 @@ def of(found: ss.Diagram, label: str) -> list[float]:
 @pytest.mark.thorough
 def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
     model = ss.load("stick_slip")
-    onsets = model.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
+    onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
     assert of(born, "H") == pytest.approx(onsets.V.tolist(), abs=1e-9)
     (rest,), (cycles,) = born.equilibria, born.cycles
     assert (rest.stable == (rest.values < onsets.V[0])).all()
@@ -56,7 +56,7 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
 @pytest.mark.thorough
 def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
     model = ss.load("stick_slip")
-    onsets = model.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
+    onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
     found = ss.diagram(model.Parameters(), "V", (0.08, 0.2), points=40, starts=[model.cycle(onset=onsets, index=0)])
     assert len(found.cycles) == 1
 

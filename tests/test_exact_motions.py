@@ -87,7 +87,7 @@ def test_a_branch_of_small_cycles_goes_as_far_as_one_of_large_ones(scaled: Any, 
     assert small.period == pytest.approx(large.period, rel=1e-9)
     one, other = ss.cycle_branch(large, "V", (0.05, 2.0)), ss.cycle_branch(small, "V", (0.05 * unit, 2.0 * unit))
     assert [(event.kind, event.how) for event in one.events] == [(event.kind, event.how) for event in other.events]
-    onset = own.flutter_onsets(own.Parameters(), vary="V").V[0]
+    onset = ss.flutter_onsets(own.Parameters(), vary="V").V[0]
     ends = [one.events[0], other.events[0]]
     for end, width in zip(ends, (1.0, unit), strict=True):
         assert abs(end.value / width - onset) < 2 * end.error / width + 1e-6

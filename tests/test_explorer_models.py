@@ -46,7 +46,7 @@ def opened(browser: Any, url: str) -> Iterator[tuple[Explorer, Any]]:
 def test_a_state_is_carried_over_a_fold_and_back(opened: tuple[Explorer, Any]) -> None:
     """Up over the fold that Python proves, by slider and by key; back, and it has not returned."""
     explorer, model = opened
-    folds = np.degrees(model.folds(model.Parameters(theta0=0.5), "theta0").theta0)
+    folds = np.degrees(ss.folds(model.Parameters(theta0=0.5), "theta0").theta0)
     fold = float(min(folds[folds > 30]))
     explorer.page.fill("#theta0_deg", f"{fold - 0.2:.6f}".replace(".", ","))
     assert "jumped" not in explorer.says()

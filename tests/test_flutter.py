@@ -14,6 +14,7 @@ import pytest
 import spragsym as ss
 from spragsym.exact.intervals import Arithmetic
 from spragsym.generated import stability
+from spragsym.kang_nam.catastrophe import flutter_points
 from spragsym.kang_nam.statics import kernel
 from tests.support import exact_onsets, middle_of
 from validation.flutter import compare, random_set
@@ -53,7 +54,7 @@ def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
     ss.Parameters.article(mu0=6.0, alpha=1e-6), ss.Parameters.article(mu0=1.0, alpha=1.0),
 ])  # fmt: skip
 def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arith: Arithmetic) -> None:
-    found = ss.flutter_onsets(p, arith=arith, damping=False)
+    found = flutter_points.flutter_onsets(p, arith=arith, damping=False)
     assert len(found) >= 1
     assert (found.mu0 == float(p.mu0)).all()
     with mpmath.workdps(110):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+import spragsym as ss
 from tests.support import model_of
 from tests.test_documents import ROOT, assert_shown, commands, run
 
@@ -35,12 +36,12 @@ def test_around_a_torsion_spring_searches_end_soon_and_say_why() -> None:
     """Its force has no bound at the anchor, which comes down to the belt at both ends of the range of θ₀."""
     files = dict(re.findall(r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", PAGE.read_text("utf-8"), re.M | re.S))
     model = model_of(files["soft_brake.py"], "soft_brake")
-    found = model.folds(model.Parameters(), "theta0")
+    found = ss.folds(model.Parameters(), "theta0")
     assert not found.complete
     assert 0 < len(found.undecided) < 10
     assert all(min(abs(box[2, 0]), abs(box[2, 1] - 3.14159)) < 0.01 for box in found.undecided)
     assert "its force has no bound there" in found.remarks[0]
-    assert model.folds(model.Parameters(), "theta0", between={"theta0": (0.1, 3.0)}).complete
+    assert ss.folds(model.Parameters(), "theta0", between={"theta0": (0.1, 3.0)}).complete
 
 
 def test_the_page_of_other_tests_is_the_one_that_is_shown() -> None:

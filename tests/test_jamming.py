@@ -23,7 +23,7 @@ def test_a_stiff_wall_is_jammed_at_the_closed_form(degrees: float) -> None:
     theta0 = math.radians(degrees)
     away = []
     for kappa in (1e-4, 1e-6, 1e-8):
-        found = ROD.folds(ROD.Parameters(theta0=theta0, kappa=kappa), "mu0", between={"mu0": (0.0, 1.5)})
+        found = ss.folds(ROD.Parameters(theta0=theta0, kappa=kappa), "mu0", between={"mu0": (0.0, 1.5)})
         assert found.complete
         assert len(found) == 1
         away.append(math.tan(theta0) - float(found.mu0[0]))
@@ -36,7 +36,7 @@ def test_the_normal_force_below_jamming() -> None:
     """N = k_t ψ/(l (sin θ₀ − μ cos θ₀)), at a stiff wall."""
     theta0, kappa = math.radians(40.0), 1e-9
     p = ROD.Parameters(theta0=theta0, kappa=kappa, mu0=np.array([0.0, 0.3, 0.6, 0.8]))
-    eq = ROD.equilibria(p)
+    eq = ss.equilibria(p)
     assert eq.complete
     phi = np.array([max(row) for row in np.where(np.isnan(eq.phi), -9.0, eq.phi)])
     depth = [float(mpmath.cos(mpmath.mpf(one)) - mpmath.cos(mpmath.mpf(theta0))) for one in phi]
@@ -49,7 +49,7 @@ def test_folds_of_the_rod_against_its_balance_by_hand() -> None:
     """κ (φ − θ₀ + ψ) = N (sin φ − μ cos φ), N = cos φ − cos θ₀, and its derivative."""
     with mpmath.workdps(30):
         for theta0 in (0.4, 0.9):
-            found = ROD.folds(ROD.Parameters(theta0=theta0), "mu0", between={"mu0": (0.0, 2.0)})
+            found = ss.folds(ROD.Parameters(theta0=theta0), "mu0", between={"mu0": (0.0, 2.0)})
             assert found.complete
             assert len(found) >= 1
             for phi, mu in zip(found.phi, found.mu0, strict=True):
@@ -72,10 +72,10 @@ def test_the_pad_rests_as_the_mass_of_the_article_on_both_stiffnesses() -> None:
     """The disc is a spring in a row with the contact; the piston adds none, since it hands on its force."""
     row = 1.0 / (1.0 + 1.0 / 4.0)
     theta0 = np.radians([30.0, 40.0, 49.0, 70.0])
-    pad = PAD.equilibria(PAD.Parameters(theta0=theta0))
+    pad = ss.equilibria(PAD.Parameters(theta0=theta0))
     article = ss.load("kang_nam")
     changed = {name: article.base[name] / row for name in ("kappa", "alpha", "sigma")}
-    mass = article.equilibria(article.Parameters(theta0=theta0, **changed))
+    mass = ss.equilibria(article.Parameters(theta0=theta0, **changed))
     assert pad.complete
     assert pad.count.tolist() == mass.count.tolist()
     for place, count in enumerate(pad.count):
@@ -86,6 +86,6 @@ def test_the_pad_rests_as_the_mass_of_the_article_on_both_stiffnesses() -> None:
             )
         np.testing.assert_allclose(pad.w[place, order], mass.y[place, other] * row / 4.0, rtol=1e-11)
         np.testing.assert_allclose(pad.z[place, order] - pad.y[place, order], -0.007 / 0.5, rtol=1e-11)
-    ours = PAD.folds(PAD.Parameters(), "theta0")
-    theirs = article.folds(article.Parameters(**changed), "theta0")
+    ours = ss.folds(PAD.Parameters(), "theta0")
+    theirs = ss.folds(article.Parameters(**changed), "theta0")
     np.testing.assert_allclose(np.sort(ours.theta0), np.sort(theirs.theta0), rtol=1e-11)

@@ -64,7 +64,7 @@ def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool
     outcome = equilibria(penalty, DRAWN["penalty"], SHALLOW, contact, np.random.default_rng(1))
     assert outcome["wrong"] == []
     assert outcome["undecided"] == 0
-    assert int(penalty.equilibria(penalty.Parameters(**SHALLOW), contact).count) == (3 if contact else 1)
+    assert int(ss.equilibria(penalty.Parameters(**SHALLOW), contact).count) == (3 if contact else 1)
 
 
 @pytest.mark.thorough
@@ -96,20 +96,20 @@ def test_a_shallow_penetration_keeps_its_digits() -> None:
 
 WRONG: dict[str, tuple[Callable[[Any, Any], Any], str]] = {
     "another model's parameters": (
-        lambda m, p: m.equilibria(ss.load("trolley").Parameters(theta0=1.0)),
+        lambda m, p: ss.equilibria(ss.load("trolley").Parameters(theta0=1.0)),
         "no set of parameters of kang",
     ),
-    "no parameters": (lambda m, p: m.folds(None), "p = None is no set of parameters of kang_nam"),
+    "no parameters": (lambda m, p: ss.folds(None), "p = None is no set of parameters of kang_nam"),
     "their class": (lambda m, p: m.bifurcation_set(type(p)), "no set of parameters of kang_nam"),
-    "a regime by name": (lambda m, p: m.equilibria(p, contact="lift-off"), "contact = 'lift-off' is neither True"),
-    "a regime by number": (lambda m, p: m.equilibria(p, contact=2), "contact = 2 is neither True"),
-    "a list of names": (lambda m, p: m.folds(p, vary=["theta0"]), "is not a parameter of this model"),
-    "one name": (lambda m, p: m.cusps(p, ("mu0", "mu0")), "give two different parameters"),
-    "a range by itself": (lambda m, p: m.folds(p, between=(0.5, 1.0)), "between = .* is no mapping"),
-    "one end": (lambda m, p: m.folds(p, between={"theta0": (1,)}), "is no range"),
-    "a range of text": (lambda m, p: m.folds(p, between={"theta0": "ab"}), "not text"),
-    "an endless range": (lambda m, p: m.folds(p, vary="mu0", between={"mu0": (0, np.inf)}), "is not in"),
-    "beyond the range": (lambda m, p: m.folds(p, between={"theta0": (0, 9)}), "leaves the range of theta0"),
+    "a regime by name": (lambda m, p: ss.equilibria(p, contact="lift-off"), "contact = 'lift-off' is neither True"),
+    "a regime by number": (lambda m, p: ss.equilibria(p, contact=2), "contact = 2 is neither True"),
+    "a list of names": (lambda m, p: ss.folds(p, vary=["theta0"]), "is not a parameter of this model"),
+    "one name": (lambda m, p: ss.cusps(p, ("mu0", "mu0")), "give two different parameters"),
+    "a range by itself": (lambda m, p: ss.folds(p, between=(0.5, 1.0)), "between = .* is no mapping"),
+    "one end": (lambda m, p: ss.folds(p, between={"theta0": (1,)}), "is no range"),
+    "a range of text": (lambda m, p: ss.folds(p, between={"theta0": "ab"}), "not text"),
+    "an endless range": (lambda m, p: ss.folds(p, vary="mu0", between={"mu0": (0, np.inf)}), "is not in"),
+    "beyond the range": (lambda m, p: ss.folds(p, between={"theta0": (0, 9)}), "leaves the range of theta0"),
     "a start of a path": (lambda m, p: m.quasi_static_path(p, "mu0", [0.1, 0.2], start=[0.0]), "start = .* slots 0 to 0"),
     "one end of a bracket": (lambda m, p: m.fate_boundary(p, vary="mu0", bracket=(1,)), "is no range; give its two ends"),
     "a saddle of one number": (lambda m, p: m.basin_boundary(p, plane=("x", "vx"), saddle=[1.0]), "saddle has the shape"),

@@ -59,7 +59,7 @@ def by_hand(q: Any, mu: float) -> Any:
 
 @pytest.mark.thorough
 def test_a_pair_that_is_born_far_away_does_not_stop_a_path(pad: Any) -> None:
-    folds = pad.folds(pad.Parameters(), vary="mu0", between={"mu0": (0.0, 1.0)})
+    folds = ss.folds(pad.Parameters(), vary="mu0", between={"mu0": (0.0, 1.0)})
     born, ends = folds.mu0.tolist()
     assert (folds.ends.tolist(), folds.when.tolist()) == (["upper", "lower"], ["down", "up"])
     values = [0.4, 0.5 * (born + ends), 0.6]

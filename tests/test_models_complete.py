@@ -59,7 +59,7 @@ def by_hand(p: Any, mu: float) -> np.ndarray:
 def test_states_far_away_are_found_or_not_complete(coupled: Any, mu: float) -> None:
     for b in (-0.5, 0.5, 0.05):
         p = coupled.Parameters(mu0=mu, b=b)
-        eq = coupled.equilibria(p)
+        eq = ss.equilibria(p)
         want = by_hand({**coupled.base, "b": b}, mu)
         assert not eq.complete or int(eq.count) == want.size
         assert eq.complete or eq.remarks
@@ -71,13 +71,13 @@ def test_a_box_by_hand_holds_what_it_holds(coupled: Any) -> None:
     """Beyond it nothing is said to be none."""
     model = ss.load("kang_nam").search
     p = model.Parameters(theta0=np.radians(30.0))
-    every = model.equilibria(p)
-    some = model.equilibria(p, within={"x": (0.0, 0.5)})
+    every = ss.equilibria(p)
+    some = ss.equilibria(p, within={"x": (0.0, 0.5)})
     assert every.complete
     assert not some.complete
     assert int(some.count) == ((every.x >= 0) & (every.x <= 0.5)).sum() > 0
     assert any("searched within x in [0, 0.5]" in text for text in some.remarks)
-    assert model.equilibria(p, within={"x": (-50.0, 50.0), "y": (-50.0, 1.0)}).complete
+    assert ss.equilibria(p, within={"x": (-50.0, 50.0), "y": (-50.0, 1.0)}).complete
     assert str(some).count("searched within") == 1
 
 
@@ -93,20 +93,20 @@ def test_a_box_by_hand_holds_what_it_holds(coupled: Any) -> None:
 def test_a_box_that_makes_no_sense(within: Any, error: type[Exception]) -> None:
     model = ss.load("kang_nam").search
     with pytest.raises(error, match="within"):
-        model.equilibria(model.Parameters(theta0=1.0), within=within)
+        ss.equilibria(model.Parameters(theta0=1.0), within=within)
 
 
 @pytest.mark.thorough
 def test_a_range_that_was_cut_is_not_complete() -> None:
     model = ss.load("kang_nam").search
     p = model.Parameters(theta0=1.0)
-    cut, asked = model.folds(p, "mu0"), model.folds(p, "mu0", between={"mu0": (0.0, 10.0)})
+    cut, asked = ss.folds(p, "mu0"), ss.folds(p, "mu0", between={"mu0": (0.0, 10.0)})
     assert cut.mu0.tolist() == asked.mu0.tolist()  # both by search
     assert (cut.complete, asked.complete) == (False, True)
     assert any("mu0 in [0, 10]" in text for text in cut.remarks)
     assert "from 0 to 10" in str(asked)
-    assert not model.cusps(p).complete
-    assert model.cusps(p, between={"mu0": (0.0, 1.0)}).complete
+    assert not ss.cusps(p).complete
+    assert ss.cusps(p, between={"mu0": (0.0, 1.0)}).complete
 
 
 @pytest.mark.thorough
@@ -128,7 +128,7 @@ def test_nothing_is_incomplete_without_a_reason(name: str) -> None:
     model = ss.load(name).search
     p = model.Parameters(**({"theta0": 1.1} if "theta0" in model.parameters else {}))
     for vary in model.parameters:
-        for search in (model.folds, model.flutter_onsets):
+        for search in (ss.folds, ss.flutter_onsets):
             found = search(p, vary)
             assert found.complete == (not found.remarks)
 

@@ -17,7 +17,7 @@ from tests.support import few
 def test_a_region_without_width_holds_its_equilibrium():
     # x = μ at rest, and μ = 0: the springs' pull bounds x by 0 on both sides.
     model = ss.load("stick_slip")
-    eq = model.equilibria(model.Parameters(mu_s=[0.0, 0.3], V=[0.5, 0.0]))
+    eq = ss.equilibria(model.Parameters(mu_s=[0.0, 0.3], V=[0.5, 0.0]))
     assert eq.complete
     assert eq.count.tolist() == [1, 1]
     assert eq.x.tolist() == [[0.0], [0.0]]
@@ -31,7 +31,7 @@ def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, ons
     # At σ = 0 nothing damps the direction across the belt, in any state.
     model = ss.load(name).search
     p = model.Parameters(**({"theta0": 1.0} if "theta0" in model.parameters else {}))
-    found = model.flutter_onsets(p, vary)
+    found = ss.flutter_onsets(p, vary)
     assert found.decided
     assert len(found) == onsets
     assert (getattr(found, vary) > 1e-3).all()
@@ -40,15 +40,15 @@ def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, ons
 @pytest.mark.thorough
 def test_a_belt_at_rest_has_no_onset():
     model = ss.load("stribeck")
-    assert model.flutter_onsets(model.Parameters(V=0.0), "theta0").complete
-    assert model.flutter_onsets(model.Parameters(theta0=1.0), "d").decided
+    assert ss.flutter_onsets(model.Parameters(V=0.0), "theta0").complete
+    assert ss.flutter_onsets(model.Parameters(theta0=1.0), "d").decided
 
 
 @pytest.mark.thorough
 def test_a_law_that_would_jump_at_the_end_of_its_range():
     # Where v_s goes to 0 the slope of Stribeck's law has a limit that is not 0, but no bound in a box that holds 0.
     model = ss.load("stribeck")
-    found = model.flutter_onsets(model.Parameters(theta0=1.0), "v_s")
+    found = ss.flutter_onsets(model.Parameters(theta0=1.0), "v_s")
     assert found.decided
     assert 0 < found.region[-1, 0] < 1e-90
     with mp.workdps(30):
@@ -68,7 +68,7 @@ def test_a_law_that_would_jump_at_the_end_of_its_range():
 def test_folds_beside_a_cusp(vary, off):
     model = ss.load("kang_nam").search
     given = {"mu0": {"theta0": 1.1871896863225868 + off}, "theta0": {"mu0": 0.20093178180509016 + off}}[vary]
-    found = model.folds(model.Parameters(**given), vary)
+    found = ss.folds(model.Parameters(**given), vary)
     known = ss.folds(ss.Parameters.article(**({"theta0": None} | given)), vary)
     assert found.decided
     assert np.allclose(getattr(found, vary), getattr(known, vary), rtol=0, atol=1e-12)
@@ -83,7 +83,7 @@ def test_beside_a_line_of_equilibria_all_is_decided(name):
     # Without friction and spring along the belt nothing but the inclined spring, sigma > 0, holds the mass along the belt.
     model = ss.load(name).search
     angle = {"theta0": 1.0} if name == "kang_nam" else {}
-    found = model.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
+    found = ss.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
     assert found.decided
     assert len(found) == 0
     assert 0 < found.region[-1, 0] < 1e-90
@@ -100,7 +100,7 @@ def with_a_line(monkeypatch):
 def test_a_line_of_equilibria_is_said_in_a_line(with_a_line):
     model = with_a_line
     p = model.Parameters(mu0=0.0, alpha=0.0)
-    found = model.folds(p, "sigma")
+    found = ss.folds(p, "sigma")
     assert not found.complete
     assert len(found.undecided) < 5
     assert any("sigma = 0 det K is 0 in every state" in remark for remark in found.remarks)
@@ -148,7 +148,7 @@ def test_a_stiff_spring_on_a_trolley_off_the_belt():
         theta0=rng.uniform(0.1, 3.0, 6), kappa=10 ** rng.uniform(-4, 0, 6), alpha=10 ** rng.uniform(-3, 1, 6),
         sigma=10.0 ** np.array([1, 3, 5, 7, 9, 8]), beta=[0.0, 0.0, 0.1, 1.0, 0.0, 10.0], alpha_a=10 ** rng.uniform(-2, 3, 6),
     )  # fmt: skip
-    eq = model.equilibria(p, contact=False)
+    eq = ss.equilibria(p, contact=False)
     assert eq.complete
     theta = np.linspace(-np.pi, np.pi, 200_002)[1:]
     c, s = np.cos(theta), np.sin(theta)
@@ -202,6 +202,6 @@ def test_what_is_undecided_is_listed(with_a_line, run):
 def test_a_slope_that_no_float_tells_from_0_has_its_sign():
     # Without friction at fast sliding the slope is a multiple of e^(−V/v_s), and the sign of the other factor is known.
     model = ss.load("stribeck")
-    found = model.flutter_onsets(model.Parameters(theta0=2.5, mu_k=0.0, mu_s=0.4), "v_s")
+    found = ss.flutter_onsets(model.Parameters(theta0=2.5, mu_k=0.0, mu_s=0.4), "v_s")
     assert found.decided
     assert not any("undecided" in text for text in found.remarks)

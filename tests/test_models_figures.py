@@ -52,7 +52,7 @@ def test_curves_pass_through_all_equilibria(name, ax):
     found = figures.branches(p, vary, n=120)
     low, high = min(one.values[0] for one in found), max(one.values[-1] for one in found)
     values = low + (high - low) * np.random.default_rng(2).uniform(0.02, 0.98, 40)
-    eq = model.equilibria(p.replace(**{vary: values}))
+    eq = ss.equilibria(p.replace(**{vary: values}))
     for i, value in enumerate(values):
         passing = [one for one in found if one.values[0] <= value <= one.values[-1]]
         assert len(passing) == eq.count[i]
@@ -61,7 +61,7 @@ def test_curves_pass_through_all_equilibria(name, ax):
             slot = int(np.nanargmin(away))
             assert away[slot] < 0.02
             assert one.stability == eq.stability[i, slot]
-    turns = model.folds(p, vary, between={vary: (float(low), float(high))})
+    turns = ss.folds(p, vary, between={vary: (float(low), float(high))})
     for value, state in zip(getattr(turns, vary), getattr(turns, first), strict=True):
         ends = [(one.values[end], one.states[first][end]) for one in found for end in (0, -1)]
         assert sum(at == pytest.approx(value, abs=1e-9) and place == pytest.approx(state, abs=1e-6) for at, place in ends) == 2
@@ -144,7 +144,7 @@ def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, run):
 @pytest.mark.thorough
 def test_the_window_of_a_bifurcation_set_holds_every_cusp_that_was_found() -> None:
     model = ss.load("two_springs")
-    cusps = model.cusps(model.Parameters(), ("theta0", "mu0"))
+    cusps = ss.cusps(model.Parameters(), ("theta0", "mu0"))
     assert (
         window(model, ("theta0", "mu0"), {})["mu0"][1] < cusps.mu0.max() < window(model, ("theta0", "mu0"), {}, cusps)["mu0"][1]
     )

@@ -26,7 +26,7 @@ def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stif
     # spring, whatever its stiffness, or an upright one with L − 1 = (sin θ₀ − 1 + κ)/(1 + σ): κ alone changes its sign.
     model = ss.load("trolley")
     p = model.Parameters(mu0=0.0, alpha=0.0, theta0=theta0)
-    for found in (model.folds(p, vary), model.flutter_onsets(p, vary)):
+    for found in (ss.folds(p, vary), ss.flutter_onsets(p, vary)):
         assert found.decided
         assert len(found) == 0
         assert not any("undecided" in text for text in found.remarks)
@@ -35,7 +35,7 @@ def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stif
 @pytest.mark.thorough
 def test_the_pitchfork_of_a_trolley_that_nothing_pulls_along_the_belt():
     model = ss.load("trolley")
-    found = model.folds(model.Parameters(mu0=0.0, alpha=0.0, theta0=1.0, sigma=0.3), "kappa")
+    found = ss.folds(model.Parameters(mu0=0.0, alpha=0.0, theta0=1.0, sigma=0.3), "kappa")
     assert found.decided
     assert found.kind.tolist() == ["pitchfork"]
     assert abs(found.kappa[0] - (1 - np.sin(1.0))) < 1e-12
@@ -52,7 +52,7 @@ def test_a_force_without_a_potential_can_bring_flutter_without_friction():
     )
     model = model_of(text, "follower")
     assert not model.about["symmetric"]
-    found = model.flutter_onsets(model.Parameters(V=0.0, sigma=0.5), "P")
+    found = ss.flutter_onsets(model.Parameters(V=0.0, sigma=0.5), "P")
     assert found.decided
     assert found.kind.tolist() == ["hopf"]
     assert abs(found.P[0] - 0.25) < 1e-12
@@ -67,7 +67,7 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
     threshold = ((1 - alpha) ** 2 + sigma**2) / (2 * sigma)
     mu0 = threshold + np.arange(-4, 5)[:, None] * np.spacing(threshold)
     model = ss.load("mode_coupling")
-    eq = model.equilibria(model.Parameters(mu0=mu0, alpha=alpha, sigma=sigma))
+    eq = ss.equilibria(model.Parameters(mu0=mu0, alpha=alpha, sigma=sigma))
     assert eq.complete
     assert (eq.count == 1).all()
     for place in np.ndindex(mu0.shape):
@@ -80,10 +80,10 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
 @pytest.mark.thorough
 def test_two_states_beside_a_fold_differ_by_the_proved_sign_of_their_stiffness():
     model = ss.load("kang_nam").search
-    fold = model.folds(model.Parameters(theta0=1.0), "mu0", between={"mu0": (0.0, 2.0)})
+    fold = ss.folds(model.Parameters(theta0=1.0), "mu0", between={"mu0": (0.0, 2.0)})
     for at in fold.mu0:
         values = at + np.array([-8, -4, -2, 2, 4, 8]) * np.spacing(at) * 2.0**8
-        eq = model.equilibria(model.Parameters(theta0=1.0, mu0=values))
+        eq = ss.equilibria(model.Parameters(theta0=1.0, mu0=values))
         assert eq.complete
         assert sorted(set(eq.count.tolist())) == [int(eq.count.min()), int(eq.count.min()) + 2]
         assert not eq.marginal.any()
@@ -97,7 +97,7 @@ def test_three_coordinates_flutter_where_sturm_counts_too_few_real_roots():
     rng = np.random.default_rng(4)
     model = ss.load("trolley")
     changes = {"theta0": rng.uniform(0.2, 2.9, 60), "mu0": rng.uniform(0.0, 3.0, 60), "nu_a": rng.uniform(0.05, 2.0, 60)}
-    eq = model.equilibria(model.Parameters(**changes))
+    eq = ss.equilibria(model.Parameters(**changes))
     seen = set()
     for place, slot in np.argwhere(eq.stability > 0):
         q = [sp.Rational(float(getattr(eq, name)[place, slot])) for name in model.coordinates]
@@ -170,12 +170,12 @@ def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
     # dμ/dv = μ₀ d e^(−d V) is never 0, and Stribeck's with μ_k = 0 is e^(−V/v_s) times what is 0 at one v_s only, beyond 10.
     article = ss.load("kang_nam").search
     for vary in ("V", "d"):
-        found = article.flutter_onsets(article.Parameters(theta0=2.5, V=13.2, d=107.8), vary)
+        found = ss.flutter_onsets(article.Parameters(theta0=2.5, V=13.2, d=107.8), vary)
         assert found.decided
         assert len(found) == 0
     stribeck = ss.load("stribeck")
     p = stribeck.Parameters(theta0=1.0, mu_k=0.0)
-    found = stribeck.flutter_onsets(p, "v_s")
+    found = ss.flutter_onsets(p, "v_s")
     assert found.decided
     assert not any("undecided" in text for text in found.remarks)
     _crosses(stribeck, p, found, "v_s")
@@ -190,7 +190,7 @@ def test_an_onset_that_more_digits_do_not_prove_is_kept():
         sigma=0.049769325988967605, beta=0.2578522662237829, zeta_x=0.18676578516369519, zeta_y=0.0016447809758024315,
         V=0.06916325233881838, d=0.4435031872587287,
     )  # fmt: skip
-    found = model.flutter_onsets(p, "zeta_s")
+    found = ss.flutter_onsets(p, "zeta_s")
     assert found.decided
     assert len(found) == 2
     _crosses(model, p, found, "zeta_s")
@@ -200,7 +200,7 @@ def test_an_onset_that_more_digits_do_not_prove_is_kept():
 def test_what_is_open_at_an_end_without_friction_is_said():
     # At mu0 = 0 the spring stands upright, and K₁₂ K₂₁ vanishes with the square of mu0.
     model = ss.load("inclined_belt")
-    found = model.flutter_onsets(model.Parameters(theta0=1.17, psi=-1.15, alpha=0.0, gamma_g=0.0, sigma=0.067), "mu0")
+    found = ss.flutter_onsets(model.Parameters(theta0=1.17, psi=-1.15, alpha=0.0, gamma_g=0.0, sigma=0.067), "mu0")
     assert found.complete or any("hold the end mu0 = 0" in remark and "K is symmetric" in remark for remark in found.remarks)
 
 
@@ -210,7 +210,7 @@ def _crosses(model, p, found, vary):
         unstable = []
         for factor in (1 - 1e-4, 1 + 1e-4):
             beside = p.replace(**{vary: float(at * factor)})
-            eq = model.equilibria(beside)
+            eq = ss.equilibria(beside)
             states = np.array([getattr(eq, name) for name in model.coordinates])
             given = np.array([[float(getattr(beside, name))] * states.shape[1] for name in model.parameters])
             parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(Balance(model, True), states, given))
@@ -265,6 +265,6 @@ def test_what_ends_at_a_fold_is_undecided_where_the_search_at_it_finds_nothing(m
     found = ss.folds(p, vary="mu0", between={"mu0": (0.3, 0.8)}, method="search")
     real = fold_outcomes.equilibria
     given_up = {"x": (50.0, 51.0)}  # where no state is
-    monkeypatch.setattr(fold_outcomes, "equilibria", lambda model, q: real(model, q, within=None if q.shape else given_up))
+    monkeypatch.setattr(fold_outcomes, "equilibria", lambda q, **way: real(q, within=None if q.shape else given_up, **way))
     assert found.ends.tolist() == found.when.tolist() == ["undecided"]
     assert np.isnan(found.after["x"]).all()

@@ -176,7 +176,7 @@ def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same
     column = model_of(COLUMN, "column")
     p = column.Parameters()
     (jump,) = column.quasi_static_path(p, "P", [0.1, 0.5], start=3).jumps
-    folds = column.folds(p, vary="P", between={"P": (0.01, 1.0)})
+    folds = ss.folds(p, vary="P", between={"P": (0.01, 1.0)})
     y = min(np.roots([1.0, 0.0, -1.5, 2 / 27**0.5]).real)
     for after in (jump.after, {name: float(folds.after[name][0]) for name in ("x", "y")}):
         assert (after["x"], after["y"]) == pytest.approx((np.sqrt(-y), y), abs=1e-12)
@@ -195,7 +195,7 @@ def test_a_mirror_may_exchange_two_springs() -> None:
         return float(2 * (rest - np.hypot(1, y)) * y / np.hypot(1, y))
 
     y = brentq(lambda y: 1 - rest / np.hypot(1, y) + rest / np.hypot(1, y) ** 3, 2.0, 3.0, xtol=1e-15)
-    found = arch.folds(p, "P", between={"P": (0.7, 0.8)})
+    found = ss.folds(p, "P", between={"P": (0.7, 0.8)})
     assert found.complete
     assert found.kind.tolist() == ["pitchfork"]
     assert (found.P[0], found.x[0], found.y[0]) == pytest.approx((load(y), 0.0, y), abs=1e-12)

@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
+import spragsym as ss
 from spragsym.models.catastrophe.paths import first_end
 from tests.oracles.gap_pages import HANDS
 from tests.support import few, model_of
@@ -52,7 +53,7 @@ def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
     model, hand = models["rod"], HANDS["rod"]
     for psi in np.linspace(-1.5, 1.5, 31):
         p = model.Parameters(psi=psi, tau=0.3)
-        eq = model.equilibria(p)
+        eq = ss.equilibria(p)
         phi = np.linspace(-np.arccos(0.9), np.arccos(0.9), 4001)
         values = hand.forces([phi], {**model.base, "psi": psi, "tau": 0.3}, 1)[0]
         assert int(eq.count) == (np.diff(np.sign(values)) != 0).sum()
@@ -63,7 +64,7 @@ def test_a_belt_that_hardens_bounds_where_its_states_are(models: dict[str, Any])
     """Depths below 0, from which the law would pull the harder the deeper, widen no region: some hundred boxes for 20,000."""
     model, hand = models["sledge"], HANDS["sledge"]
     p = model.Parameters(tau=[0.01, 0.02, 0.05], psi=1.2)
-    eq = model.equilibria(p)
+    eq = ss.equilibria(p)
     assert eq.complete
     assert eq.decided.all()
     # No force turns the rod farther than the largest normal force at its largest lever does.
@@ -103,7 +104,7 @@ def test_a_state_on_the_border_says_so(models: dict[str, Any]) -> None:
     model = models["rail"]
     p = model.Parameters(kappa=0.0, mu0=0.0)
     for contact in (True, False):
-        eq = model.equilibria(p, contact=contact)
+        eq = ss.equilibria(p, contact=contact)
         at_zero = [box for box in eq.undecided if all(low <= 0 <= high for low, high in zip(box.low, box.high, strict=True))]
         assert at_zero
         assert not eq.complete
@@ -120,7 +121,7 @@ def test_a_gap_smaller_than_floats_tell_has_a_sign(models: dict[str, Any]) -> No
         with mpmath.workdps(50):
             open_ = mpmath.mpf(eta) - mpmath.cos(mpmath.mpf(float(psi))) > 0
         for contact in (True, False):
-            eq = model.equilibria(p, contact=contact)
+            eq = ss.equilibria(p, contact=contact)
             here = np.abs(eq.phi[: int(eq.count)] - psi) < 1e-9
             assert eq.complete
             assert here.sum() == (open_ != contact)
@@ -152,7 +153,7 @@ def wedge() -> Any:
 @pytest.mark.thorough
 def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:
     """N = κ, so that phi is a root of a quartic, and the depth of a cubic."""
-    eq = wedge.equilibria(wedge.Parameters())
+    eq = ss.equilibria(wedge.Parameters())
     # 0.2 (phi − 0.5) = 0.2 (0.3 − 2 phi/(1 + phi²) − 0.3 phi²), times 1 + phi²; depth + depth³ = 0.2
     roots = np.roots([0.3, 1, 0.3 - 0.8, 3, -0.8])
     assert eq.decided
@@ -161,8 +162,8 @@ def test_powers_of_a_gap_that_bends_are_not_expanded(wedge: Any) -> None:
 
 @pytest.mark.thorough
 def test_a_force_that_nothing_balances_leaves_no_state_anywhere(wedge: Any) -> None:
-    off = wedge.equilibria(wedge.Parameters(), contact=False)
+    off = ss.equilibria(wedge.Parameters(), contact=False)
     assert int(off.count) == 0
     assert off.complete
-    held = wedge.equilibria(wedge.Parameters(kappa=0.0), contact=False)  # then y is free
+    held = ss.equilibria(wedge.Parameters(kappa=0.0), contact=False)  # then y is free
     assert not held.complete

@@ -51,7 +51,7 @@ def test_stable_is_only_what_does_not_grow(name: str, method: str) -> None:
         values |= {key: float(rng.uniform(0.1, 3.0)) for key in model.parameters if key.startswith("theta")}
         p = model.Parameters(**values)
         for contact in (True, False) if model.about["contact"]["unilateral"] else (True,):
-            eq = model.equilibria(p, contact=contact, method=method)
+            eq = ss.equilibria(p, contact=contact, method=method)
             for slot in range(int(eq.count)):
                 most = float(max(value.real for value in eigenvalues(model, eq, slot, p)))
                 kind = str(eq.kind[slot])
@@ -99,7 +99,7 @@ def test_without_any_damper_flutter_grows() -> None:
     pytest.importorskip("sympy")
     model = model_of(COLUMN, "ziegler")
     load = np.array([1.0, 2.08, 2.09, 3.0, 4.0, 4.9, 5.0])
-    eq = model.equilibria(model.Parameters(P=load))
+    eq = ss.equilibria(model.Parameters(P=load))
     squares = np.array([np.roots([2, 2 * value - 7, 1]) for value in load])
     by_hand = np.abs(np.emath.sqrt(-squares).real).max(axis=1)
     assert eq.growth[:, 0] == pytest.approx(by_hand, abs=1e-9)
@@ -185,7 +185,7 @@ def test_a_path_says_what_grows() -> None:
     """Where the law of friction falls the state of `stribeck` grows, though (27) calls it stable."""
     model = ss.load("stribeck")
     path = model.quasi_static_path(model.Parameters(theta0=1.0), "V", [0.3, 0.6])
-    eq = model.equilibria(model.Parameters(theta0=1.0, V=path.values))
+    eq = ss.equilibria(model.Parameters(theta0=1.0, V=path.values))
     for row in range(2):
         slot = int(np.abs(eq.x[row] - path.x[row]).argmin())
         assert path.kind[row] == eq.kind[row, slot]

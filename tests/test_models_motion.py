@@ -188,7 +188,7 @@ def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():
     sweep = model.rms_sweep(model.Parameters(theta0=np.radians([30.0, 60.0]), **more), x0=[[0.0], [1.5]], t_end=200.0, rtol=1e-8)
     # At the friction μ(V), which the motion feels.
     friction = 0.7 * (1 - np.exp(-model.base["V"] * model.base["d"]))
-    eq = model.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0]), **{**more, "mu0": friction}))
+    eq = ss.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0]), **{**more, "mu0": friction}))
     rest = np.isin(sweep.regime, (ss.sweeps.Regime.EQUILIBRIUM, ss.sweeps.Regime.APPROACHES_EQUILIBRIUM))
     assert rest.any()
     assert ((sweep.equilibrium >= 0) == rest).all()

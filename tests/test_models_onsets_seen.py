@@ -69,8 +69,8 @@ def chain() -> Any:
 @pytest.mark.thorough
 def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
     """Where the growth of the only state changes its sign; that there is no other one is not said."""
-    found = pad.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
-    want = brentq(lambda mu: float(pad.equilibria(pad.Parameters(mu_s=mu)).growth[0]), 1.5, 2.0, xtol=1e-12)
+    found = ss.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
+    want = brentq(lambda mu: float(ss.equilibria(pad.Parameters(mu_s=mu)).growth[0]), 1.5, 2.0, xtol=1e-12)
     assert found.kind.tolist() == ["hopf"]
     assert found.mu_s[0] == pytest.approx(want, abs=1e-9)
     assert found.error[0] < 1e-12
@@ -84,7 +84,7 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     V, v_s, d, mu_k = 0.2, 0.3, 20.0, 0.2
     rise, fall = d * np.exp(-d * V), np.exp(-V / v_s)
     more = mu_k * rise / (fall * ((1 - np.exp(-d * V)) / v_s - rise))
-    found = pad.flutter_onsets(pad.Parameters(zeta=0.0), "mu_s", between={"mu_s": (0.1, 0.4)})
+    found = ss.flutter_onsets(pad.Parameters(zeta=0.0), "mu_s", between={"mu_s": (0.1, 0.4)})
     assert found.complete
     assert len(found) == 4
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
@@ -101,10 +101,10 @@ def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
         kappa=0.0459, a=0.393, theta0=2.45,
     )  # fmt: skip
     monkeypatch.setattr(points, "COSTLY_BUDGET", 40)
-    found = chain.flutter_onsets(p, "mu0", between={"mu0": (0.0, 1.0)}, damping=damping)
+    found = ss.flutter_onsets(p, "mu0", between={"mu0": (0.0, 1.0)}, damping=damping)
     assert not found.complete
     assert found.kind.tolist() == [kind]
-    beside = chain.equilibria(p.replace(mu0=found.mu0[0] + np.array([-1e-4, 1e-4])))
+    beside = ss.equilibria(p.replace(mu0=found.mu0[0] + np.array([-1e-4, 1e-4])))
     if damping is None:
         assert beside.kind[:, 0].tolist() == ["stable", "flutter"]
     else:
@@ -170,7 +170,7 @@ def test_a_mode_that_nothing_damps_hides_no_onset() -> None:
         C = np.diag([zeta + mu * d * np.exp(-d * V) * N, zeta])
         return float(np.linalg.eigvals(np.block([[np.zeros((2, 2)), np.eye(2)], [-K, -C]])).real.max())
 
-    found = model.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 1.0)})
+    found = ss.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 1.0)})
     want = brentq(lambda mu: float(growth(mu)), 0.0, 1.0, xtol=1e-12)
     assert found.kind.tolist() == ["seen"]
     assert found.mu0[0] == pytest.approx(want, abs=1e-8)

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import spragsym as ss
 from tests.support import few, model_of
 
 pytest.importorskip("sympy")
@@ -111,7 +112,7 @@ def states(model: Any, found: Any) -> np.ndarray:
 def test_equilibria_close_together_where_a_turn_ends_are_there_once(models: dict[str, Any], off: float) -> None:
     """sin a (1 + 4 b cos a) = 0: beside ±π there are two more from b = 1/4 on, which only many digits tell apart."""
     model, b = models["waves"], 0.25 * (1 + off)
-    found = model.equilibria(model.Parameters(b=b))
+    found = ss.equilibria(model.Parameters(b=b))
     with mpmath.workdps(50):
         beside = [mpmath.acos(-1 / (4 * mpmath.mpf(b)))] if off > 0 else []
         want = [0, mpmath.pi, *beside, *(-a for a in beside)]
@@ -131,7 +132,7 @@ def test_a_fold_where_a_turn_ends_is_there_once(models: dict[str, Any], c: float
         sines, cosines = (f(a) + k * b * f(2 * a) for f, k in ((mpmath.sin, 2), (mpmath.cos, 4)))
         return [c * mpmath.cos(a) - sines, -c * mpmath.sin(a) - cosines]
 
-    found = model.folds(model.Parameters(c=c), vary="b")
+    found = ss.folds(model.Parameters(c=c), vary="b")
     assert found.decided
     assert len(found) == 1
     with mpmath.workdps(60):
@@ -195,7 +196,7 @@ def test_slopes_of_a_coupled_motion_are_those_of_differences(models: dict[str, A
 def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) -> None:
     """A double pendulum has four: each of its links hangs or stands; standing is π, where the searched turn ends."""
     model = models["double_pendulum"]
-    eq = model.equilibria(model.Parameters())
+    eq = ss.equilibria(model.Parameters())
     assert eq.complete
     assert eq.whole.all()
     found = states(model, eq)
@@ -216,7 +217,7 @@ def test_an_angle_of_the_page_may_stand_by_itself(models: dict[str, Any], contac
     """An arm on a torsion spring k (φ − θ₀)²/2, pressed on a belt: a coordinate that is an angle and does not come around."""
     model = models["arm"]
     for theta0, tau in ((1.3, 0.3), (1.3, 0.01), (2.0, 0.004)):
-        eq = model.equilibria(model.Parameters(theta0=theta0, tau=tau), contact=contact)
+        eq = ss.equilibria(model.Parameters(theta0=theta0, tau=tau), contact=contact)
         assert eq.complete
         assert eq.whole.all()
 
@@ -252,7 +253,7 @@ def test_both_integrators_agree_and_energy_balances(models: dict[str, Any], name
 def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     """Virtual work: N ∂(−gap)/∂q, and friction along the slide alone."""
     model = models["bumps"]
-    eq = model.equilibria(model.Parameters())
+    eq = ss.equilibria(model.Parameters())
     assert eq.complete
     assert eq.whole.all()
 
@@ -271,7 +272,7 @@ def test_a_fraction_by_itself_is_exact() -> None:
     text = HEAD + "x = page.coordinate('x', 'm', 'along')\npage.kinetic(m * page.rate(x)**2 / 6)\npage.spring(k_c / 2, along=x)\n"
     for number, squared in (("6", 1.5), ("8", 2.0)):
         model = model_of(text.replace("/ 6", f"/ {number}"), "rod")
-        eq = model.equilibria(model.Parameters())
+        eq = ss.equilibria(model.Parameters())
         assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(squared))
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe import cusps, points
+from spragsym.models.catastrophe import cusp_search, points
 from spragsym.models.catastrophe.bifurcation_conditions import Cusp
 from spragsym.models.mechanics.balance import Balance
 from tests.oracles import families
@@ -39,7 +39,7 @@ def padded(values, slots, empty=np.nan):
 )
 def test_the_articles_model_through_the_general_way(family):
     p = getattr(families, family)(np.random.default_rng(1), 60)
-    eq, known = model("kang_nam").equilibria(same_parameters("kang_nam", p)), ss.equilibria(p)
+    eq, known = ss.equilibria(same_parameters("kang_nam", p)), ss.equilibria(p)
     settled = eq.decided & known.decided
     assert settled.sum() >= 58
     assert (eq.count == known.count)[settled].all()
@@ -69,7 +69,7 @@ ALIKE = [
 @pytest.mark.parametrize(("name", "given", "more", "contact"), ALIKE)
 def test_states_are_those_of_the_closed_forms(name, given, more, contact):
     p = ss.Parameters.article(**given)
-    eq, known = model(name).equilibria(same_parameters(name, p, **more), contact=contact), ss.equilibria(p, contact=contact)
+    eq, known = ss.equilibria(same_parameters(name, p, **more), contact=contact), ss.equilibria(p, contact=contact)
     assert eq.complete
     assert eq.whole.all()
     assert (eq.count == known.count).all()
@@ -87,19 +87,19 @@ def test_states_are_those_of_the_closed_forms(name, given, more, contact):
 
 
 def test_shapes_and_one_point():
-    eq = model("two_springs").equilibria(model("two_springs").Parameters(theta0=1.0))
+    eq = ss.equilibria(model("two_springs").Parameters(theta0=1.0))
     assert eq.count.shape == ()
     assert eq.x.shape == eq.stability.shape == (1,)
     assert eq.eigenvalues.shape == (1, 4)
     assert eq.region.shape == (2, 2)
     p = model("two_springs").Parameters(theta0=np.linspace(0.5, 1, 3)[:, None], mu0=[0.1, 0.9])
-    eq = model("two_springs").equilibria(p)
+    eq = ss.equilibria(p)
     assert eq.count.shape == (3, 2)
     assert eq.region.shape == (3, 2, 2, 2)
     assert eq.complete
     with pytest.raises(AttributeError, match="theta_1, L_1, theta_2, L_2, x, y"):
         _ = eq.z
-    eq = model("kang_nam").equilibria(model("kang_nam").Parameters(theta0=np.ones((0, 3))))
+    eq = ss.equilibria(model("kang_nam").Parameters(theta0=np.ones((0, 3))))
     assert eq.count.shape == (0, 3)
     assert eq.complete
 
@@ -114,9 +114,7 @@ def test_shapes_and_one_point():
 ])  # fmt: skip
 def test_what_can_not_be_asked_is_named(ask, name, words, options, named):
     with pytest.raises(ss.ParameterError, match=named):
-        getattr(model(name), ask)(
-            model(name).Parameters(**({} if name == "mode_coupling" else {"theta0": 1.0})), *words, **options
-        )
+        getattr(ss, ask)(model(name).Parameters(**({} if name == "mode_coupling" else {"theta0": 1.0})), *words, **options)
 
 
 # ------------------------------------------------------------------------------- other pages, by other formulations
@@ -129,18 +127,18 @@ def test_pages_against_other_formulations_in_50_digits(name, changes):
     same, ratio = validate_models.compare(name, model(name).Parameters(**changes))
     assert same
     assert ratio <= 1
-    assert ss.load(name).equilibria(model(name).Parameters(**changes)).error.max() < 1e-12
+    assert ss.equilibria(model(name).Parameters(**changes)).error.max() < 1e-12
 
 
 def test_linear_models_in_closed_form():
     p = model("mode_coupling").Parameters()
-    eq = model("mode_coupling").equilibria(p)
+    eq = ss.equilibria(p)
     alpha, sigma, beta, mu = (float(getattr(p, key)) for key in ("alpha", "sigma", "beta", "mu0"))
     K = np.array([[alpha + sigma / 2, mu - sigma / 2], [-sigma / 2, beta + sigma / 2 + 1]])
     x, y = np.linalg.solve(K, [0, -1])
     assert np.allclose([eq.x[0], eq.y[0]], [x, y], atol=1e-14)
     # (K11 − K22)² + 4 K12 K21 = 0 in mu: linear.
-    onset = model("mode_coupling").flutter_onsets(p, "mu0", damping=False)
+    onset = ss.flutter_onsets(p, "mu0", damping=False)
     assert onset.decided
     assert np.allclose(onset.mu0, sigma / 2 + (K[0, 0] - K[1, 1]) ** 2 / (2 * sigma), atol=1e-12)
     assert onset.kind.tolist() == ["flutter"]
@@ -149,7 +147,7 @@ def test_linear_models_in_closed_form():
 def test_hopf_points_of_a_falling_friction_law():
     """ζ and the slope of 2 μ_s v_s V/(V² + v_s²) by hand: 0 is a quadratic polynomial in V²."""
     p = model("stick_slip").Parameters()
-    onsets = model("stick_slip").flutter_onsets(p, "V")
+    onsets = ss.flutter_onsets(p, "V")
     assert onsets.decided
     assert onsets.kind.tolist() == ["hopf"] * len(onsets)
     mu_s, v_s, zeta = (float(getattr(p, name)) for name in ("mu_s", "v_s", "zeta"))
@@ -170,7 +168,7 @@ def test_hopf_points_of_a_falling_friction_law():
 def test_points_are_those_of_the_closed_forms(ask, vary, fixed, options):
     p, names = ss.Parameters.article(**fixed), [vary] if isinstance(vary, str) else [*vary]
     known = ss.cusps(p) if ask == "cusps" else getattr(ss, ask)(p, vary, **options)
-    found = getattr(model("kang_nam"), ask)(model("kang_nam").Parameters(**{"theta0": 1.0} | fixed), vary, **options)
+    found = getattr(ss, ask)(model("kang_nam").Parameters(**{"theta0": 1.0} | fixed), vary, **options)
     wanted = np.logical_and.reduce([(getattr(known, name) > 0) & (getattr(known, name) < 10) for name in names])
     assert found.decided
     assert found.whole
@@ -183,12 +181,12 @@ def test_points_are_those_of_the_closed_forms(ask, vary, fixed, options):
 @pytest.mark.thorough
 def test_cusps_of_a_law_whose_stiffness_has_no_slope_at_the_border():
     p = model("hertz_contact").Parameters(theta0=1.0)
-    found = model("hertz_contact").cusps(p, ("theta0", "mu0"), between={"mu0": (0.2, 0.4)})
+    found = ss.cusps(p, ("theta0", "mu0"), between={"mu0": (0.2, 0.4)})
     assert found.complete
     assert len(found) == 1
     # The wedge between two folds opens to one side of it.
     sides = [p.replace(theta0=found.theta0[0] + off) for off in (-2e-2, 2e-2)]
-    counts = [len(model("hertz_contact").folds(side, "mu0", between={"mu0": (0.2, 0.3)})) for side in sides]
+    counts = [len(ss.folds(side, "mu0", between={"mu0": (0.2, 0.3)})) for side in sides]
     assert counts == [2, 0]
 
 
@@ -199,17 +197,17 @@ def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
     given = points.given_column(model("kang_nam").Parameters(), balance.parameters, vary)
     found = points.search(balance, vary, Cusp(column=1), given, spans)
     assert found.roots.point.size == 2
-    proved, unclear = cusps.told_apart(balance, vary, found, given, column=1)
+    proved, unclear = cusp_search.told_apart(balance, vary, found, given, column=1)
     assert np.allclose(found.roots.middle[-1, proved], 0.200931781805090, atol=1e-12)
     assert not unclear.any()
 
 
 def test_hopf_points_with_dampers_are_where_a_pair_crosses():
     p = model("damped").Parameters(theta0=np.radians(60))
-    found = model("damped").flutter_onsets(p, "mu0")
+    found = ss.flutter_onsets(p, "mu0")
     assert found.decided
     assert found.kind.tolist() == ["hopf"]
-    sides = model("damped").equilibria(p.replace(mu0=found.mu0[0] * np.array([1 - 1e-6, 1 + 1e-6])))
+    sides = ss.equilibria(p.replace(mu0=found.mu0[0] * np.array([1 - 1e-6, 1 + 1e-6])))
     slots = np.abs(sides.x - found.x[0]).argmin(axis=-1)
     growth = sides.growth[[0, 1], slots]
     assert growth[0] * growth[1] < 0
@@ -227,7 +225,7 @@ def test_pitchforks_of_a_mirrored_model_are_the_articles(name, more, to):
     assert known.kind.tolist() == ["pitchfork"] * 2
     wanted = known.theta0 < to
     p = model(name).Parameters(theta0=1.0, mu0=0.0, alpha=0.0, **more)
-    found = model(name).folds(p, "theta0", between={"theta0": (0.0, to)})
+    found = ss.folds(p, "theta0", between={"theta0": (0.0, to)})
     assert found.complete
     assert found.kind.tolist() == ["pitchfork"] * wanted.sum()
     for column in ("theta0", "x", "y"):
@@ -261,7 +259,7 @@ def test_the_mirror_turns_the_forces(name):
 def growth_beside(name, p, vary, found, row, off=1e-5):
     """Growth of the state at an onset, a little before and behind it."""
     value = getattr(found, vary)[row]
-    sides = model(name).equilibria(p.replace(**{vary: value * np.array([1 - off, 1 + off])}))
+    sides = ss.equilibria(p.replace(**{vary: value * np.array([1 - off, 1 + off])}))
     assert sides.complete
     slots = np.abs(sides.x - found.x[row]).argmin(axis=-1)
     return sides.growth[[0, 1], slots]
@@ -277,7 +275,7 @@ def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, n
     # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes for all states.
     more = {"mu_s": 0.0, "mu_k": 0.0} if name == "stribeck" else {"d": 1.0} if vary != "d" else {}
     p = model(name).Parameters(theta0=0.8, **more)
-    found = model(name).flutter_onsets(p, vary)
+    found = ss.flutter_onsets(p, vary)
     assert found.decided
     assert len(found) == number
     crossed = [growth_beside(name, p, vary, found, row) for row in range(number) if getattr(found, vary)[row] > 1e-3]
@@ -287,7 +285,7 @@ def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, n
 
 def test_where_the_friction_law_turns_every_mode_crosses():
     p = model("stribeck").Parameters(theta0=0.8)
-    found = model("stribeck").flutter_onsets(p, "mu_k")
+    found = ss.flutter_onsets(p, "mu_k")
     assert found.decided
     assert len(found) == 2
     assert found.mu_k[0] == found.mu_k[1]
@@ -299,12 +297,12 @@ def test_where_the_friction_law_turns_every_mode_crosses():
         values = {**angle, **{key: float(getattr(p, key)) for key in names if key not in angle}, "V": V, "mu_k": found.mu_k[0]}
         ends.append(law(*(values[key] for key in names)))
     assert abs(ends[1] - ends[0]) / 2e-5 < 1e-8
-    at = model("stribeck").equilibria(p.replace(mu_k=found.mu_k[0]))
+    at = ss.equilibria(p.replace(mu_k=found.mu_k[0]))
     assert np.allclose(np.sort(np.abs(at.eigenvalues[0].imag))[1::2], found.omega, atol=1e-9)
 
 
 def test_a_range_that_ends_where_a_parameter_divides():
-    found = model("stribeck").folds(model("stribeck").Parameters(theta0=0.8), "v_s")
+    found = ss.folds(model("stribeck").Parameters(theta0=0.8), "v_s")
     assert found.decided
     assert len(found) == 1
 

@@ -70,7 +70,7 @@ def test_stick_slip_in_closed_form() -> None:
 def test_other_lines_cross_the_curves_as_often_as_they_have_onsets(found: tuple[Any, Any]) -> None:
     p, curves = found
     for theta0 in (0.23, 0.61, 1.117, 1.9, 2.71):
-        onsets = p.model.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
+        onsets = ss.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
         crossings = []
         for curve in curves.curves:
             off = curve.theta0 - theta0
@@ -85,9 +85,9 @@ def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> 
     """On a map of eigenvalues, a pair crosses the axis between two frictions where an onset lies between them, and only there."""
     p, curves = found
     for theta0 in np.linspace(0.15, 3.0, 9):
-        onsets = p.model.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
+        onsets = ss.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
         mu0 = np.linspace(0.0, 2.0, 41)[1:]
-        eq = p.model.equilibria(p.replace(theta0=theta0, mu0=mu0))
+        eq = ss.equilibria(p.replace(theta0=theta0, mu0=mu0))
         single = eq.count == 1
         grows = eq.growth[:, 0] > 0
         for k in np.flatnonzero(single[1:] & single[:-1]):
@@ -102,7 +102,7 @@ def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[An
     for theta0, mu0 in zip(curves.changes["theta0"], curves.changes["mu0"], strict=True):
         told = []
         for off in (-1e-3, 1e-3):
-            onsets = p.model.flutter_onsets(p.replace(theta0=theta0 + off), vary="mu0", between=BETWEEN)
+            onsets = ss.flutter_onsets(p.replace(theta0=theta0 + off), vary="mu0", between=BETWEEN)
             told.append(onsets.criticality[np.abs(onsets.mu0 - mu0).argmin()])
         assert set(told) == {"gentle", "dangerous"}
     assert (curves.changes["error"] < 1e-5).all()
@@ -180,7 +180,7 @@ def test_bogdanov_takens_points() -> None:
         w = np.array([points.x[row], points.y[row], points.theta0[row], points.mu0[row]])
         independent = optimize.fsolve(conditions, w + 1e-4, xtol=1e-13)
         assert w == pytest.approx(independent, abs=1e-8)
-        folds = p.model.folds(p.replace(theta0=P["theta0"]), vary="mu0", between=BETWEEN)
+        folds = ss.folds(p.replace(theta0=P["theta0"]), vary="mu0", between=BETWEEN)
         assert np.abs(folds.mu0 - P["mu0"]).min() < 1e-8
         ends = [(curve.theta0[k], curve.mu0[k]) for curve in curves.curves for k in (0, -1)]
         assert min(np.hypot(theta0 - P["theta0"], mu0 - P["mu0"]) for theta0, mu0 in ends) < 0.05

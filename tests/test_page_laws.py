@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import spragsym as ss
+
 pytest.importorskip("sympy")
 
 from spragsym.derive import export
@@ -93,7 +95,7 @@ def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
 def test_states_are_those_of_the_equations(model: Any) -> None:
     case, it = model
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
-    found = it.equilibria(p)
+    found = ss.equilibria(p)
     assert bool(found.complete)
     assert int(found.count) >= 1
     with mpmath.workdps(50):

@@ -282,10 +282,10 @@ def without_mu0() -> Any:
 def test_what_varies_by_itself_is_a_parameter_of_the_model() -> None:
     model = without_mu0()
     assert model.axes == ("mu_s",)
-    assert model.folds(model.Parameters()).vary == ("mu_s",)
-    assert model.flutter_onsets(model.Parameters(), damping=False).vary == ("mu_s",)
+    assert ss.folds(model.Parameters()).vary == ("mu_s",)
+    assert ss.flutter_onsets(model.Parameters(), damping=False).vary == ("mu_s",)
     with pytest.raises(ss.ParameterError, match="give vary, two of"):
-        model.cusps(model.Parameters())
+        ss.cusps(model.Parameters())
     assert ss.load("two_springs").axes == ("theta0", "mu0")
     assert ss.load("mode_coupling").axes == ("mu0",)
 
@@ -323,7 +323,7 @@ def test_a_mass_that_nothing_presses_is_on_the_border() -> None:
         law,
         ("page.force(0, -F_L * (1 + sin(psi) * a), at=(x, y))", "page.force(-F_L * (1 + sin(psi) * a), 0, at=(x, y))"),
     )
-    eq = model.equilibria(model.Parameters())
+    eq = ss.equilibria(model.Parameters())
     assert not eq.complete
     assert len(eq.undecided) == 1
     assert eq.undecided[0].low[1] <= 0 <= eq.undecided[0].high[1]
@@ -334,7 +334,7 @@ def test_a_mass_that_nothing_presses_is_on_the_border() -> None:
 def test_a_search_along_a_line_of_states_ends() -> None:
     """Without spring and friction the mass rests wherever it is along the belt: one box, and why; it once took minutes."""
     model = loaded()
-    eq = model.equilibria(model.Parameters(sigma=0.0, a=0.0, mu0=0.0))
+    eq = ss.equilibria(model.Parameters(sigma=0.0, a=0.0, mu0=0.0))
     assert not eq.complete
     assert len(eq.undecided) == 1
     assert any("no force acts on one of the coordinates" in text for text in eq.remarks)

@@ -1000,7 +1000,7 @@ def test_remarks_of_a_command_speak_of_the_quantities_of_the_file(tmp_path: Path
     file.write_text(run("report", "--example", "--model", "two_springs"), encoding="utf-8")
     (told,) = json.loads(run("folds", "--data", str(file), "--vary", "k_x", "--json"))["remarks"]
     study = ss.Study.from_file(file)
-    (cut,) = study.dimensionless.model.folds(study.dimensionless, "alpha").remarks
+    (cut,) = ss.folds(study.dimensionless, "alpha").remarks
     assert (told.split(",")[0], cut.split(",")[0]) == ("searched k_x_N/m in [0", "searched alpha in [0")
     end = float(cut.split(", ")[1].split("]")[0]) * study.quantities["k_c"].value
     assert float(told.split(", ")[1].split("]")[0]) == pytest.approx(end, rel=1e-7)

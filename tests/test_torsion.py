@@ -185,7 +185,7 @@ def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
 def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tuple[float, float]) -> None:
     """Where the determinant of the derivatives of the balance by hand is 0; between them as many equilibria as they say."""
     p = model.Parameters()
-    found = model.folds(p, vary, between={vary: between})
+    found = ss.folds(p, vary, between={vary: between})
     assert found.complete
     assert found.kind.tolist() == ["fold", "fold"]
     values = {name: mpmath.mpf(float(value)) for name, value in zip(model.parameters, p.scalars(*model.parameters), strict=True)}
@@ -205,7 +205,7 @@ def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tu
             exact = mpmath.findroot(fold, (float(x), float(y), float(value)), tol=1e-20)
             assert max(abs(a - float(b)) for a, b in zip(exact, (x, y, value), strict=True)) < 1e-11
     ends = [between[0], *getattr(found, vary).tolist(), between[1]]
-    counts = [int(model.equilibria(model.Parameters(**{vary: (low + high) / 2})).count) for low, high in itertools.pairwise(ends)]
+    counts = [int(ss.equilibria(model.Parameters(**{vary: (low + high) / 2})).count) for low, high in itertools.pairwise(ends)]
     assert sorted(abs(one - other) for one, other in itertools.pairwise(counts)) == [2, 2]
 
 
@@ -384,7 +384,7 @@ def test_the_explorer_has_the_states_and_the_motion(model: Any, tmp_path: Path) 
             p = model.Parameters(**changes)
             point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
             found = page.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": True})
-            assert [state["x"] for state in found["states"]] == pytest.approx(sorted(model.equilibria(p).x), abs=1e-9)
+            assert [state["x"] for state in found["states"]] == pytest.approx(sorted(ss.equilibria(p).x), abs=1e-9)
         p = model.Parameters(tau=0.02, mu0=0.3)
         point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
         start = list(map(float, behind(p, -0.1, 0.5)))

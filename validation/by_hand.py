@@ -78,7 +78,7 @@ def draw(model: Any, rng: np.random.Generator) -> Values:
 def equilibria(model: Any, drawn: Drawn, values: Values, contact: bool, rng: np.random.Generator) -> dict[str, Any]:
     """What is wrong with the equilibria of one set: nothing, in the best case."""
     begin = time.process_time()
-    found = model.equilibria(model.Parameters(**values), contact)
+    found = ss.equilibria(model.Parameters(**values), contact)
     spent = time.process_time() - begin
     states = np.array([found.coordinates[name] for name in model.coordinates])[:, : int(found.count)].T
     wrong = [

@@ -66,7 +66,7 @@ def leaves(model: Any, p: Any, end: ModelEnd) -> bool | None:
         return None
     q, first = list(end.before.values()), model.coordinates[0]
     before = p.replace(mu0=end.value * (1 - BESIDE))
-    eq = model.equilibria(before)
+    eq = ss.equilibria(before)
     near = np.abs(getattr(eq, first)[: int(eq.count)] - q[0]).min()
     off = []
     for side in (-1, 1):

@@ -202,7 +202,7 @@ def shipped() -> Iterator[Any]:
     """The onsets of the searches on shipped pages."""
     for name, vary, others, span in SHIPPED:
         model = ss.load(name)
-        yield model.flutter_onsets(model.Parameters(**others), vary=vary, **({"between": {vary: span}} if span else {}))
+        yield ss.flutter_onsets(model.Parameters(**others), vary=vary, **({"between": {vary: span}} if span else {}))
 
 
 def random_onsets(rng: np.random.Generator) -> Iterator[Any]:
@@ -217,7 +217,7 @@ def random_onsets(rng: np.random.Generator) -> Iterator[Any]:
         values |= {name: 10 ** rng.uniform(-3, -0.5) for name in ("zeta_x", "zeta_y", "zeta_s")}
         vary = str(rng.choice(["mu0", "theta0", "sigma", "alpha"]))
         span = {"mu0": (0.0, 8.0), "theta0": (0.1, 3.04), "sigma": (0.02, 6.0), "alpha": (0.0, 3.0)}[vary]
-        yield model.flutter_onsets(model.Parameters(**values), vary=vary, between={vary: span})
+        yield ss.flutter_onsets(model.Parameters(**values), vary=vary, between={vary: span})
 
 
 def main(points: int = 300, seed: int = 30, motions: int = 12) -> int:

@@ -41,7 +41,7 @@ def random_set(model: ss.Model, rng: np.random.Generator) -> Any:
 
 def difference(p: Any, contact: bool, beside: Fraction) -> str:
     """What differs between states of floats and those of many digits; empty where nothing does."""
-    floats = p.model.equilibria(p, contact)
+    floats = ss.equilibria(p, contact)
     given = {name: Fraction(float(getattr(p, name))) for name in p.model.parameters}
     exact: dict[str, Any] = {name: value + beside for name, value in given.items() if value}
     try:

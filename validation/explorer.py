@@ -33,7 +33,7 @@ def main(seconds: float = 30.0) -> None:
             end = time.monotonic() + seconds
             for point in points(model, 10_000):
                 for contact in (True, False):
-                    proved = model.equilibria(model.Parameters(**point), contact=contact)
+                    proved = ss.equilibria(model.Parameters(**point), contact=contact)
                     found = page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": contact})
                     compared += 1
                     undecided += not proved.complete

@@ -53,7 +53,7 @@ def attacked(name: str, sets: int, seed: int, decades: float) -> None:
         for contact in (True, False):
             begin = time.process_time()
             try:
-                eq = model.equilibria(p, contact=contact)
+                eq = ss.equilibria(p, contact=contact)
             except ParameterError:
                 continue  # a contact that never opens
             seconds = time.process_time() - begin

@@ -121,7 +121,7 @@ def code(M: np.ndarray, K: np.ndarray) -> str:
 
 def states(model: Any, hand: Hand, p: Values, contact: int, rng: np.random.Generator, starts: int) -> Counter[str]:
     """States of one set: residual, gap, growth; and whether one is missed."""
-    eq = model.equilibria(model.Parameters(**p), contact=bool(contact))
+    eq = ss.equilibria(model.Parameters(**p), contact=bool(contact))
     listed = np.array([eq.coordinates[name][: int(eq.count)] for name in model.coordinates]).T
     counts = Counter(
         sets=1,
@@ -161,7 +161,7 @@ def states(model: Any, hand: Hand, p: Values, contact: int, rng: np.random.Gener
 def points(model: Any, hand: Hand, p: Values, kind: str, rng: np.random.Generator, starts: int) -> Counter[str]:
     """Folds or onsets of one set along the page's parameter."""
     vary, span = hand.vary
-    search = model.folds if kind == "folds" else model.flutter_onsets
+    search = ss.folds if kind == "folds" else ss.flutter_onsets
     found = search(model.Parameters(**p), vary, between={vary: span})
     listed = np.array([getattr(found, name) for name in (*model.coordinates, vary)]).reshape(len(model.coordinates) + 1, -1).T
     counts = Counter(

@@ -60,7 +60,7 @@ def _part(name: str, seed: list[int], points: int) -> list[float]:
     model = ss.load("kang_nam").search
     p = FAMILIES[name](np.random.default_rng(seed), points)
     begin = time.process_time()
-    eq = model.equilibria(model.Parameters(**{key: getattr(p, key) for key in NAMES}))
+    eq = ss.equilibria(model.Parameters(**{key: getattr(p, key) for key in NAMES}))
     spent = time.process_time() - begin
     known = ss.equilibria(p)
     settled = eq.decided & known.decided & ~known.fold
@@ -114,8 +114,8 @@ def folds_and_cusps(points: int, seed: int) -> None:
 def _changes(of: Any, p: Any, vary: str) -> Any:
     """Folds along a parameter, or cusps, of a loaded model or of the article's."""
     if vary != "cusps":
-        return of.folds(p, vary)
-    return of.cusps(p) if of is ss else of.cusps(p, ("theta0", "mu0"), between={"mu0": (1e-6, 2.0)})
+        return ss.folds(p, vary)
+    return ss.cusps(p) if of is ss else ss.cusps(p, ("theta0", "mu0"), between={"mu0": (1e-6, 2.0)})
 
 
 def loads(p: Any) -> tuple[Any, Any]:
@@ -136,7 +136,7 @@ PAGES: dict[str, Callable[[Any], list[tuple[Any, ...]]]] = {
 
 def compare(name: str, p: Any) -> tuple[bool, float]:
     """Whether the number of states is the same, and the largest error over its bound."""
-    eq = ss.load(name).search.equilibria(p)
+    eq = ss.equilibria(p, method="search")
     with mp.workdps(50):
         want = PAGES[name](p)
         if not eq.complete or int(eq.count) != len(want):
@@ -179,7 +179,7 @@ def torsion(points: int, seed: int) -> None:
         sets |= {"theta0": rng.uniform(0.05, 3.1, points), "mu0": rng.uniform(0, 1, points) * (rng.random(points) < 0.9)}
         for contact in (True, False):
             begin = time.process_time()
-            eq = model.equilibria(model.Parameters(**sets), contact=contact)
+            eq = ss.equilibria(model.Parameters(**sets), contact=contact)
             spent = time.process_time() - begin
             wrong, worst = 0, 0.0
             for i in range(points):

@@ -282,7 +282,7 @@ def states(
     model: Any, page: Drawn, values: dict[str, float], contact: bool, rng: np.random.Generator
 ) -> tuple[list[str], dict[str, Any]]:
     """What is wrong with the states of one set, and what was found."""
-    found = model.equilibria(model.Parameters(**values), contact=contact)
+    found = ss.equilibria(model.Parameters(**values), contact=contact)
     count = int(found.count)
     listed = np.array([found.coordinates[name] for name in model.coordinates], dtype=float)[:, :count].T
     wrong: list[str] = []
@@ -343,7 +343,7 @@ def onsets(model: Any, page: Drawn, values: dict[str, float], rng: np.random.Gen
     low, high = sorted(share * model.base[vary] for share in SPAN)
     inside = 1e-3 * (high - low)  # an end may not belong to its range
     low, high = max(low, allowed.low + inside), min(high, allowed.high - inside)
-    found = model.flutter_onsets(model.Parameters(**values), vary, between={vary: (low, high)})
+    found = ss.flutter_onsets(model.Parameters(**values), vary, between={vary: (low, high)})
     at = np.asarray(getattr(found, vary), dtype=float)
     places = np.array([getattr(found, name) for name in model.coordinates], dtype=float)
     wrong = []
@@ -374,7 +374,7 @@ def _map_of_eigenvalues(
     model: Any, page: Drawn, values: dict[str, float], vary: str, along: Any
 ) -> list[list[tuple[float, Any, int | None]]]:
     """States that are followed: the value, the place, and how many eigenvalues grow; None where that is not clear."""
-    first = model.equilibria(model.Parameters(**{**values, vary: float(along[0])}))
+    first = ss.equilibria(model.Parameters(**{**values, vary: float(along[0])}))
     starts = np.array([first.coordinates[name] for name in model.coordinates], dtype=float)[:, : int(first.count)].T
     branches = []
     with mp.workdps(DIGITS):

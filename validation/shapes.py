@@ -89,7 +89,7 @@ def draw(model: Any, rng: np.random.Generator) -> dict[str, float]:
 def compared(model: Any, reference: Reference, p: Values, contact: int, rng: np.random.Generator) -> Counter[str]:
     """What is found of one set, and what is wrong with it."""
     balance, gap, reach = reference
-    eq = model.equilibria(model.Parameters(**p), contact=bool(contact))
+    eq = ss.equilibria(model.Parameters(**p), contact=bool(contact))
     states = np.array([eq.coordinates[name][: int(eq.count)] for name in model.coordinates]).T
     counts = Counter(
         sets=1, states=len(states), undecided=int(not eq.complete), unproved_regions=int(not eq.whole.all()), missed=0

@@ -13,12 +13,15 @@ import mpmath
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
+import spragsym as ss
+
 from .. import generated as _generated
 from .. import precise
 from ..assumed import MU0_RANGE, D, V
 from ..dynamics import simulate
 from ..dynamics.regimes import Regime
 from ..generated import equilibrium as _equilibrium
+from ..kang_nam.catastrophe.fold_points import folds as closed_folds
 from ..models.load import USUAL, load
 from ..parameters import NAMES, FloatArray, Parameters
 from ..results.equilibria import Stability
@@ -89,7 +92,7 @@ def no_linear_sliding() -> Found:
 def _linear_gap(angle: Any, mu0: float) -> FloatArray:
     """Relative distance of x between the two models, the nonlinear one at its smallest |x|, less a tenth."""
     p = _article(theta0=angle, mu0=mu0)
-    x = _MODEL.equilibria(p).x
+    x = ss.equilibria(p).x
     near = np.take_along_axis(x, np.nanargmin(np.abs(x), axis=-1)[..., None], axis=-1)[..., 0]
     gap: FloatArray = np.abs(_MODEL.linear_sprag(p).x - near) / np.abs(near) - 0.1
     return gap
@@ -100,7 +103,7 @@ def linear_approximates() -> Found:
     holds = True
     for mu0 in (0.5, 0.7):
         gaps = _linear_gap(np.radians(_GRID), mu0)
-        fold = float(_MODEL.folds(_article(mu0=mu0)).theta0[0])
+        fold = float(ss.folds(_article(mu0=mu0)).theta0[0])
         (changes,) = np.nonzero(np.diff(np.sign(gaps)))
         first, last = (np.radians(_GRID[[i, i + 1]]) for i in (changes[0], changes[-1]))
         ends = [float(brentq(_linear_gap, *pair, args=(mu0,), xtol=1e-14)) for pair in (first, last)]
@@ -124,7 +127,7 @@ def one_or_three() -> Found:
         {"sigma": 0.01},
         {"sigma": 1.0},
     ):
-        seen |= set(np.unique(_MODEL.equilibria(_at(_GRID, **changes, mu0=frictions)).count).tolist())
+        seen |= set(np.unique(ss.equilibria(_at(_GRID, **changes, mu0=frictions)).count).tolist())
     ledger = json.loads(resources.files(_generated.__name__).joinpath("ledger.json").read_text(encoding="utf-8"))
     unproved = [step["claim"] for step in ledger["one_or_three"] if not step["holds"]]
     return Found(seen == {1, 3} and not unproved, {"counts": sorted(seen), "steps of the proof that fail": len(unproved)})
@@ -132,7 +135,7 @@ def one_or_three() -> Found:
 
 def bounded() -> Found:
     p = _at(_GRID, mu0=np.linspace(0.0, MU0_MAX, 41)[:, None])
-    eq = _MODEL.equilibria(p)
+    eq = ss.equilibria(p)
     bound = (p.kappa + p.sigma * (1 - np.sin(p.theta0))) / (1 + p.beta + p.sigma)
     force = np.nanmax(-eq.y, axis=-1)
     largest = float((p.kappa + p.sigma) / (1 + p.beta + p.sigma))
@@ -144,14 +147,14 @@ def bounded() -> Found:
 
 
 def base_regions() -> Found:
-    turns = _deg(_MODEL.folds(_article()).theta0)
-    count = _MODEL.equilibria(_at(_GRID)).count
+    turns = _deg(ss.folds(_article()).theta0)
+    count = ss.equilibria(_at(_GRID)).count
     expected = np.where(np.less(_GRID, turns[0]) | np.greater(_GRID, turns[1]), 3, 1)
     return Found(bool((count == expected).all()), {"folds_deg": turns, "counts": [3, 1, 3]})
 
 
 def base_stability() -> Found:
-    eq = _MODEL.equilibria(_at(_GRID))
+    eq = ss.equilibria(_at(_GRID))
     stable, divergent = Stability.STABLE, Stability.DIVERGENT
     three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
     one = (eq.stability[eq.count == 1][:, 0] == stable).all()
@@ -159,10 +162,10 @@ def base_stability() -> Found:
 
 
 def lift_off() -> Found:
-    eq = _MODEL.equilibria(_at(_GRID), contact=False)
+    eq = ss.equilibria(_at(_GRID), contact=False)
     divergent = (eq.stability[:, 0] == Stability.DIVERGENT).all()
     holds = bool((eq.count == 1).all() and divergent and (eq.y[:, 0] >= 0).all())
-    at = _MODEL.equilibria(_at(49.0), contact=False)
+    at = ss.equilibria(_at(49.0), contact=False)
     return Found(
         holds,
         {"count": 1, "stability": "divergent", "L at 49 deg": float(at.L[0]), "y at 49 deg": float(at.y[0])},
@@ -214,7 +217,7 @@ def no_jump_falling() -> Found:
 
 def must_jump() -> Found:
     p, values = _at(60.0), np.linspace(0.0, MU0_MAX, 201)
-    turns = _MODEL.folds(p, "mu0").mu0
+    turns = ss.folds(p, "mu0").mu0
     up, down = _jumps(p, "mu0", values), _jumps(p, "mu0", values[::-1])
     holds = len(turns) == 2 and len(up) == 1 and len(down) == 1
     return Found(holds, {"folds passed each way": len(turns), "jumps": [len(up), len(down)]})
@@ -244,13 +247,13 @@ def family_row(name: str, value: float, bracket: tuple[float, float], jumps: boo
 
 def flutter_alpha() -> Found:
     p = _article(alpha=0.7)
-    onsets = _deg(_MODEL.flutter_onsets(p, damping=False).theta0)
+    onsets = _deg(ss.flutter_onsets(p, damping=False).theta0)
     growth = minimize_scalar(
-        lambda angle: -float(np.nanmax(_MODEL.equilibria(p.replace(theta0=angle)).eigenvalues.real)),
+        lambda angle: -float(np.nanmax(ss.equilibria(p.replace(theta0=angle)).eigenvalues.real)),
         bounds=(2.5, 2.8), method="bounded", options={"xatol": 1e-10},
     )  # fmt: skip
     fastest = float(_deg(growth.x))
-    inside = _MODEL.equilibria(p.replace(theta0=np.radians(np.linspace(onsets[0], onsets[-1], 101)[1:-1])))
+    inside = ss.equilibria(p.replace(theta0=np.radians(np.linspace(onsets[0], onsets[-1], 101)[1:-1])))
     flutters = bool((inside.stability[:, 0] == Stability.FLUTTER).all() and (inside.count == 1).all())
     holds = len(onsets) == 2 and flutters and abs(fastest - 150) < 5
     # The place of a smooth maximum has half as many digits as the other numbers.
@@ -259,9 +262,9 @@ def flutter_alpha() -> Found:
 
 def flutter_sigma() -> Found:
     p = _article(sigma=1.0)
-    onsets = _MODEL.flutter_onsets(p, damping=False)
+    onsets = ss.flutter_onsets(p, damping=False)
     low, high = _deg(onsets.theta0)
-    eq = _MODEL.equilibria(p.replace(theta0=np.radians(_GRID)))
+    eq = ss.equilibria(p.replace(theta0=np.radians(_GRID)))
     flutters = (eq.stability == Stability.FLUTTER).any(axis=-1)
     expected = np.less(_GRID, low) | np.greater(_GRID, high)
     upper = (eq.stability[expected, 2] == Stability.FLUTTER).all()
@@ -269,7 +272,7 @@ def flutter_sigma() -> Found:
 
 
 def sheets() -> Found:
-    eq = _MODEL.equilibria(_at(_GRID, mu0=np.linspace(0.0, MU0_MAX, 101)[:, None]))
+    eq = ss.equilibria(_at(_GRID, mu0=np.linspace(0.0, MU0_MAX, 101)[:, None]))
     stable, divergent = Stability.STABLE, Stability.DIVERGENT
     three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
     one = (eq.stability[eq.count == 1][:, 0] == stable).all()
@@ -281,8 +284,8 @@ def sheets() -> Found:
 def hopf() -> Found:
     p = _article(sigma=1.0)
     lowest = float(_MODEL.flutter_boundary(p).mu0.min())
-    onset = _MODEL.flutter_onsets(p, damping=False)
-    at = _MODEL.equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
+    onset = ss.flutter_onsets(p, damping=False)
+    at = ss.equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
     frequencies = np.sort(at.eigenvalues[[0, 1], onset.branch].imag, axis=-1)[:, -2:]
     meet = bool((np.ptp(frequencies, axis=-1) < 2e-3).all())
     return Found(meet and lowest < 0.5, {
@@ -299,19 +302,19 @@ def separates() -> Found:
     for curve in _MODEL.bifurcation_set(_article()).curves:
         rows = (curve.mu0 > 0.01) & (curve.mu0 < MU0_MAX) & (np.abs(curve.mu0 - 0.2009) > 0.002)
         side = 1e-7 * np.array([-1.0, 1.0])[:, None]
-        count = _MODEL.equilibria(_article(theta0=curve.theta0[rows], mu0=curve.mu0[rows] + side)).count
+        count = ss.equilibria(_article(theta0=curve.theta0[rows], mu0=curve.mu0[rows] + side)).count
         counts |= set(map(tuple, np.sort(count, axis=0).T.tolist()))
     return Found(counts == {(1, 3)}, {"equilibria on the two sides": [1, 3]})
 
 
 def cusp() -> Found:
     cusp = next(one for one in precise.cusps(dps=20) if 0 < one.theta0 < math.pi and one.mu0 > 0)
-    ends = _deg(_MODEL.folds(_article(mu0=0.0)).theta0)
+    ends = _deg(ss.folds(_article(mu0=0.0)).theta0)
     angle = math.degrees(cusp.theta0)
     values: dict[str, Value] = {
         "theta0_deg": angle, "mu0": float(cusp.mu0), "two jumps for theta0_deg from, to": [float(ends[0]), angle],
     }  # fmt: skip
-    numbers = [_MODEL.folds(_at(angle), "mu0").mu0.size for angle in (ends[0] - 0.01, ends[0] + 0.01, 68.0, 68.03)]
+    numbers = [ss.folds(_at(angle), "mu0").mu0.size for angle in (ends[0] - 0.01, ends[0] + 0.01, 68.0, 68.03)]
     return Found(cusp.versal and numbers == [1, 2, 2, 0], values)
 
 
@@ -327,7 +330,7 @@ def no_return() -> Found:
     up = _MODEL.quasi_static_path(_at(40.0), "mu0", values)
     back = _MODEL.quasi_static_path(_at(40.0), "mu0", values[::-1], start="large")
     (jump,) = up.jumps
-    below = _MODEL.folds(_at(40.0), "mu0", negative_friction=True).mu0
+    below = closed_folds(_at(40.0), "mu0", negative_friction=True).mu0
     holds = not back.jumps and abs(back.x[0] - up.x[-1]) < 1e-9 and back.x[-1] > 1 > up.x[0]
     return Found(holds, {
         "jump rising at mu0": jump.value, "x at mu0 = 0 before, after": [float(up.x[0]), float(back.x[-1])],
@@ -346,7 +349,7 @@ def friction_law() -> Found:
 def limit_cycle() -> Found:
     p = _at(49.0)
     late = simulate(p, V=V, d=D, t_end=10000.0).after(8000.0)
-    eq = _MODEL.equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=V, d=D))))
+    eq = ss.equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=V, d=D))))
     outcome = late.outcome(0.0)
     x, y = float(eq.x[0]), float(eq.y[0])
     growth = linearized_growth(p, x, y, V, D)
@@ -370,7 +373,7 @@ def linearized_growth(p: Parameters, x: float, y: float, V: float, d: float) -> 
 
 def amplitude_jump() -> Found:
     table = sensitivity(_at(np.arange(36.0, 48.5, 1.0)), [V], [D], refine=12)
-    fold = float(_deg(_MODEL.folds(_article()).theta0[0]))
+    fold = float(_deg(ss.folds(_article()).theta0[0]))
     at, before, after = (float(np.ravel(value)[0]) for value in (_deg(table.theta0), table.before, table.after))
     return Found(
         after > 5 * before and abs(at - fold) < 5, {"theta0_deg": at, "before the fold by (deg)": float(f"{fold - at:.3g}")}

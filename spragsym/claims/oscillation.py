@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+import spragsym as ss
+
 from ..assumed import D, V
 from ..cycles import cycle, fate_boundary
 from ..models.load import USUAL, load
@@ -49,20 +51,20 @@ def lives_below() -> Found:
 def _slides_stably(degrees: float, speed: float, creep: float) -> bool:
     """Whether the state of smallest deformation is stable at the friction of this belt."""
     p = Parameters.article(theta0=np.radians(degrees))
-    rest = _MODEL.equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=speed, d=creep))))
+    rest = ss.equilibria(p.replace(mu0=_MODEL.friction(p.replace(V=speed, d=creep))))
     return bool(rest.stability[int(np.nanargmin(np.abs(rest.x)))] == Stability.STABLE)
 
 
 def fate_of_rest() -> Found:
     """Where the motion from rest changes its fate, and at which saddle it hovers there."""
     found = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
-    at, fold = float(np.degrees(found.value)), float(np.degrees(_MODEL.folds(Parameters.article()).theta0[0]))
+    at, fold = float(np.degrees(found.value)), float(np.degrees(ss.folds(Parameters.article()).theta0[0]))
     holds = found.saddle == "equilibrium" and 1 < fold - at < 5
     others, apart = [], []
     for speed, creep in OTHER_BELTS:
         bracket = (np.radians(41.2), np.radians(43.8))  # beyond, motions are irregular, and rounding decides what they come to
         other = fate_boundary(Parameters.article(), vary="theta0", bracket=bracket, V=speed, d=creep)
-        sliding = _MODEL.folds(Parameters.article(mu0=float(_MODEL.friction(Parameters.article(V=speed, d=creep))))).theta0[0]
+        sliding = ss.folds(Parameters.article(mu0=float(_MODEL.friction(Parameters.article(V=speed, d=creep))))).theta0[0]
         others.append(float(np.degrees(other.value)))
         apart.append(float(np.degrees(sliding)) - others[-1])
         holds &= other.saddle == "equilibrium" and 3 < apart[-1] < 4

@@ -10,6 +10,8 @@ from typing import Any
 import click
 import numpy as np
 
+import spragsym as ss
+
 from ..errors import ParameterError
 from ..progress import show_progress
 from .drawings import written
@@ -59,15 +61,14 @@ def bifurcation(
     along = plane(case, vary, plot, force)
     line, (name, *_) = along[:1], (one.name for one in along)
     between, asked, p = line[0].between, box(case, within), case.set(name)
-    damped = {"damping": False} if undamped else {}
     ways = case.searching(between, asked)
     questions: dict[str, Callable[[], Any]] = {
-        "folds": lambda: case.model.folds(p, name, **ways),
-        "onsets": lambda: case.model.flutter_onsets(p, name, **damped, **ways),
+        "folds": lambda: ss.folds(p, name, **ways),
+        "onsets": lambda: ss.flutter_onsets(p, name, damping=False if undamped else None, **ways),
     }
     both, ranges = tuple(one.name for one in along), {key: ends for one in along for key, ends in one.between.items()}
     if len(along) == 2:
-        questions["cusps"] = lambda: case.model.cusps(case.set(*both), both, **case.searching(ranges, asked))
+        questions["cusps"] = lambda: ss.cusps(case.set(*both), both, **case.searching(ranges, asked))
     elif not vary:
         click.echo(f"cusps are looked for in the plane of two parameters: --vary {name} --vary NAME", err=True)
     told, found = {}, {}

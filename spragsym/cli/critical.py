@@ -9,6 +9,8 @@ from typing import Any
 import click
 import numpy as np
 
+import spragsym as ss
+
 from ..errors import ParameterError, SpragsymError
 from ..models.catastrophe.paths import first_end
 from ..models.catastrophe.points import ranges
@@ -90,7 +92,7 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str,
         searched = (-math.inf, math.inf)
         at = float(case.model.jump_value(p, name, direction=way))
         if math.isfinite(at):
-            folds = case.model.folds(p, name)
+            folds = ss.folds(p, name)
             row = int(np.abs(getattr(folds, name) - at).argmin())
             before = {key: float(column[row]) for key, column in folds.coordinates.items()}
             found = at, str(folds.kind[row]), before, float(folds.error[row])

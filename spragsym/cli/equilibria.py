@@ -8,6 +8,8 @@ from typing import Any
 
 import click
 
+import spragsym as ss
+
 from ..errors import ConvergenceError
 from ..exact.decimals import upward
 from ..progress import show_progress
@@ -87,7 +89,7 @@ def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
     for contact, state in case.model.regimes.items():
         try:
             with show_progress(f"searching for equilibria in {state}"):
-                eq = case.model.equilibria(p, contact=contact, **more)
+                eq = ss.equilibria(p, contact=contact, **more)
         except ConvergenceError as reason:  # the other regime may be known
             told["undecided"].append({"state": state, "reason": str(reason)})
             told["complete"] = False

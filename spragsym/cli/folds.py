@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import spragsym as ss
+
 from ..progress import show_progress
 from .of_model import Case, method, of_model
 from .options import as_json
@@ -29,7 +31,7 @@ def folds(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_output
     """
     along = span(case, vary, case.model.axes[-1])
     with show_progress(f"searching for folds along {along.name}"):
-        found = case.model.folds(case.set(along.name), along.name, **case.searching(along.between, box(case, within)))
+        found = ss.folds(case.set(along.name), along.name, **case.searching(along.between, box(case, within)))
     told = points_of(case, found, [along])
     if json_output:
         print_json({"model": case.model.name, "vary": along.title, **told})

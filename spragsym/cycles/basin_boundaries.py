@@ -236,7 +236,9 @@ def _saddle(model: Any, p: ParameterSet, values: tuple[float, ...], near: Any) -
 
 def _places(model: Any, p: ParameterSet) -> Any:
     """Where the equilibria of steady sliding are, shape (k, n)."""
-    found = model.equilibria(p)
+    from ..models.statics.equilibria import equilibria
+
+    found = equilibria(p)
     columns = np.array([getattr(found, name) for name in model.coordinates]).T
     return columns[np.isfinite(columns).all(axis=1)]
 

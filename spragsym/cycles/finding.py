@@ -113,7 +113,7 @@ def cycle(
     >>> round(found.period, 6), found.stable
     (34.26737, True)
     >>> model = ss.load("stick_slip")
-    >>> onsets = model.flutter_onsets(model.Parameters(), vary="V")
+    >>> onsets = ss.flutter_onsets(model.Parameters(), vary="V")
     >>> born = ss.cycle(onset=onsets, index=1, amplitude=0.05)
     >>> str(onsets.criticality[1]), born.stable, bool(born.parameters["V"] > onsets.V[1])
     ('dangerous', False, True)
@@ -122,7 +122,7 @@ def cycle(
         if p is not None or near is not None:
             raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
         if not hasattr(onset, "cycle"):
-            raise ParameterTypeError(f"onset = {onset!r:.60} is no result of model.flutter_onsets(...)")
+            raise ParameterTypeError(f"onset = {onset!r:.60} is no result of ss.flutter_onsets(...)")
         born: Cycle = onset.cycle(index, amplitude, backend)
         return born
     if p is None:

@@ -12,6 +12,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+import spragsym as ss
+
 from ..errors import ParameterError, SpragsymError
 from ..models import Model
 from ..parameters import FloatArray, ParameterSet
@@ -98,7 +100,7 @@ def curves_between(
     for begin, end in itertools.pairwise(_cuts(p, vary, *ends, turns, damping)):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
-        eq = model.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
+        eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
         for chain in _chains(eq, model.linked(p, vary, eq, turns)):
             found += _pieces(model, vary, eq, chain, turns, (begin, end), damping)
     return found
@@ -117,10 +119,8 @@ def _range(model: Model, vary: str, low: float | None, high: float | None) -> tu
 
 
 def folds_between(p: ParameterSet, vary: str, low: float, high: float) -> Points:
-    """Folds along a parameter: all of closed forms, else those of the range."""
-    known = "folds" in p.model.closed
-    found: Points = p.model.folds(p, vary, **({} if known else {"between": {vary: (low, high)}}))
-    return found
+    """Folds along a parameter in a range."""
+    return ss.folds(p, vary, between={vary: (low, high)})
 
 
 def _cuts(p: ParameterSet, vary: str, low: float, high: float, turns: Points | None, damping: bool) -> list[float]:
@@ -129,7 +129,7 @@ def _cuts(p: ParameterSet, vary: str, low: float, high: float, turns: Points | N
     if turns is not None:
         inner += getattr(turns, vary).tolist()
         with suppress(SpragsymError):
-            inner += getattr(p.model.flutter_onsets(p, vary, damping=damping), vary).tolist()
+            inner += getattr(ss.flutter_onsets(p, vary, damping=damping), vary).tolist()
     return [low, *sorted({value for value in inner if low < value < high}), high]
 
 

@@ -8,8 +8,10 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 
+import spragsym as ss
+
 from ..parameters import Parameters
-from .captions import BASE_TEXT, LETTERS, LINES_TEXT, MODEL, RANGE_TEXT
+from .captions import BASE_TEXT, LETTERS, LINES_TEXT, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, joined, mark_folds, table_of
 from .linear import draw_linear
 from .style import BLACK, BLUE, DOUBLE, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
@@ -26,7 +28,7 @@ def figure_4() -> Sheet:
         angle_axis(ax)
         ax.set_ylabel(LABELS[name])
     for ax, name in zip(axes[0], "xy", strict=True):
-        mark_folds(MODEL.folds(p), name, ax=ax)
+        mark_folds(ss.folds(p), name, ax=ax)
     for ax, name in zip(axes.flat, ("contact", "contact", "lift-off", "lift-off"), strict=True):
         ax.set_title(name, loc="right", color=GREY)
     for text, x, y in (("stable", 62, 1.2), ("divergent", 27, 0.88), ("stable", 6, 0.25)):
@@ -60,7 +62,7 @@ def figure_5() -> Sheet:
         for ax, name, letter in zip(axes[row], "xy", "abcd"[2 * row : 2 * row + 2], strict=True):
             linear = draw_linear(ax, p, name)
             draw_branches(curves, name, ax=ax)
-            mark_folds(MODEL.folds(p), name, ax=ax)
+            mark_folds(ss.folds(p), name, ax=ax)
             angle_axis(ax)
             ax.set(ylabel=LABELS[name], ylim=limits[name, mu0])
             ax.set_title(rf"$\mu_0 = {mu0}$", loc="right", color=GREY)
@@ -99,7 +101,7 @@ def figure_9() -> Sheet:
     values = (0.007, 0.07, 0.7)
     labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((40, -0.27), (82, -0.01))]
     figure, ax = _family(9, "alpha", values, labels)
-    onsets = np.degrees(MODEL.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0)
+    onsets = np.degrees(ss.flutter_onsets(Parameters.article(alpha=values[-1]), damping=False).theta0)
     low, high = float(onsets.min()), float(onsets.max())
     _bracket(ax, "flutter", low, high, -0.14)
     inset = _magnified(ax, "alpha", values)
@@ -131,7 +133,7 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[
         p = Parameters.article(**{name: value})
         curves = branches(p)
         draw_branches(curves, ax=ax, color=color)
-        mark_folds(MODEL.folds(p), ax=ax, color=color)
+        mark_folds(ss.folds(p), ax=ax, color=color)
         _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
         tables.append(table_of(curves, **{name: value}))
     angle_axis(ax)

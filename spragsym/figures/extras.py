@@ -9,6 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+import spragsym as ss
+
 from ..assumed import MU0_RANGE, D, V
 from ..exact.companion_roots import eigenvalues
 from ..generated import equilibrium as _equilibrium
@@ -137,7 +139,7 @@ def figure_false_double_root() -> Sheet:
     """The quartic in L has a double root that is no fold; the quartic in t has none."""
     figure, (axes,) = panels(1, 2, DOUBLE, 2.6, sharey=True)
     p = Parameters.article()
-    true, false = np.degrees(MODEL.folds(p).theta0), np.degrees(false_double_roots(p))
+    true, false = np.degrees(ss.folds(p).theta0), np.degrees(false_double_roots(p))
     near = [centre + side * np.geomspace(1e-8, 10, 150) for centre in (*true, *false) for side in (-1, 1)]
     angles = np.unique(np.concatenate([np.linspace(0.5, 179.5, 400), *near]))
     angles = angles[(angles > 0.1) & (angles < 179.9)]
@@ -280,7 +282,7 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     speeds = V * 10.0 ** np.linspace(-0.5, 0.5, 5)
     jumps = sensitivity(coarse, speeds, creeps, refine=4, workers=workers)
     tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
-    axes[2].axhline(float(np.degrees(MODEL.folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
+    axes[2].axhline(float(np.degrees(ss.folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
     return figure.describe(
         f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x
         over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =

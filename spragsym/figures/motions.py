@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+import spragsym as ss
+
 from ..assumed import D, V
 from ..dynamics import simulate
 from ..generated import laws
@@ -57,7 +59,7 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     angles = np.arange(step_deg, 180.0 - step_deg / 2, step_deg)
     sweep = rms_sweep(p.replace(theta0=np.radians(angles)), V, D, workers=workers)
     right.plot(angles, sweep.rms, color=BLACK, marker=".", markersize=2.2, linewidth=0.5)
-    fold = float(np.degrees(MODEL.folds(p).theta0[0]))
+    fold = float(np.degrees(ss.folds(p).theta0[0]))
     right.axvline(fold, color=VERMILION, linewidth=0.8, linestyle=":")
     write_along(right, f"fold, {fold:.2f}°", fold + 3, 0.12, color=VERMILION)
     angle_axis(right)

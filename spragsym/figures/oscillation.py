@@ -15,6 +15,8 @@ from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+import spragsym as ss
+
 from ..assumed import D, V
 from ..cycles import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..cycles.maps import Kind
@@ -103,8 +105,8 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
         name: np.degrees(column).tolist() if name == "theta0_deg" else list(column)
         for name, column in zip(names, zip(*events, strict=True), strict=True)
     }
-    fold = float(np.degrees(MODEL.folds(Parameters.article()).theta0[0]))
-    sliding = float(np.degrees(MODEL.folds(Parameters.article(mu0=_sliding())).theta0[0]))
+    fold = float(np.degrees(ss.folds(Parameters.article()).theta0[0]))
+    sliding = float(np.degrees(ss.folds(Parameters.article(mu0=_sliding())).theta0[0]))
     fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
     rest = float(np.degrees(fate.value))
     for place, colour, style in ((rest, BLACK, "--"), (fold, GREY, ":"), (sliding, GREY, "-")):
@@ -169,10 +171,10 @@ def draw_cycles(
 def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
     """Equilibria at μ(V): |x| is their root mean square."""
     friction = _sliding()
-    edges = np.degrees(MODEL.folds(Parameters.article(mu0=friction)).theta0)
+    edges = np.degrees(ss.folds(Parameters.article(mu0=friction)).theta0)
     near = np.concatenate([fold + side * np.geomspace(1e-7, 0.3, 40) for fold in edges for side in (-1, 1)])
     angles = np.unique(np.concatenate([np.linspace(*to_deg, 1201), near[(to_deg[0] <= near) & (near <= to_deg[1])]]))
-    found = MODEL.equilibria(Parameters.article(theta0=np.radians(angles), mu0=friction))
+    found = ss.equilibria(Parameters.article(theta0=np.radians(angles), mu0=friction))
     size = np.abs(found.x)
     for kind, style in ((Stability.STABLE, "-"), (Stability.DIVERGENT, (0, (3.5, 1.6)))):
         for slot in range(size.shape[-1]):
@@ -258,7 +260,7 @@ def figure_cycles_plane(
     tables["a_statics"] = _draw_statics(ax, MODEL.bifurcation_set(Parameters.article()))
     decided, fates = [], []
     for mu0 in frictions:
-        fold = float(MODEL.folds(Parameters.article(mu0=mu0)).theta0[0])
+        fold = float(ss.folds(Parameters.article(mu0=mu0)).theta0[0])
         low = fold - np.radians(9.0)
         with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
             fates.append(fate_boundary(Parameters.article(mu0=mu0), vary="theta0", bracket=(low, fold - 0.003), V=V, d=D).value)

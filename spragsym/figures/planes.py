@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+import spragsym as ss
+
 from ..models import Model
 from ..models.catastrophe.hopf_curves import OnsetCurves
 from ..parameters import ParameterSet
@@ -111,7 +113,7 @@ def draw_onsets(
     spans = {two: given[two]} if two in given else None
     points: list[list[float]] = [[], []]
     for value in low + (high - low) * (np.arange(n) + 0.5) / n:
-        found = model.search.flutter_onsets(p.replace(**{one: float(value)}), two, damping=damping, between=spans)
+        found = ss.flutter_onsets(p.replace(**{one: float(value)}), two, damping=damping, between=spans, method="search")
         points[0] += [float(value)] * len(found)
         points[1] += getattr(found, two).tolist()
     artists: list[Any] = ax.plot(*(_shown(model, name, np.array(column)) for name, column in zip(vary, points, strict=True)), ".",
@@ -144,7 +146,7 @@ def stability_figure(found: OnsetCurves) -> Sheet:
 def draw_regions(ax: Axes, p: ParameterSet, mu0: tuple[float, float]) -> None:
     """Shade where there are three equilibria over (θ₀, μ₀), for a model whose closed forms count them at many points."""
     angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
-    count = p.model.count(p.replace(theta0=angles, mu0=frictions[:, None]))
+    count = ss.count(p.replace(theta0=angles, mu0=frictions[:, None]))
     if (count == 3).any():
         ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 
+import spragsym as ss
+
 from ..assumed import MU0_RANGE
 from ..parameters import FloatArray, Parameters
 from ..results.paths import Path
@@ -23,7 +25,7 @@ def figure_6() -> Sheet:
     draw_branches(curves, ax=left, color=GREY, linewidth=0.8)
     up, back = both_ways(p, "theta0", np.radians(np.linspace(0.5, 179.5, 359)))
     _draw_both_ways(left, up, back, rising=(0.55,), falling=(0.35, 0.9))
-    mark_folds(MODEL.folds(p), ax=left)
+    mark_folds(ss.folds(p), ax=left)
     write_along(left, r"$\theta_0$ rising", 40, 0.45, color=VERMILION)
     write_along(left, r"$\theta_0$ falling", 58, 1.5, color=BLUE)
     angle_axis(left)
@@ -63,7 +65,7 @@ def figure_13() -> Sheet:
         draw_branches(curves, ax=ax, color=GREY, linewidth=0.8)
         up, back = both_ways(p, "mu0", np.linspace(*MU0_RANGE, 401))
         _draw_both_ways(ax, up, back, rising=(0.5,), falling=(0.5,))
-        mark_folds(MODEL.folds(p, "mu0"), ax=ax, high=MU0_RANGE[1])
+        mark_folds(ss.folds(p, "mu0"), ax=ax, high=MU0_RANGE[1])
         ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1))
         ax.set_title(rf"$\theta_0 = {angle:g}^\circ$", loc="right", color=GREY)
         tables |= {
@@ -96,7 +98,7 @@ def _draw_both_ways(ax: Axes, up: Path, back: Path, rising: tuple[float, ...], f
 
 
 def _slot_of(p: Parameters, x: float) -> int:
-    return int(np.nanargmin(np.abs(MODEL.equilibria(p).x - x)))
+    return int(np.nanargmin(np.abs(ss.equilibria(p).x - x)))
 
 
 def table_of_path(path: Path, name: str) -> Table:

@@ -19,11 +19,8 @@ _ROOMS = {
 }  # fmt: skip
 #: What may vary, where that is not any parameter.
 _ALONG = {
-    "folds": NAMES, "quasi_static_path": NAMES, "flutter_onsets": ("theta0",),
-    "cusps": (("theta0", "mu0"),), "precise_cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),),
+    "quasi_static_path": NAMES, "precise_cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),),
     "jump_value": NAMES, "jump_gradient": NAMES,
 }  # fmt: skip
-#: Arguments of which a closed form knows one value: (27) leaves the dampers out, and the slope of the friction law.
-_ONLY = {"flutter_onsets": {"damping": False}}
-#: Public function or step → room of its closed form, along what it is known, and for which arguments; nothing there for anything.
-CLOSED = {name: (room, _ALONG.get(name, ()), _ONLY.get(name, {})) for room, names in _ROOMS.items() for name in names}
+#: Public function or step → room of its closed form, and along what it is known; nothing there for anything.
+CLOSED = {name: (room, _ALONG.get(name, ())) for room, names in _ROOMS.items() for name in names}

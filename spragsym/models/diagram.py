@@ -23,6 +23,8 @@ from ..display import Result
 from ..dynamics.field import Field, Mode
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
+from .catastrophe.flutter import flutter_onsets
+from .statics.equilibria import equilibria
 
 if TYPE_CHECKING:
     from .model import Model
@@ -207,7 +209,7 @@ def _require(cycle: Cycle, motion: Field, p: ParameterSet, vary: str) -> None:
 def _onsets(model: Model, p: ParameterSet, vary: str, to: tuple[float, float], remarks: list[str]) -> Any:
     """The Hopf points from which cycles are followed; None where they can't be looked for."""
     try:
-        return model.flutter_onsets(p, vary, between={vary: to})
+        return flutter_onsets(p, vary, between={vary: to})
     except SpragsymError as error:
         remarks.append(f"Hopf points were not looked for: {error}")
         return None
@@ -328,7 +330,7 @@ def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tup
     grid = np.linspace(*to, SEEDS)
     for contact in (True, False):
         try:
-            known = model.search.equilibria(p.replace(**{vary: grid}), contact=contact)
+            known = equilibria(p.replace(**{vary: grid}), contact=contact, method="search")
         except SpragsymError:
             continue  # no unilateral contact
         places = np.stack([np.asarray(getattr(known, name)) for name in model.coordinates], axis=-1)

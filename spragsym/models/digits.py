@@ -21,15 +21,15 @@ from ..exact.polynomials import Undecided
 from ..results.equilibria import columns_of
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from .catastrophe.bifurcation_conditions import Cusp
-from .catastrophe.cusps import isolated
+from .catastrophe.cusp_search import isolated
 from .catastrophe.defining_systems import Augmented
 from .catastrophe.points import endless, ranges
 from .catastrophe.precise_points import PreciseAugmented
 from .mechanics.balance import Balance
 from .mechanics.periodic_coordinates import once_around
 from .mechanics.precise_balance import PreciseBalance
-from .statics.equilibria import balance_of, solved
 from .statics.regions import region
+from .statics.search import balance_of, solved
 from .statics.spectrum import type_at
 
 #: Bits that may be lost where forces are summed.

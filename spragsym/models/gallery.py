@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from .catastrophe.cusps import cusps
+from .catastrophe.folds import folds
 from .load import load, shipped
 from .model import Model
 
@@ -94,10 +96,10 @@ def _points(model: Model) -> list[str]:
     known = model.parameters
     if not {"theta0", "mu0"} <= set(known):
         return []
-    folds = model.search.folds(model.Parameters(), "theta0")
-    cusps = model.search.cusps(model.Parameters(mu0=None), ("theta0", "mu0"))
+    turns = folds(model.Parameters(), "theta0", method="search")
+    peaks = cusps(model.Parameters(mu0=None), ("theta0", "mu0"), method="search")
     found = []
-    for what, points in (("Folds at the base values", folds), ("Cusps", cusps)):
+    for what, points in (("Folds at the base values", turns), ("Cusps", peaks)):
         listed = ", ".join(
             f"θ₀ = {np.degrees(points.theta0[row]):.4f}°" + (f", μ₀ = {points.mu0[row]:.6f}" if what == "Cusps" else "")
             for row in range(len(points))

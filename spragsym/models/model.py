@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..door import part, question, unanswered
-from ..errors import ConvergenceError, ModelError, ParameterError
+from ..door import closed_form, part, question, unanswered
+from ..errors import ModelError, ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described, explained
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from ..results.bifurcation_sets import BifurcationSet
     from ..results.equilibria import Equilibria
     from ..results.lowest_ends import LowestEnd
-    from ..results.onsets import Onsets
     from ..results.paths import Path
     from ..results.points import Ended, Points
     from ..results.precise_states import CuspProof, PreciseEquilibria
@@ -63,17 +62,17 @@ class Model:
     >>> import numpy as np
     >>> import spragsym as ss
     >>> model = ss.load("cubic_contact")
-    >>> eq = model.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0])))
+    >>> eq = ss.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0])))
     >>> eq.count.tolist(), eq.complete
     ([3, 1], True)
-    >>> found = model.folds(model.Parameters(), vary="theta0", between={"theta0": (0.5, 1.5)})
+    >>> found = ss.folds(model.Parameters(), vary="theta0", between={"theta0": (0.5, 1.5)})
     >>> np.degrees(found.theta0).round(2).tolist(), found.complete
     ([44.59], True)
     """
 
     def __init__(
         self, where: str, about: Mapping[str, Any], module: Callable[[], ModuleType], parameters: Any,
-        closed: Mapping[str, tuple[str, Collection[Any], Mapping[str, Any]]] | None = None,
+        closed: Mapping[str, tuple[str, Collection[Any]]] | None = None,
     ) -> None:  # fmt: skip
         self.name: str = about["name"]
         self.where, self.about, self.Parameters, self.closed = where, about, parameters, closed or {}
@@ -87,7 +86,15 @@ class Model:
     @cached_property
     def search(self) -> Model:
         """The same model without its closed forms: every question by the general way, as with ``method="search"``."""
-        return Model(self.where, self.about, self._module, self.Parameters) if self.closed else self
+        if not self.closed:
+            return self
+        own: Any = type(self.Parameters.__name__, (self.Parameters,), {"searched": True})
+        other = own._model = Model(self.where, self.about, self._module, own)
+        return other
+
+    def closed_form(self, name: str) -> Callable[..., Any] | None:
+        """The closed form of a question, if the model brings one."""
+        return closed_form(self.closed[name][0], name) if name in self.closed else None
 
     @cached_property
     def field(self) -> Field:
@@ -175,56 +182,6 @@ class Model:
         return tuple(values)
 
     @question
-    def equilibria(
-        self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
-    ) -> Equilibria:
-        """Equilibria in contact, or in lift-off, each proved, and whether these are all; ``within={"x": (-5, 5)}`` is a box.
-
-        Source: the balance of forces, searched over boxes; see :func:`spragsym.models.statics.equilibria.equilibria`.
-        """
-        from .statics.equilibria import equilibria
-
-        return equilibria(self, p, contact, within)
-
-    @question
-    def count(self, p: ParameterSet) -> NDArray[np.int64]:
-        """The number of equilibria in contact, in the shape of ``p``.
-
-        Raises
-        ------
-        ConvergenceError
-            Where a point is not decided.
-        """
-        found: Equilibria = self.search.equilibria(p)
-        if not found.complete:
-            raise ConvergenceError(
-                f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them"
-            )
-        return found.count
-
-    @question
-    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Points:
-        """Folds along one parameter, each proved, and whether these are all; ``p`` are scalars.
-
-        ``between={"mu0": (0, 1)}`` is the range of what varies.
-
-        Source: det K = 0 at an equilibrium; see :func:`spragsym.models.catastrophe.folds.folds`.
-        """
-        from .catastrophe.folds import folds
-
-        return folds(self, p, self._one(vary), **options)
-
-    @question
-    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> Points:
-        """Cusps in the plane of two parameters, each proved, and whether these are all; ``between`` as for :meth:`folds`.
-
-        See :func:`spragsym.models.catastrophe.cusps.cusps`.
-        """
-        from .catastrophe.cusps import cusps
-
-        return cusps(self, p, self.two(vary), **options)
-
-    @question
     def bifurcation_set(self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any) -> BifurcationSet:
         """Folds on ``n`` lines of either parameter, joined to curves, and the cusps, in the plane of both.
 
@@ -294,26 +251,6 @@ class Model:
         from .catastrophe.paths import quasi_static_path
 
         return quasi_static_path(self, p, vary, values, **options)
-
-    @question
-    def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
-        """Onsets of flutter along one parameter, each proved, and whether these are all; ``between`` as for :meth:`folds`.
-
-        With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
-        :func:`spragsym.models.catastrophe.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation
-        begins gently.
-
-        Examples
-        --------
-        >>> import spragsym as ss
-        >>> model = ss.load("stick_slip")
-        >>> onsets = model.flutter_onsets(model.Parameters(), vary="V")
-        >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
-        ([0.101, 1.4035], ['gentle', 'dangerous'])
-        """
-        from .catastrophe.flutter import flutter_onsets
-
-        return flutter_onsets(self, p, self._one(vary), **options)
 
     @question
     def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
@@ -421,9 +358,9 @@ class Model:
     @part
     def rest_index(self, p: ParameterSet, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
         """Slots, among the equilibria at the friction μ(V), of motions that rest at x, y, the first coordinates; −1 for none."""
-        from .statics.equilibria import rest_index
+        from .statics.search import rest_index
 
-        return rest_index(self, p, x, y)
+        return rest_index(p, x, y)
 
     def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
         """The friction coefficient of steady sliding at the speed of the belt, or ``"friction_at_rest"``, which statics takes.
@@ -641,7 +578,7 @@ class Model:
 
         return linearized(eq, states, around)
 
-    def _one(self, vary: str | None) -> str:
+    def one(self, vary: str | None) -> str:
         if not self.parameters:
             raise ParameterError(f"{self.name} has no parameters, so that nothing can vary")
         return self.axes[0] if vary is None else vary

@@ -39,9 +39,6 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
     values = base(about)
     names = [entry["name"] for entry in about["parameters"]]
 
-    def reduce(self: ParameterSet) -> tuple[Any, ...]:
-        return _again, (where, {name: getattr(self, name) for name in names})
-
     made = make_dataclass(
         "Parameters",
         [(name, Any, field(default=values.get(name))) for name in names],
@@ -51,7 +48,6 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
         repr=False,
         namespace={
             "__doc__": _documentation(about),
-            "__reduce__": reduce,
             "ranges": ranges(about),
             "spanned": frozenset(names),
             "origin": "model.Parameters(...)",
@@ -59,12 +55,6 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
         },
     )
     return named(made)
-
-
-def _again(where: str, values: dict[str, Any]) -> Any:
-    from .load import load
-
-    return load(where).Parameters(**values)
 
 
 def _range(entry: Mapping[str, Any]) -> Range:

@@ -62,7 +62,7 @@ class Values(Shown):
         return common_shape(known) if any(known.values()) else ()
 
     def __eq__(self, other: object) -> bool:
-        if type(other) is not type(self):
+        if not isinstance(other, type(self)) and not isinstance(self, type(other)):
             return NotImplemented
         return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
 
@@ -82,6 +82,8 @@ class ParameterSet(Values):
     origin: ClassVar[str] = ""
     #: What :func:`spragsym.load` takes for the model.
     where: ClassVar[str] = ""
+    #: Whether the model is the one without closed forms.
+    searched: ClassVar[bool] = False
     _model: ClassVar[Any] = None
 
     def __post_init__(self) -> None:
@@ -97,17 +99,25 @@ class ParameterSet(Values):
 
     @property
     def model(self) -> Any:
-        """The :class:`spragsym.Model` that they are parameters of: ``ss.f(p)`` is ``p.model.f(p)``."""
+        """The :class:`spragsym.Model` that they are parameters of."""
         cls = type(self)
         if cls._model is None:  # a model is loaded when it is asked for, by a room that stands above this one
             cls._model = importlib.import_module("spragsym.models").load(cls.where)
         return cls._model
 
+    def of(self, model: Any) -> Self:
+        """The same values as a set of the model without closed forms, ``model.search``, or of the one that has them."""
+        return self if model.Parameters is type(self) else self._copied(model.Parameters)
+
+    def _copied(self, kind: type[Self]) -> Self:
+        other = object.__new__(kind)
+        other.__dict__.update({name: value for name, value in self.__dict__.items() if name in self.ranges})
+        return other
+
     def replace(self, **changes: ArrayLike | None) -> Self:
         """A copy with other values."""
         check_names(changes, self.ranges)
-        other = object.__new__(type(self))
-        other.__dict__.update({name: value for name, value in self.__dict__.items() if name in self.ranges})
+        other = self._copied(type(self))
         other._set(changes)  # what stays as it is need not be looked at again
         return other
 
@@ -133,9 +143,17 @@ class ParameterSet(Values):
         self.require(*names)
         return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _again, (self.where, self.searched, {name: getattr(self, name) for name in self.ranges})
+
     def __repr__(self) -> str:
         given = ((name, getattr(self, name)) for name in self.ranges)
         return f"{type(self).__name__}({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+
+
+def _again(where: str, searched: bool, values: dict[str, Any]) -> Any:
+    model = importlib.import_module("spragsym.models").load(where)
+    return (model.search if searched else model).Parameters(**values)
 
 
 def _plain(value: FloatArray) -> str:

@@ -147,6 +147,12 @@ class Points(Result):
         )
         return replace(self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended)
 
+    def between(self, spans: FloatArray) -> Self:
+        """The points in ranges of what varies, shape (number, 2), which take the place of those that were searched."""
+        values = np.array([getattr(self, name) for name in self.vary])
+        inside = np.asarray(((spans[:, :1] <= values) & (values <= spans[:, 1:])).all(axis=0))
+        return replace(self.select(inside), region=np.concatenate([self.region[: -len(self.vary)], spans]))
+
     @cached_property
     def _what_ends(self) -> Ended:
         found: Ended = self._ended or self.parameters.model.ended(self)

@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, TypeVar
 
+import spragsym as ss
+
 from ..display import Result
 from ..errors import ParameterError, SpragsymError
 from ..progress import doing, show_progress, tell
@@ -207,7 +209,7 @@ class _Asked:
         """Folds along each parameter of these sets."""
         found = {}
         for vary, p in sets.items():
-            points = self.known(f"folds along {vary} are", partial(p.model.folds, p, vary))
+            points = self.known(f"folds along {vary} are", partial(ss.folds, p, vary))
             if points is not None:
                 found[vary] = points
         rise = self.study.rise
@@ -238,7 +240,7 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
         speed = speed_for(study, jump) if rises.of(study).is_friction else math.nan
     of_friction = rise is not None and rise.is_friction
     theta0_jump, lowest, mu_cusp = asked.angle(at), asked.lowest(p), asked.cusp(p)
-    eq = at.model.equilibria(at)
+    eq = ss.equilibria(at)
     here = asked.known("the state that the brake is in is", lambda: current(study, eq))
     found = states(study, eq, here)
     if here is None and rise is None:

@@ -52,7 +52,7 @@ def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: R
 
 
 def _states(p: Any) -> list[tuple[str, Any]]:
-    return [(state, p.model.equilibria(p, contact=contact)) for contact, state in p.model.regimes.items()]
+    return [(state, ss.equilibria(p, contact=contact)) for contact, state in p.model.regimes.items()]
 
 
 @pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "kang_nam", "pressed"))
@@ -115,7 +115,7 @@ def test_folds_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     told = json.loads(run("folds", *of(name), "--json"))
     assert list(told) == ["model", "vary", "points", "complete", "searched", "undecided", "remarks"]
     model, p = load(name), a_set(name)
-    found = model.folds(p, model.axes[-1])
+    found = ss.folds(p, model.axes[-1])
     known = _degrees(model, model.axes[-1], getattr(found, model.axes[-1]))
     assert [row[told["vary"]] for row in told["points"]] == pytest.approx(known, rel=1e-12)
     assert (told["complete"], told["remarks"]) == (found.complete, list(found.remarks))
@@ -163,7 +163,7 @@ def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
     assert list(told) == ["model", "parameters", "folds", "onsets", "cusps"]
     model = load(name)
     for row in told["cusps"]["points"]:
-        places = [_title(model, column) for column in model.equilibria(a_set(name)).columns]
+        places = [_title(model, column) for column in ss.equilibria(a_set(name)).columns]
         assert list(row) == ["theta0_deg", "mu0", "kind", *places, "error"]
     assert told["cusps"]["searched"]["mu0"] == [0.0, 1.0]
     assert told["folds"]["searched"]["theta0_deg"] == pytest.approx([5.0, 85.0])

@@ -33,7 +33,7 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
     """The same states, types, directions and lengths; 25 digits hold those of 60."""
     p = a_set(name)
     for contact in p.model.regimes:
-        floats = p.model.equilibria(p, contact)
+        floats = ss.equilibria(p, contact)
         few, many = (precise.equilibria(p, contact=contact, dps=dps) for dps in (25, 60))
         assert len(few) == len(many) == int(floats.count)
         assert few.complete == floats.complete
@@ -207,7 +207,7 @@ def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
     p = a_set(name)
     vary = p.model.axes
     between = {"mu0": (0.0, 2.0)} if "mu0" in vary else None
-    floats = p.model.cusps(p, vary, between=between, method="search")
+    floats = ss.cusps(p, vary, between=between, method="search")
     few, many = (precise.cusps(p, vary=vary, between=between, dps=dps, method="search") for dps in (25, 60))
     assert len(few) == len(many) == len(floats)
     assert few.complete == many.complete == floats.complete

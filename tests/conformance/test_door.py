@@ -94,7 +94,7 @@ def test_two_models_in_one_question_are_refused() -> None:
     for low, high in itertools.permutations([a_set("two_springs"), a_set("damped"), ss.Parameters(theta0=1.0)], 2):
         with pytest.raises(ss.ParameterTypeError, match=f"is no set of parameters of {low.model.name}"):
             ss.certify(low, high, "no jump")
-    with pytest.raises(ss.ParameterTypeError, match="p = 3 is no set of parameters of kang_nam"):
+    with pytest.raises(ss.ParameterTypeError, match="p = 3 is no set of parameters"):
         ss.equilibria(3)  # type: ignore[arg-type]  # the mistake that is tested
 
 
@@ -102,29 +102,18 @@ def test_two_models_in_one_question_are_refused() -> None:
 
 
 def test_every_question_is_a_method_and_goes_through_the_door() -> None:
-    """The list of the interface, the methods of a model and the public functions are the same; closed forms are among them."""
+    """The list of the interface, the methods of a model and the public functions are the same."""
     asked = {name for name, method in vars(ss.Model).items() if getattr(method, "__module__", "") and _is_question(method)}
     assert asked == door.INTERFACE | door.PARTS
     assert door.INTERFACE <= set(ss.__all__)
-    of_motion = {"simulate", "rms_sweep"}  # one way for all models, over the problems that a model prepares
-    of_cycles = {"cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary"}  # one way, over the field of the motion
-    assert set(ss.load("kang_nam").closed) == asked - {"onset_curves", "diagram", "basin", "sensitivity"} - of_motion - of_cycles
-    assert {name for name in asked if not ss.load("stick_slip").search.closed} == asked
+    assert not ss.load("stick_slip").closed
+    assert not ss.load("kang_nam").search.closed
     for name in door.INTERFACE:
         assert _is_question(getattr(ss, name))
 
 
 def _is_question(thing: Any) -> bool:
     return inspect.isfunction(thing) and thing.__code__.co_filename == door.__file__
-
-
-def test_the_model_and_the_public_function_answer_alike() -> None:
-    p = ss.Parameters(theta0=np.radians([30.0, 49.0]))
-    assert np.array_equal(p.model.equilibria(p).theta, ss.equilibria(p).theta, equal_nan=True)
-    one = ss.Parameters()
-    assert p.model.folds(one).theta0.tolist() == ss.folds(one).theta0.tolist()
-    q = a_set("damped")
-    assert q.model.equilibria(q).x.tolist() == ss.equilibria(q).x.tolist()
 
 
 def test_an_onset_of_flutter_means_the_same_for_every_model() -> None:
@@ -134,7 +123,7 @@ def test_an_onset_of_flutter_means_the_same_for_every_model() -> None:
     assert closed.theta0.tolist() == ss.flutter_onsets(p, damping=False).theta0.tolist()
     assert closed.theta0 == pytest.approx(search.theta0, abs=1e-10)
     asked = {"vary": "theta0", "between": {"theta0": (2.2, 3.0)}}
-    assert ss.flutter_onsets(p, **asked).theta0.tolist() == p.model.search.flutter_onsets(p, **asked).theta0.tolist()
+    assert ss.flutter_onsets(p, **asked).theta0.tolist() == ss.flutter_onsets(p, **asked, method="search").theta0.tolist()
     with pytest.raises(ss.ModelError, match="no closed form"):
         ss.flutter_onsets(p, method="closed")
 

@@ -54,7 +54,7 @@ def compare_states(explorer: Explorer, model: ss.Model, point: dict[str, float],
     """Hold the page's states against those that Python proves, by coordinate and by word; how many there are."""
     total = 0
     for contact in model.regimes:
-        eq = model.equilibria(model.Parameters(**point), contact=contact)
+        eq = ss.equilibria(model.Parameters(**point), contact=contact)
         count = int(eq.count)
         found = explorer.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": contact})
         assert (found["status"], found["count"]) == (status, count)
@@ -83,7 +83,7 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(name: str, brows
     ids = page.evaluate("[...document.querySelectorAll('#parameters input[type=text]')].map(box => box.id)")
     assert [one.removesuffix("_deg") for one in ids] == list(model.parameters)
     rows = page.evaluate("[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent))")
-    eq, p = model.equilibria(model.cases()[0][1]), model.cases()[0][1]
+    eq, p = ss.equilibria(model.cases()[0][1]), model.cases()[0][1]
     read = [[float(row[k].replace("\u2212", "-")) for row in rows if row[1] != "lift-off"] for k in (-2, -1)]
     if model.about["contact"]["gap"] is not None:
         normal = sorted(float(value) for value in eq.contact_force[: int(eq.count)])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -11,44 +11,29 @@ import numpy as np
 from ...exact.adaptive_bits import with_enough_bits
 from ...exact.intervals import Arithmetic, arithmetic
 from ...parameters import Parameters
+from ...questions import NotInClosedForm
 from ...results.points import Points, in_closed_form
 from . import cusp_proofs
 from .fixed_parameters import FIXED
-from .fold_points import STATE
+from .fold_points import STATE, in_ranges
 
 
 def cusps(
-    p: Parameters, vary: Sequence[str] = ("theta0", "mu0"), *, arith: Arithmetic | None = None
-) -> Points:  # fmt: skip
-    """All cusps in contact with L > 0, θ₀ in (−π, π] and μ₀ of either sign: proved complete.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars κ, α, σ, β, taken as the exact rationals that the floats are; ``theta0`` and ``mu0`` are not used.
-    vary : sequence of str
-        θ₀ and μ₀, in whose plane there are closed forms; in others :class:`spragsym.Model` searches.
-
-    Returns
-    -------
-    Points
-        Sorted by ``mu0``; empty if there is no cusp.
-
-    Raises
-    ------
-    ParameterError, ParameterTypeError
-        For parameters that are missing or no scalars.
+    p: Parameters,
+    vary: Sequence[str] | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    arith: Arithmetic | None = None,
+) -> Points:
+    """The closed form of :func:`spragsym.cusps` in the plane of θ₀ and μ₀: proved complete.
 
     Notes
     -----
-    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ (a cubic for α = 0); its roots are isolated exactly.
-
-    Examples
-    --------
-    >>> found = cusps(Parameters.article())
-    >>> print(np.degrees(found.theta0[2]), found.mu0[2])
-    68.02095850774431 0.20093178180509003
+    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ (a cubic for α = 0); its roots are isolated exactly. Parameters
+    are taken as the exact rationals that the floats are.
     """
+    if vary is not None and tuple(vary) != ("theta0", "mu0"):
+        raise NotInClosedForm
     exact = tuple(map(Fraction, p.scalars(*FIXED)))
     arith = arith or arithmetic()
 
@@ -60,4 +45,5 @@ def cusps(
     *columns, error = np.array(rows, dtype=float).reshape(-1, 7).T.copy()
     values = dict(zip(("theta0", "mu0", *STATE), columns, strict=True))
     spans = {"theta0": (-math.pi, math.pi), "mu0": (-math.inf, math.inf)}
-    return Points(**in_closed_form(p, ("theta0", "mu0"), np.full(len(rows), "cusp"), error, values, spans=spans))
+    every = Points(**in_closed_form(p, ("theta0", "mu0"), np.full(len(rows), "cusp"), error, values, spans=spans))
+    return in_ranges(every, between)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -16,55 +17,34 @@ from ...exact.intervals import Arithmetic, arithmetic
 from ...generated import stability as _stability
 from ...generated.kernel import direction
 from ...parameters import FloatArray, Parameters
+from ...questions import NotInClosedForm
 from ...results.onsets import Onsets
 from ...results.points import in_closed_form
 from ..statics import kernel
 from .fixed_parameters import FIXED, Fixed
 from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
-from .fold_points import STATE
+from .fold_points import STATE, in_ranges
 
 
-def flutter_onsets(p: Parameters, vary: str = "theta0", *, damping: bool = False, arith: Arithmetic | None = None) -> Onsets:
-    """All onsets of flutter by (27) in contact along 0 < θ₀ < π at the friction μ₀ of ``p``, proved complete.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars μ₀, κ, α, σ, β, taken as the exact rationals that the floats are; ``theta0`` is not used.
-    vary : str
-        θ₀, along which there are closed forms; along others :class:`spragsym.Model` searches.
-    damping : bool
-        False is (27), without the slope of the friction law. ``ss.flutter_onsets(p)`` of every model takes dampers and that slope
-        in unless told otherwise, and searches.
-
-    Returns
-    -------
-    Onsets
-        Sorted by θ₀; empty where no equilibrium flutters or touches flutter. So it is for μ₀ = 0, where K is symmetric. Columns
-        that only closed forms have: ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there
-        are. ``side`` is 1 where the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where
-        the two sides do not differ: there the boundary is only touched.
-
-    Raises
-    ------
-    ParameterError
-        For a parameter that is missing or an array.
-    ConvergenceError
-        At parameters so degenerate that onsets can't be told apart, or that three of them meet.
+def flutter_onsets(
+    p: Parameters,
+    vary: str | None = None,
+    *,
+    damping: bool | None = None,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    arith: Arithmetic | None = None,
+) -> Onsets:
+    """The closed form of :func:`spragsym.flutter_onsets` without damping, along θ₀: proved complete.
 
     Notes
     -----
     Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15), eliminated to one polynomial in tan(θ/2 − π/4), whose real roots are
     isolated exactly; see :mod:`spragsym.kang_nam.catastrophe.flutter_proofs`. No onset is a
-    fold: there the determinant of K vanishes, here it is positive.
-
-    Examples
-    --------
-    >>> found = flutter_onsets(Parameters.article(alpha=0.7))
-    >>> print(np.degrees(found.theta0).round(6), found.side)
-    [135.389588 166.068824] [ 1 -1]
+    fold: there the determinant of K vanishes, here it is positive. For μ₀ = 0, where K is symmetric, there is none.
     """
+    if vary not in (None, "theta0") or damping is not False:
+        raise NotInClosedForm
     mu0, *fixed = p.scalars("mu0", *FIXED)
     rows = []
     if mu0 > 0:
@@ -83,7 +63,8 @@ def flutter_onsets(p: Parameters, vary: str = "theta0", *, damping: bool = False
         "branch": columns["branch"].astype(np.int64), "count": columns["count"].astype(np.int64),
         "side": columns["side"].astype(np.int8),
     }  # fmt: skip
-    return Onsets(**in_closed_form(p, ("theta0",), np.full(len(rows), "flutter"), values.pop("error"), values))
+    every = Onsets(**in_closed_form(p, ("theta0",), np.full(len(rows), "flutter"), values.pop("error"), values))
+    return in_ranges(every, between)
 
 
 def _frequency(theta: FloatArray, L: FloatArray, alpha: float, sigma: float, beta: float) -> FloatArray:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -15,8 +16,11 @@ from ...exact.adaptive_bits import as_floats, decided, with_enough_bits
 from ...exact.intervals import Arithmetic, arithmetic
 from ...exact.polynomials import Undecided
 from ...parameters import NAMES, RANGES, Parameters
+from ...questions import NotInClosedForm
 from ...results.points import Ended, Points, in_closed_form
 from . import fold_proofs
+
+PointsT = TypeVar("PointsT", bound=Points)
 
 #: Names of what says where a state is.
 STATE = ("theta", "L", "x", "y")
@@ -40,47 +44,28 @@ class Turn:
     after: tuple[float, ...] = (math.nan,) * 4
 
 
-def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = False, arith: Arithmetic | None = None) -> Points:
-    """All folds in contact along one parameter, the others fixed: proved complete, to 1e-12 and better.
+def folds(
+    p: Parameters,
+    vary: str | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    negative_friction: bool = False,
+    arith: Arithmetic | None = None,
+) -> Points:
+    """The closed form of :func:`spragsym.folds`: proved complete, to 1e-12 and better.
 
-    Parameters
-    ----------
-    p : Parameters
-        Scalars. The one that varies is not used, and may be left out if it is ``theta0`` or ``mu0``.
-    vary : str
-        ``"theta0"``, ``"mu0"``, ``"kappa"``, ``"alpha"``, ``"sigma"`` or ``"beta"``.
-    negative_friction : bool
-        Also list folds with μ₀ < 0: mirror images, for a belt that runs the other way.
-
-    Returns
-    -------
-    Points
-        Those with L > 0, y < 0 and the varying parameter in its range. At a ``"fold"`` a stable state and a divergent one meet,
-        and one equilibrium is left. All other kinds need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀ = α =
-        0.
-
-    Raises
-    ------
-    ParameterError
-        For a ``vary`` that is not a parameter, or a parameter that is missing or an array.
-    ConvergenceError
-        At parameters so close to a coincidence that 6144 bits do not tell it from one.
+    With ``negative_friction`` folds with μ₀ < 0 are listed too: mirror images, for a belt that runs the other way. All kinds but
+    ``"fold"`` need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀ = α = 0.
 
     Notes
     -----
     Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is eliminated, and what remains is a
     polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule or, over intervals, by Sturm's theorem. A multiple
     root, which belongs to the other kinds, is found by exact algebra.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> found = folds(Parameters.article())
-    >>> print(np.degrees(found.theta0))
-    [ 44.5593177  155.05941879]
-    >>> print(folds(Parameters.article(mu0=0.0, alpha=0.0)).kind)
-    ['pitchfork' 'pitchfork']
     """
+    vary = vary or "theta0"
+    if vary not in NAMES:
+        raise NotInClosedForm
     found = turns(p, vary, negative_friction=negative_friction, arith=arith)
     if negative_friction and vary != "mu0" and p.scalars("mu0") != (0.0,):
         reflected = p if vary == "theta0" else p.replace(theta0=math.pi - float(p.theta0))
@@ -92,7 +77,17 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     values = dict(zip((*NAMES, *STATE, "error"), columns, strict=True))
     spans = {"mu0": (-math.inf, math.inf)} if negative_friction else None
     ended = Ended(ends, when, dict(zip(STATE, after, strict=True)))
-    return Points(**in_closed_form(p, (vary,), kind, values.pop("error"), values, ended, spans))
+    every = Points(**in_closed_form(p, (vary,), kind, values.pop("error"), values, ended, spans))
+    return in_ranges(every, between)
+
+
+def in_ranges(found: PointsT, between: Mapping[str, tuple[float, float]] | None) -> PointsT:
+    """Those in ranges of what varies, if there are any."""
+    if between is None:
+        return found
+    from ...models.catastrophe.points import ranges  # which loads the search
+
+    return found.between(ranges(found.parameters.model, found.vary, between))
 
 
 def _words(turn: Turn) -> tuple[str, str]:

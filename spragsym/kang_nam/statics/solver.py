@@ -80,43 +80,13 @@ class _Closed:
 
 
 def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
-    """All equilibria: steady sliding in contact, or at rest in lift-off.
-
-    Parameters
-    ----------
-    p : Parameters
-        Any shape; ``theta0`` and ``mu0`` are needed.
-    contact : bool
-        True for n̄ = 1 (y < 0), False for n̄ = 0 (y ≥ 0).
-
-    Returns
-    -------
-    Equilibria
-        One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|). Points of an array that have no
-        answer are not ``decided``.
-
-    Raises
-    ------
-    ConvergenceError
-        For a single point that lies on a border that no number of digits can settle, as where L = 0, or whose length or
-        displacement float64 can't carry.
+    """The closed form of :func:`spragsym.equilibria`: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x.
 
     Notes
     -----
-    Source: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated; stability by (27)–(28). The count is proved:
-    the sign of the discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64 can't, the
-    point is solved again with more digits: in double-double arithmetic, and what that can't settle in intervals.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> eq = equilibria(Parameters.article(theta0=np.radians([30.0, 49.0])))
-    >>> eq.count
-    array([3, 1], dtype=int8)
-    >>> eq.stability[0]
-    array([1, 2, 1], dtype=int8)
-    >>> print(np.round(eq.x[1], 6))
-    [1.217424      nan      nan]
+    Source: (12)–(13) eliminated; stability by (27)–(28). The count is proved: the sign of the discriminant with a bound on its
+    rounding error, each root by Newton–Kantorovich. Where float64 can't, the point is solved again with more digits: in
+    double-double arithmetic, and what that can't settle in intervals.
     """
     p.require("theta0", "mu0")
     out = Slots(math.prod(p.shape), 3 if contact else 4)
@@ -156,35 +126,12 @@ def _flags(shape: tuple[int, ...], rows: NDArray[np.int64]) -> NDArray[np.bool_]
 
 
 def count(p: Parameters) -> NDArray[np.int8]:
-    """The number of equilibria in contact, one or three: ``equilibria(p).count``, but faster.
-
-    Parameters
-    ----------
-    p : Parameters
-        Any shape; ``theta0`` and ``mu0`` are needed.
-
-    Returns
-    -------
-    ndarray of int8
-        Of that shape.
-
-    Raises
-    ------
-    ParameterError
-        For parameters that are missing.
-    ConvergenceError
-        For a point that has no answer, see :func:`equilibria`.
+    """The closed form of :func:`spragsym.count`.
 
     Notes
     -----
     Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say how many of its roots are
     positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> count(Parameters.article(theta0=np.radians([30.0, 49.0])))
-    array([3, 1], dtype=int8)
     """
     p.require("theta0", "mu0")
     compiled_or_not, threads = backends.chosen()

@@ -53,7 +53,7 @@ class Cusp(Plain):
     """det K = 0, and K v = 0 for a direction v along which det K does not change.
 
     Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of them is taken: points where that
-    one is 0 are roots as well, which :func:`spragsym.models.catastrophe.cusps.told_apart` tells from cusps.
+    one is 0 are roots as well, which :func:`spragsym.models.catastrophe.cusp_search.told_apart` tells from cusps.
     """
 
     order = 1

@@ -20,7 +20,8 @@ from ...exact.interval_arrays import FloatArray
 from ...results.equilibria import Equilibria
 from ...results.points import Points
 from ..mechanics.balance import Balance
-from ..statics.equilibria import columns, equilibria
+from ..statics.equilibria import equilibria
+from ..statics.search import columns
 from ..statics.stability import linearization
 from ..tubes.tube_regions import Parts
 from ..tubes.tubes import Tubes
@@ -45,7 +46,7 @@ class Along:
 
     def equilibria(self, values: FloatArray) -> Equilibria:
         """All of them, at values of the parameter."""
-        return equilibria(self.balance.model, self.p.replace(**{self.vary: values}), self.balance.contact)
+        return equilibria(self.p.replace(**{self.vary: values}), self.balance.contact)
 
 
 def linked(model: Any, p: Any, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:

@@ -117,7 +117,7 @@ def cusp_friction(
     -----
     Source: :func:`spragsym.models.catastrophe.cusps.cusps`; beyond the end of a range there may be others, but no lower ones.
     """
-    found = cusps(model, p, (over, vary), between=between)
+    found = cusps(p, (over, vary), between=between)
     value = float(getattr(found, vary).min(initial=math.inf))
     place = len(model.about["coordinates"]) + list(found.vary).index(vary)
     lower = any(float(box[place][0]) < value for box in found.undecided)
@@ -231,7 +231,7 @@ class _Search:
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""
         here = self.p.replace(**{self.vary: self.low})
-        eq = equilibria(self.model, here.replace(**{self.over: places[0]}))
+        eq = equilibria(here.replace(**{self.over: places[0]}))
         stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
         if not eq.decided or not stable.size:
             raise ConvergenceError(
@@ -256,7 +256,7 @@ class _Search:
         state = self.beginning[place]
         if below > self.low:
             state = self.carried(here, self.vary, np.array([self.low, below]), state)[:, -1]
-        eq = equilibria(self.model, here.replace(**{self.vary: below}))
+        eq = equilibria(here.replace(**{self.vary: below}))
         states = np.array([eq.coordinates[name][: int(eq.count)] for name in self.balance.coordinates])
         slot = int(np.linalg.norm(states - state[:, None], axis=0).argmin())
         return first_end(self.model, here, self.vary, (below, limit), start=slot)
@@ -283,7 +283,7 @@ class _Search:
 
     def folds_below(self, place: float, limit: float) -> int:
         """How many there are."""
-        found = folds(self.model, self.p.replace(**{self.over: place}), self.vary, between={self.vary: (self.low, limit)})
+        found = folds(self.p.replace(**{self.over: place}), self.vary, between={self.vary: (self.low, limit)})
         if not found.decided:
             raise ConvergenceError("folds beside a cusp are not all decided")
         return len(found)

@@ -1,100 +1,73 @@
-"""Cusps of a model in the plane of two parameters, each proved, and whether these are all."""
+"""Cusps of any model in the plane of two parameters: the question."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...exact.determinants import cofactor
-from ...exact.interval_arrays import Intervals
-from ...exact.jets import variables
+from ...parameters import ParameterSet
+from ...questions import Method, question
 from ...results.points import Points
-from ..mechanics.balance import Balance
-from ..mechanics.forces import Model
-from ..statics.regions import by_hand
-from .bifurcation_conditions import Cusp, change
-from .defining_systems import Augmented
-from .points import Found, arranged, endless, given_column, picked, ranges, search
 
 
+@question
 def cusps(
-    model: Model,
-    p: Any,
-    vary: Sequence[str],
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
 ) -> Points:
     """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether these are all.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; those that vary are not used.
-    vary : pair of str
-        Two parameters.
+        Of any model, scalars; those that vary are not used.
+    vary : pair of str, optional
+        Two parameters; without it ``theta0`` and ``mu0``.
     between : mapping, optional
-        Their ranges, as for :func:`spragsym.models.catastrophe.folds.folds`.
+        Their ranges, as for :func:`spragsym.folds`.
     within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.models.statics.equilibria.equilibria`.
+        Ranges of coordinates, as for :func:`spragsym.equilibria`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
 
     Returns
     -------
     Points
-        Of the kind ``"cusp"``.
+        Of the kind ``"cusp"``. Closed forms of the article's model, in the plane of θ₀ and μ₀, know all cusps with L > 0, θ₀ in
+        (−π, π] and μ₀ of either sign, sorted by ``mu0``.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For parameters that are missing or no scalars.
 
     Notes
     -----
-    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K.
+    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K. Of the article's model: f = f′ =
+    f″ = 0, one polynomial of degree 9 in sin θ, see :mod:`spragsym.kang_nam.catastrophe.cusp_points`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> found = ss.cusps(ss.Parameters.article())
+    >>> print(np.degrees(found.theta0[2]), found.mu0[2])
+    68.02095850774431 0.20093178180509003
     """
+    from ..mechanics.balance import Balance  # where a closed form answers nothing of it is loaded
+    from ..statics.regions import by_hand
+    from .cusp_search import isolated
+    from .points import arranged, endless, given_column, ranges
+
+    model = p.model
+    vary = model.two(vary)
     spans = ranges(model, vary, between or {})
     balance = Balance(model, contact=True)
     given = given_column(p, balance.parameters, vary)
     found = isolated(balance, vary, given, spans, by_hand(balance.coordinates, within))
     kind = np.full(found.roots.point.size, "cusp")
     return arranged(balance, p, vary, given, found, kind, endless=endless(model, vary, between or {}))
-
-
-def isolated(
-    balance: Balance, vary: Sequence[str], given: NDArray[np.float64], spans: NDArray[np.float64],
-    asked: NDArray[np.float64] | None = None,
-) -> Found:  # fmt: skip
-    """A box for each cusp, and what is left; arguments as of :func:`spragsym.models.catastrophe.points.search`."""
-    found = search(balance, vary, Cusp(), given, spans, asked=asked)
-    proved, unclear = told_apart(balance, vary, found, given)
-    left = np.concatenate([found.roots.left, found.roots.ends[:, :, unclear]], axis=2)
-    left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
-    return replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
-
-
-def told_apart(
-    balance: Balance, vary: Sequence[str], found: Found, given: NDArray[np.float64], column: int = 0
-) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Which roots are cusps, and of which that is not known.
-
-    A root is a cusp if the column in use is not 0 there, and none if det K changes along another column.
-    """
-    ends = found.roots.ends
-    shape = ends.shape[2:]
-    if not shape[0]:
-        return np.zeros(0, dtype=np.bool_), np.zeros(0, dtype=np.bool_)
-    with np.errstate(all="ignore"):
-        system = Augmented(balance, vary, Cusp())
-        fixed = system.prepared(Intervals.point(np.nan_to_num(given[:, found.roots.point])))
-        at = system.state(variables(list(Intervals(ends)), 1), fixed, shape)
-        K = at.slopes()
-        n = balance.n
-        nonzero = np.zeros(shape, dtype=np.bool_)
-        for i in range(n):
-            entry = cofactor(K, column, i)
-            value = getattr(entry, "value", entry)
-            nonzero |= ~value.holds_zero() if isinstance(value, Intervals) else np.full(shape, value != 0)
-        none = np.zeros(shape, dtype=np.bool_)
-        for other in set(range(n)) - {column}:
-            none |= ~change(K, other).value.holds_zero()
-    return nonzero & ~none, ~nonzero & ~none

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 from ...exact.certified_roots import concatenated
 from ...exact.interval_arrays import FloatArray, Intervals, stacked
 from ...exact.jets import Jet, gradient
+from ...parameters import ParameterSet
+from ...questions import Method, question
 from ...results.onsets import Onsets, onsets_of
 from ...results.points import Points
 from ..mechanics.balance import NOTHING, Balance
-from ..model import Model
 from ..statics import stability
 from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
 from ..statics.regions import by_hand
@@ -29,31 +30,33 @@ from .seen import VALUES, with_seen
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 
 
+@question
 def flutter_onsets(
-    model: Model,
-    p: Any,
-    vary: str,
+    p: ParameterSet,
+    vary: str | None = None,
     *,
     damping: bool | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
 ) -> Onsets:
     """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether these are all.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; the one that varies is not used.
-    vary : str
-        A parameter.
+        Of any model, scalars; the one that varies is not used.
+    vary : str, optional
+        A parameter; without it ``theta0``, or the model's first one.
     damping : bool, optional
         True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and slope of the friction law; False
         for (27), without C, as the article's flutter. Without it True, unless C is 0.
     between : mapping, optional
-        Its range, as for :func:`spragsym.models.catastrophe.folds.folds`.
+        Its range, as for :func:`spragsym.folds`.
     within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.models.statics.equilibria.equilibria`.
+        Ranges of coordinates, as for :func:`spragsym.equilibria`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, as for (27) along θ₀, the closed form only, or the search.
 
     Returns
     -------
@@ -61,7 +64,16 @@ def flutter_onsets(
         Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
         or ``"seen"``: floats see a pair cross there, where the search was not complete, and no proof succeeds;
         ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where all damping changes its sign
-        at once, by a falling friction law against a damper, every pair of a state crosses, and each has a row.
+        at once, by a falling friction law against a damper, every pair of a state crosses, and each has a row. Closed forms add
+        ``branch``, which counts the equilibria from below in θ, from 0, ``count``, how many there are, and ``side``: 1 where
+        the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, 0 where the boundary is only touched.
+
+    Raises
+    ------
+    ParameterError
+        For a parameter that is missing or an array.
+    ConvergenceError
+        At parameters of the article's model so degenerate that onsets can't be told apart.
 
     Notes
     -----
@@ -69,7 +81,19 @@ def flutter_onsets(
     only is damped, that entry of C is a factor of Hurwitz's determinant and taken out: what is left, and the entry, or the
     slope of the friction law where it is that, are searched for on their own. An end of the range at which C vanishes is no
     onset. Points where a real pair ± λ has the sum 0, or two real λ meet, are roots as well and left out.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> found = ss.flutter_onsets(ss.Parameters.article(alpha=0.7), damping=False)
+    >>> print(np.degrees(found.theta0).round(6), found.side)
+    [135.389588 166.068824] [ 1 -1]
+    >>> onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V")
+    >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
+    ([0.101, 1.4035], ['gentle', 'dangerous'])
     """
+    model = p.model
+    vary = model.one(vary)
     balance = Balance(model, contact=True)
     spans, asked = ranges(model, (vary,), between or {}), by_hand(balance.coordinates, within)
     given = given_column(p, balance.parameters, (vary,))

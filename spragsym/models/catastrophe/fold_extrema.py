@@ -52,7 +52,7 @@ def extrema(
     over, along = vary
     spans, rest = ranges(model, vary, between), {name: ends for name, ends in between.items() if name != over}
     with doing("cusps over {} and {}", *vary):
-        found = cusps(model, p, vary, between=between, within=within)
+        found = cusps(p, vary, between=between, within=within)
     yield "cusp", found
     balance = Balance(model, contact=True)
     # Where no state depends on one of the two, curves are straight along it.
@@ -61,7 +61,7 @@ def extrema(
         yield "turn", isolated(balance, p, Turn(), vary, spans, within)
     for end in spans[0]:
         value = p.ranges[over].reached(float(end), float(spans[0, 1] - spans[0, 0]))
-        yield "end", folds(model, p.replace(**{over: value}), along, between=rest, within=within)
+        yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
     if balance.opens and bends:
         yield "border", isolated(Balance(model, contact=True, room=OVER_BORDER), p, FoldOnBorder(), vary, spans, within)
 

@@ -35,10 +35,10 @@ def ended(points: Points) -> Ended:
 
 def _at(points: Points, row: int) -> tuple[str, str, dict[str, float]]:
     """Of one fold: which of the two states that meet is stable, which way they vanish, and what takes the place of that one."""
-    (vary,), p, at = points.vary, points.parameters, getattr(points, points.vary[0])
-    value, model = float(at[row]), p.model.search
+    (vary,), p, at = points.vary, points.parameters.of(points.parameters.model.search), getattr(points, points.vary[0])
+    value, model = float(at[row]), p.model
     stops = _beside(points, row, value)
-    eq = equilibria(model, p.replace(**{vary: stops}))
+    eq = equilibria(p.replace(**{vary: stops}))
     (pairs,) = links(Along(Balance(model, contact=True), p, vary, at, points.kind), stops, eq)
     met = [slot for slot in range(int(eq.count[0])) if slot not in pairs]
     when, side = ("up", 0) if met else ("down", 1)
@@ -72,7 +72,7 @@ def _after(points: Points, row: int, eq: Equilibria, beyond: int) -> dict[str, f
     behind = np.array([eq.coordinates[name][beyond, slots] for name in names])
     apart = np.linalg.norm(behind - before[:, None], axis=0)
     goal = behind[:, foremost(apart, behind, eq.error[beyond, slots] + points.error[row])]
-    here = equilibria(points.parameters.model.search, points.parameters.replace(**{vary: float(getattr(points, vary)[row])}))
+    here = equilibria(points.parameters.replace(**{vary: float(getattr(points, vary)[row])}), method="search")
     states = np.array([here.coordinates[name][: int(here.count)] for name in names])
     if not states.size:
         raise ConvergenceError(f"the states at {vary} = {getattr(points, vary)[row]:.17g} are not told apart")

@@ -3,58 +3,85 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...exact.interval_arrays import FloatArray
+from ...parameters import FloatArray, ParameterSet
+from ...questions import Method, question
 from ...results.points import Points
-from ..mechanics.balance import Balance
-from ..mechanics.forces import Model
-from ..statics.regions import by_hand
-from .bifurcation_conditions import Fold
-from .defining_systems import Augmented
-from .degenerate_ends import vanishes
-from .points import Found, arranged, endless, given_column, ranges, search
-from .symmetry import with_pitchforks
+
+if TYPE_CHECKING:
+    from ..mechanics.balance import Balance
+    from .points import Found
 
 
+@question
 def folds(
-    model: Model,
-    p: Any,
-    vary: str,
+    p: ParameterSet,
+    vary: str | None = None,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
 ) -> Points:
     """Folds in contact along one parameter, the others fixed; ``complete`` of the result says whether these are all.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; the one that varies is not used.
-    vary : str
-        A parameter.
+        Of any model, scalars; the one that varies is not used.
+    vary : str, optional
+        A parameter; without it ``theta0``, or the model's first one.
     between : mapping, optional
         Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range; one without an end is searched to ten times
         the base value, and to 10 at least, which the result says.
     within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.models.statics.equilibria.equilibria`.
+        Ranges of coordinates, as for :func:`spragsym.equilibria`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
 
     Returns
     -------
     Points
         Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three become one, all of them in one
         point, in a model that is its own mirror image. Other degenerate points are no regular roots and stay among the undecided
-        boxes.
+        boxes. Closed forms of the article's model know all folds with L > 0, y < 0 and the parameter in its range, to 1e-12.
+
+    Raises
+    ------
+    ParameterError
+        For a ``vary`` that is not a parameter, or a parameter that is missing or an array.
+    ConvergenceError
+        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it from one.
 
     Notes
     -----
     Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the parameter moves the state across the
     fold and the fold is quadratic: otherwise their Jacobian would be singular. Pitchforks:
-    :mod:`spragsym.models.catastrophe.symmetry`.
+    :mod:`spragsym.models.catastrophe.symmetry`. Of the article's model: f = f′ = 0, see
+    :mod:`spragsym.kang_nam.catastrophe.fold_points`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> found = ss.folds(ss.Parameters.article())
+    >>> print(np.degrees(found.theta0))
+    [ 44.5593177  155.05941879]
+    >>> print(ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0)).kind)
+    ['pitchfork' 'pitchfork']
+    >>> found = ss.folds(ss.load("cubic_contact").Parameters(), vary="theta0", between={"theta0": (0.5, 1.5)})
+    >>> np.degrees(found.theta0).round(2).tolist(), found.complete
+    ([44.59], True)
     """
+    from ..mechanics.balance import Balance  # where a closed form answers nothing of it is loaded
+    from ..statics.regions import by_hand
+    from .bifurcation_conditions import Fold
+    from .points import arranged, endless, given_column, ranges, search
+    from .symmetry import with_pitchforks
+
+    model = p.model
+    vary = model.one(vary)
     balance = Balance(model, contact=True)
     spans = ranges(model, (vary,), between or {})
     given = given_column(p, balance.parameters, (vary,))
@@ -69,6 +96,10 @@ def folds(
 
 def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[str, ...]:
     """Of boxes that are left at an end of the range where det K is 0 whatever the state."""
+    from .bifurcation_conditions import Fold
+    from .defining_systems import Augmented
+    from .degenerate_ends import vanishes
+
     left, system = found.roots.left, Augmented(balance, (vary,), Fold())
     remarks = []
     for end in span if left.shape[2] else ():

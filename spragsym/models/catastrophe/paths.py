@@ -22,8 +22,9 @@ from ...results.paths import Jump, Path, followed
 from ...results.points import Points
 from ..mechanics.balance import Balance
 from ..mechanics.forces import Model
-from ..statics.equilibria import columns, equilibria
+from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
+from ..statics.search import columns
 from ..statics.stability import linearization
 from .bifurcation_conditions import Touch
 from .branches import Along, links
@@ -144,7 +145,7 @@ class _Way:
         self.within = (at >= along.min()) & (at <= along.max())
         self.at, self.kinds = at[self.within], self._column("kind")
         self.stops, self.wanted = self._stops(along)
-        self.eq = self._with_meetings(equilibria(model, p.replace(**{vary: self.stops})))
+        self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
         if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
@@ -180,10 +181,10 @@ class _Way:
         low, high = float(along.min()), float(along.max())
         low = max(low - beyond * max(1.0, abs(low)), allowed.low)
         high = min(high + beyond * max(1.0, abs(high)), allowed.high)
-        found = folds(self.model, self.p, self.vary, between={self.vary: (low, high)})
+        found = folds(self.p, self.vary, between={self.vary: (low, high)})
         if not found.decided:
             raise ConvergenceError(
-                f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all decided; model.folds lists the boxes, "
+                f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all decided; ss.folds lists the boxes, "
                 "and a path needs a range without them"
             )
         return [found, *self._touches((low, high))]
@@ -307,7 +308,7 @@ class _Way:
         """The slot behind the fold that ends the branch."""
         end = self.end(stop)
         before = end.before
-        eq = equilibria(self.model, self.p.replace(**{self.vary: float(self.stops[stop])}))
+        eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
         how = "leaves the contact" if end.kind == "border" else f"ends in a {end.kind}"
         ends = f"the state {how} at {self.vary} = {end.value!r}"
@@ -343,7 +344,7 @@ class _Way:
 
     def _at_end(self, end: ModelEnd, behind: FloatArray) -> list[float]:
         """Coordinates at the end of a branch of the state that has these at the stop behind it."""
-        eq = equilibria(self.model, self.p.replace(**{self.vary: end.value}))
+        eq = equilibria(self.p.replace(**{self.vary: end.value}))
         states = np.array([eq.coordinates[name][: int(eq.count)] for name in end.before])
         if not eq.decided.all() or not states.size:
             return [float(value) for value in behind]

@@ -22,7 +22,7 @@ from ...exact.krawczyk import as_intervals, narrowed
 from ...exact.polynomials import Undecided
 from ..mechanics.border import BITS, on_its_side
 from ..statics import stability
-from ..statics.equilibria import seen
+from ..statics.search import seen
 from .bifurcation_conditions import Hopf
 from .defining_systems import Augmented
 from .points import Found

@@ -111,7 +111,7 @@ class Splitting:
 
     def _first(self, middle: FloatArray) -> FloatArray:
         """The stable state of smallest first coordinate in the middle of the box, where what moves begins."""
-        eq = equilibria(self.model, self.point(np.append(middle, self.begin)))
+        eq = equilibria(self.point(np.append(middle, self.begin)))
         stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
         if not eq.decided or not stable.size:
             raise ConvergenceError(f"no state in the middle of the box is known to be stable at {self.vary} = {self.begin:g}")

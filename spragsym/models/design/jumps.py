@@ -208,7 +208,7 @@ class Followed:
         """Some points, the states of small deformation from which they are followed, where these are known, and up to where."""
         n, begin = self.balance.n, self.begin[rows]
         p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
-        eq = equilibria(self.model, p)
+        eq = equilibria(p)
         states = np.array([getattr(eq, name) for name in self.balance.coordinates])
         stable = eq.stability == Stability.STABLE
         open_ = np.where(stable.any(axis=1, keepdims=True), stable, ~np.isnan(states[0]))

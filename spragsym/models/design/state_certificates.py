@@ -149,7 +149,7 @@ class _Box:
     def refuting(self, points: FloatArray) -> Any:
         """The first of some points at which the claim is proved to be false, or None."""
         p = self.model.Parameters(**dict(zip(self.balance.parameters, points, strict=True)))
-        fails = np.flatnonzero(self.fails(equilibria(self.model, p)))
+        fails = np.flatnonzero(self.fails(equilibria(p)))
         if not fails.size:
             return None
         values = points[:, fails[0]].tolist()

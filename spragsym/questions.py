@@ -1,0 +1,111 @@
+"""Questions: one function for all models, answered by a closed form where the model of the parameters brings one.
+
+``@question`` stands on the general algorithm, whose signature and docstring are the public ones. A closed form has the same name;
+:data:`spragsym.kang_nam.CLOSED_FORMS` says where it stands. It raises :class:`NotInClosedForm` for arguments that it does not
+know, and is not asked about arguments that it does not have: then the general algorithm answers.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeAlias, TypeVar
+
+from .errors import ModelError, ParameterError, ParameterTypeError
+from .parameters import ParameterSet, PhysicalParameters
+
+if TYPE_CHECKING:
+    from .models.model import Model
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+#: Ways to an answer: by closed form where there is one, by closed form only, or by the general algorithm and all that it asks.
+Method: TypeAlias = Literal["auto", "closed", "search"]
+WAYS = ("auto", "closed", "search")
+
+
+class NotInClosedForm(Exception):
+    """Raised by a closed form for arguments that it does not know."""
+
+
+def question(general: Callable[P, R]) -> Callable[P, R]:
+    """The general algorithm behind the closed form of that name, if the model of the parameters brings one."""
+    name = general.__name__
+
+    @functools.wraps(general)
+    def ask(*args: P.args, **options: P.kwargs) -> R:
+        method = options.pop("method", "auto")
+        model = model_of(*args, *options.values())
+        if method not in WAYS:
+            raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
+        if method == "search" and model.search is not model:
+            sets = {key: of(model.search, value) for key, value in options.items()}
+            return general(*of(model.search, args), **sets)
+        if method != "search" and (closed := model.closed_form(name)) is not None and _takes(closed, args, options):
+            try:
+                return closed(*args, **options)  # type: ignore[no-any-return]  # of the same type
+            except NotInClosedForm:
+                pass
+        if method == "closed":
+            raise ModelError(
+                f"{model.name} answers {name} with these arguments by no closed form; leave method out, or give method='search'"
+            )
+        return general(*args, **options)
+
+    return ask
+
+
+def model_of(*things: Any) -> Model:
+    """The model of the first set of parameters among arguments, all of which must be of that model."""
+    sets = sets_among(things)
+    if not sets:
+        given = things[0] if things else None
+        if isinstance(given, PhysicalParameters):
+            given.require()  # says what to call
+        raise ParameterTypeError(f"p = {given!r:.60} is no set of parameters; make one with model.Parameters(...)")
+    first, *others = sets
+    model: Model = ParameterSet.model.fget(first)  # type: ignore[attr-defined]  # a parameter may be called model
+    for other in others:
+        if not isinstance(other, type(first)) and not isinstance(first, type(other)):
+            raise ParameterTypeError(
+                f"p = {other!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)"
+            )
+    return model
+
+
+def sets_among(things: Iterable[Any]) -> list[ParameterSet]:
+    """The sets of parameters among arguments, those in a pair of corners included."""
+    return [*_sets(things)]
+
+
+def _sets(things: Iterable[Any]) -> Iterator[ParameterSet]:
+    for thing in things:
+        if isinstance(thing, ParameterSet):
+            yield thing
+        elif isinstance(thing, tuple):
+            yield from _sets(thing)
+
+
+def of(model: Model, thing: Any) -> Any:
+    """Arguments with their sets of parameters as sets of the model without closed forms, or of the one with them."""
+    if isinstance(thing, ParameterSet):
+        return thing.of(model)
+    return tuple(of(model, one) for one in thing) if type(thing) is tuple else thing
+
+
+@functools.cache
+def _signature(function: Callable[..., Any]) -> inspect.Signature:
+    return inspect.signature(function)
+
+
+def _takes(closed: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any]) -> bool:
+    """Whether a closed form has arguments of these names."""
+    if len(args) == 1 and not options:
+        return True
+    try:
+        _signature(closed).bind(*args, **options)
+    except TypeError:
+        return False
+    return True

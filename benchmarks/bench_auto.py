@@ -102,14 +102,14 @@ def hopf_exactly() -> float:
 def ours() -> tuple[float, dict[float, tuple[float, float]], float]:
     """The same by the branch of cycles."""
     model = ss.load("stick_slip")
-    first = model.cycle(model.Parameters(V=0.2))
+    first = ss.cycle(model.Parameters(V=0.2))
     begin = time.process_time()
-    branch = model.cycle_branch(first, "V", (0.08, 0.21))
+    branch = ss.cycle_branch(first, "V", (0.08, 0.21))
     spent = (time.process_time() - begin) / len(branch.values)
     found = {}
     for speed in SPEEDS:
         near = min(branch.cycles, key=lambda cycle: abs(cycle.parameters["V"] - speed))
-        cycle = model.cycle(model.Parameters(V=speed), near=near)
+        cycle = ss.cycle(model.Parameters(V=speed), near=near)
         found[speed] = (cycle.period, float(cycle.state[0]))
     return branch.of("end")[0].value, found, spent
 

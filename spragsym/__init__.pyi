@@ -64,9 +64,9 @@ from .models import load as load
 from .models.catastrophe.cusps import cusps as cusps
 from .models.catastrophe.flutter import flutter_onsets as flutter_onsets
 from .models.catastrophe.folds import folds as folds
+from .models.catastrophe.hopf_curves import onset_curves as onset_curves
 from .models.diagram import Diagram as Diagram
 from .models.diagram import diagram as diagram
-from .models.planes import onset_curves as onset_curves
 from .models.statics.equilibria import count as count
 from .models.statics.equilibria import equilibria as equilibria
 from .parameters import Parameters as Parameters

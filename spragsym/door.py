@@ -38,8 +38,6 @@ INTERFACE = frozenset((
     "flutter_boundary", "bifurcation_set", "surface",
     "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign",
-    "onset_curves", "diagram",
-    "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
 #: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, whether one that is
 #: above the belt stays there, which states lie on one branch, whether they have ended at their friction, what is known to any

@@ -62,9 +62,9 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     --------
     >>> import spragsym as ss
     >>> model, told = ss.load("stick_slip"), []
-    >>> cycle = model.cycle(model.Parameters(V=0.2))
+    >>> cycle = ss.cycle(model.Parameters(V=0.2))
     >>> with ss.show_progress(to=told.append):
-    ...     found = model.cycle_branch(cycle, "V", (0.19, 0.21), points=4)
+    ...     found = ss.cycle_branch(cycle, "V", (0.19, 0.21), points=4)
     >>> told[0]
     'cycle 1 in one direction of the branch, beside 0.2'
     """

@@ -600,7 +600,7 @@ def test_a_family_of_cycles_at_one_value_has_no_events() -> None:
     """x stays 0 and y swings by itself, as far as one likes: two multipliers are 1, and what is told from them is rounding."""
     model = ss.load("mode_coupling")
     onsets = ss.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 3.0)})
-    branch = model.cycle_branch(model.cycle(onset=onsets, index=0), "mu0", (0.2, 0.3), points=30)
+    branch = ss.cycle_branch(ss.cycle(onset=onsets, index=0), "mu0", (0.2, 0.3), points=30)
     assert branch.values == pytest.approx(0.25 / -math.expm1(-5.0), abs=1e-12)
     assert {(event.kind, event.how) for event in branch.events} == {("end", branches.VERTICAL)}
 
@@ -609,7 +609,7 @@ def test_a_cycle_of_another_model_is_refused(slow: ss.Cycle, branch: ss.CycleBra
     damped, other = ss.load("damped"), ss.load("stick_slip")
     own, (doubling,) = damped.Parameters(theta0=0.73), branch.of("period_doubling")
     for asked in (
-        lambda: damped.cycle_branch(slow, "theta0", (0.7, 0.75)), lambda: damped.cycle(own, near=slow),
+        lambda: ss.cycle(own, near=slow),
         lambda: ss.cycle(other.Parameters(V=0.2), near=slow), lambda: ss.diagram(own, "theta0", (0.7, 0.75), starts=[slow]),
     ):  # fmt: skip
         with pytest.raises(ss.ParameterTypeError, match=r"a cycle of kang_nam, not of (damped|stick_slip)"):
@@ -824,7 +824,7 @@ def test_rounding_is_no_chaos() -> None:
     """x″ + x = 0, both exponents of which are 0, and whose orbits lie in a plane."""
     model = ss.load("stick_slip")
     p = model.Parameters(mu_s=0.0, zeta=0.0, V=0.5)
-    for found in (model.fate(p, start=(1.0, 0.0), t_end=4000.0), model.lyapunov(p, start=(1.0, 0.0), t_end=4000.0)):
+    for found in (ss.fate(p, start=(1.0, 0.0), t_end=4000.0), ss.lyapunov(p, start=(1.0, 0.0), t_end=4000.0)):
         assert found.kind == "undecided"
         assert "not told from 0" in found.why
         assert (np.abs(found.exponents) <= found.error).all()
@@ -1039,12 +1039,12 @@ def test_failures_of_loaded_models_are_told_as_well() -> None:
         model = ss.load(name).search
         p = model.Parameters(V=0.0, **({"theta0": math.radians(42.0)} if name == "kang_nam" else {}))
         with pytest.raises(ss.ConvergenceError, match=r"rest at x = [-\d.e]+(, y = [-\d.]+)?;"):
-            model.cycle(p)
-        found = model.lyapunov(p, t_end=300.0)
+            ss.cycle(p)
+        found = ss.lyapunov(p, t_end=300.0)
         assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
     damped = ss.load("stick_slip").Parameters(zeta=0.5)
     with pytest.raises(ss.ConvergenceError, match=r"it is at rest at x = 0\.1923"):
-        ss.load("stick_slip").cycle(damped)
+        ss.cycle(damped)
 
 
 @pytest.mark.parametrize(("V", "d"), [(0.0, 10.0), pytest.param(0.5, 1e4, marks=pytest.mark.thorough)])
@@ -1170,7 +1170,7 @@ def test_the_axes_of_a_branch_are_named(branch: ss.CycleBranch) -> None:
 def test_a_loaded_model_on_the_command_line(tmp_path: Path, run: Run) -> None:
     picture, model, asked = tmp_path / "branch.svg", ss.load("stick_slip"), ["cycles", "--model", "stick_slip", "-V", "0.2"]
     told = json.loads(run(*asked, "--near", "0.61,0", "--vary", "V=0.195:0.21", "--plot", str(picture), "--json"))
-    assert told["period"] == pytest.approx(model.cycle(model.Parameters(V=0.2)).period, abs=1e-10)
+    assert told["period"] == pytest.approx(ss.cycle(model.Parameters(V=0.2)).period, abs=1e-10)
     assert [event["V"] for event in told["branch_events"]] == [0.195, 0.21]
     assert "spring_force" not in told
     assert picture.exists()
@@ -1181,25 +1181,25 @@ def test_a_loaded_model_on_the_command_line(tmp_path: Path, run: Run) -> None:
 def test_a_force_that_a_model_has_not_is_named() -> None:
     model = ss.load("stick_slip")
     with pytest.raises(ss.ParameterError, match="spring_force is no force of this model, which has none"):
-        _ = model.cycle(model.Parameters(V=0.2)).spring_force
+        _ = ss.cycle(model.Parameters(V=0.2)).spring_force
 
 
 @pytest.mark.thorough
 def test_a_loaded_model_has_branches_and_exponents() -> None:
     model = ss.load("stick_slip")
-    first = model.cycle(model.Parameters(V=0.2))
-    branch = model.cycle_branch(first, "V", (0.08, 0.21), longest=0.2)
+    first = ss.cycle(model.Parameters(V=0.2))
+    branch = ss.cycle_branch(first, "V", (0.08, 0.21), longest=0.2)
     assert branch.of("end")[0].value == pytest.approx(bench_auto.hopf_exactly(), abs=1e-5)
-    found = model.lyapunov(model.Parameters(V=0.2), start=first.state, t_end=20 * first.period)
+    found = ss.lyapunov(model.Parameters(V=0.2), start=first.state, t_end=20 * first.period)
     assert found.zero.tolist() == [True, False]
     assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-4)  # volumes shrink by e^−17 a stretch
     with pytest.raises(ss.ParameterError, match="not one of"):
-        model.fate_boundary(model.Parameters(), vary="gamma", bracket=(0.1, 0.2))
+        ss.fate_boundary(model.Parameters(), vary="gamma", bracket=(0.1, 0.2))
     with pytest.raises(ss.ParameterError, match="one divergent equilibrium is needed"):
-        model.basin_boundary(model.Parameters(), plane=("x", "vx"))
+        ss.basin_boundary(model.Parameters(), plane=("x", "vx"))
     stribeck = ss.load("stribeck")
     with pytest.raises(ss.ParameterError, match="grows in one direction only"):  # there is one that is divergent, and swings
-        stribeck.basin_boundary(stribeck.Parameters(theta0=0.6))
+        ss.basin_boundary(stribeck.Parameters(theta0=0.6))
 
 
 @pytest.mark.thorough
@@ -1270,7 +1270,7 @@ def test_a_loaded_model_is_proved() -> None:
     """The article's cycle by its page, whose algebra is emitted apart: the same digits, with proof."""
     pytest.importorskip("flint")
     model = ss.load("kang_nam").search
-    cycle = model.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
+    cycle = ss.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
     found = ss.precise.prove_cycle(cycle)
     assert found.proved, found.reason
     assert found.stable
@@ -1278,7 +1278,7 @@ def test_a_loaded_model_is_proved() -> None:
         assert abs(found.period - mpmath.mpf("34.267370010976864587950659")) < 1e-23
     # Where the mass sticks deviations shrink by e^−30: an enclosure that does not shrink with them proves nothing.
     model = ss.load("stick_slip")
-    cycle = model.cycle(model.Parameters(V=0.2))
+    cycle = ss.cycle(model.Parameters(V=0.2))
     stiff = ss.precise.prove_cycle(cycle, digits=20)
     assert stiff.proved, stiff.reason
     assert stiff.stable

@@ -57,7 +57,7 @@ def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
 def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
     model = ss.load("stick_slip")
     onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
-    found = ss.diagram(model.Parameters(), "V", (0.08, 0.2), points=40, starts=[model.cycle(onset=onsets, index=0)])
+    found = ss.diagram(model.Parameters(), "V", (0.08, 0.2), points=40, starts=[ss.cycle(onset=onsets, index=0)])
     assert len(found.cycles) == 1
 
 

@@ -71,8 +71,8 @@ MODULES = sorted(
 #: Modules whose examples take seconds; their tests have the same calls.
 LONG_EXAMPLES = (
     "spragsym.cycles.fate_boundaries", "spragsym.cycles.branch", "spragsym.cycles.two_parameters",
-    "spragsym.cycles.basin_boundaries", "spragsym.models.model", "spragsym.models.planes", "spragsym.models.diagram",
-    "spragsym.figures.curves", "spragsym.precise",
+    "spragsym.cycles.basin_boundaries", "spragsym.models.model", "spragsym.models.diagram",
+    "spragsym.models.catastrophe.hopf_curves", "spragsym.figures.curves", "spragsym.precise",
 )  # fmt: skip
 
 

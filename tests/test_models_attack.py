@@ -76,7 +76,7 @@ def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend:
     from scipy.integrate import solve_ivp
 
     start, t_end = [0.0, 0.0, SHALLOW["V"], 0.0], 0.01
-    tr = penalty.simulate(penalty.Parameters(**SHALLOW), start=start, t_end=t_end, backend=backend)
+    tr = ss.simulate(penalty.Parameters(**SHALLOW), start=start, t_end=t_end, backend=backend)
     known = solve_ivp(field(DRAWN["penalty"], SHALLOW), (0.0, t_end), start, method="LSODA", rtol=1e-11, atol=1e-13)
     np.testing.assert_allclose(tr.state[:, -1], known.y[:, -1], rtol=0, atol=2e-7)
     assert len(tr.events.t) == 2
@@ -111,10 +111,10 @@ WRONG: dict[str, tuple[Callable[[Any, Any], Any], str]] = {
     "an endless range": (lambda m, p: ss.folds(p, vary="mu0", between={"mu0": (0, np.inf)}), "is not in"),
     "beyond the range": (lambda m, p: ss.folds(p, between={"theta0": (0, 9)}), "leaves the range of theta0"),
     "a start of a path": (lambda m, p: m.quasi_static_path(p, "mu0", [0.1, 0.2], start=[0.0]), "start = .* slots 0 to 0"),
-    "one end of a bracket": (lambda m, p: m.fate_boundary(p, vary="mu0", bracket=(1,)), "is no range; give its two ends"),
-    "a saddle of one number": (lambda m, p: m.basin_boundary(p, plane=("x", "vx"), saddle=[1.0]), "saddle has the shape"),
+    "one end of a bracket": (lambda m, p: ss.fate_boundary(p, vary="mu0", bracket=(1,)), "is no range; give its two ends"),
+    "a saddle of one number": (lambda m, p: ss.basin_boundary(p, plane=("x", "vx"), saddle=[1.0]), "saddle has the shape"),
     "a start beyond numbers": (
-        lambda m, p: m.simulate(p, y0=1e200, backend="scipy", t_end=1.0),
+        lambda m, p: ss.simulate(p, y0=1e200, backend="scipy", t_end=1.0),
         "stopped at t = 0",
     ),
 }
@@ -149,7 +149,7 @@ def test_a_ball_that_comes_back_to_touch_goes_down_again(backend: str) -> None:
     p = model.Parameters(
         theta0=0.2084, mu0=17.256, kappa=0.0099346, alpha=0.00010157, sigma=0.00026774, beta=4.5666, V=8.8207e-6, d=7.1211
     )
-    tr = model.simulate(p, t_end=6.0, rtol=1e-12, backend=backend)
+    tr = ss.simulate(p, t_end=6.0, rtol=1e-12, backend=backend)
     low, high = tr.y.min(), tr.y[tr.t > 2.0].max()
     assert low < -0.004
     assert abs(high) < 1e-9

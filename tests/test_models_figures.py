@@ -153,7 +153,7 @@ def test_the_window_of_a_bifurcation_set_holds_every_cusp_that_was_found() -> No
 
 def test_a_spectrum_is_over_the_models_own_unit_of_time():
     model = ss.load("stick_slip")
-    motion = model.simulate(model.Parameters(), x0=0.1, t_end=20.0, backend="scipy")
+    motion = ss.simulate(model.Parameters(), x0=0.1, t_end=20.0, backend="scipy")
     assert figures.draw_spectrum(motion).axes.get_xlabel() == r"frequency $\times\ \sqrt{m/k}$"
 
 

@@ -31,8 +31,8 @@ def parameters(model: Any, **changes: Any) -> Any:
 def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     """The integral of the powers over a motion with kinks is the change of energy: the quadrature is not the integrator's."""
     model = ss.load(name).search
-    tr = model.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend) if "y" in model.coordinates else None
-    tr = tr or model.simulate(parameters(model), t_end=40.0, backend=backend)
+    tr = ss.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend) if "y" in model.coordinates else None
+    tr = tr or ss.simulate(parameters(model), t_end=40.0, backend=backend)
     energy = tr.energy()
     scale = np.abs(energy).max() + tr.integral(np.abs(tr.power()))
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 3e-9 * scale
@@ -46,7 +46,7 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_both_integrators_agree(name: str) -> None:
     model = ss.load(name).search
-    ends = [model.simulate(parameters(model), t_end=30.0, backend=backend).state[:, -1] for backend in BACKENDS]
+    ends = [ss.simulate(parameters(model), t_end=30.0, backend=backend).state[:, -1] for backend in BACKENDS]
     np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-7)
 
 
@@ -65,7 +65,7 @@ def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> Non
 
     start = np.zeros(2 * n)
     run = solve_ivp(field, (0.0, 8.0), start, method="Radau", rtol=1e-9, atol=1e-11, max_step=0.02)
-    np.testing.assert_allclose(model.simulate(p, t_end=8.0).state[:, -1], run.y[:, -1], rtol=0, atol=1e-6)
+    np.testing.assert_allclose(ss.simulate(p, t_end=8.0).state[:, -1], run.y[:, -1], rtol=0, atol=1e-6)
 
 
 def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
@@ -81,7 +81,7 @@ def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
         p = model.Parameters(mu_s=mu_s, v_s=v_s, V=V, zeta=hopf + change)
         C = model.algebra.damping(rest, *model.arguments(p, "motion"), 1)
         assert abs(float(C[0][0]) - change) < 1e-14
-        tr = model.simulate(p, x0=rest + 1e-5, t_end=40 * np.pi, rtol=1e-12)
+        tr = ss.simulate(p, x0=rest + 1e-5, t_end=40 * np.pi, rtol=1e-12)
         size = np.hypot(tr.x - rest, tr.vx)
         assert abs(np.log(size[-1] / size[0]) / tr.t[-1] + change / 2) < 1e-3
 
@@ -90,24 +90,22 @@ def test_arguments_that_make_no_sense() -> None:
     model = ss.load("trolley")
     p = model.Parameters(theta0=1.0)
     with pytest.raises(ss.ParameterTypeError, match="did you mean x_a0"):
-        model.simulate(p, xa0=1.0)
+        ss.simulate(p, xa0=1.0)
     with pytest.raises(ss.ParameterTypeError, match=r"kappa is no argument but a parameter; .*p\.replace\(kappa="):
-        model.simulate(p, kappa=0.01)
+        ss.simulate(p, kappa=0.01)
     with pytest.raises(ss.ParameterError, match="it is x0, y0, x_a0, vx0, vy0, vx_a0"):
-        model.simulate(p, start=[0.0, 0.0])
+        ss.simulate(p, start=[0.0, 0.0])
     with pytest.raises(ss.ParameterError, match="theta0 is missing"):
-        model.simulate(model.Parameters())
-    with pytest.raises(ss.ParameterTypeError, match="no set of parameters of trolley"):
-        model.simulate(ss.Parameters.article(theta0=1.0))
+        ss.simulate(model.Parameters())
     with pytest.raises(ss.ParameterError, match="both ends of spring 1 on one point"):
-        model.simulate(p, x0=float(np.cos(1.0)), y0=float(np.sin(1.0)))
+        ss.simulate(p, x0=float(np.cos(1.0)), y0=float(np.sin(1.0)))
     with pytest.raises(AttributeError, match="no 'z'"):
-        model.simulate(p, t_end=1.0).z  # noqa: B018  # the access is the test
+        ss.simulate(p, t_end=1.0).z  # noqa: B018  # the access is the test
 
 
 def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
     model = ss.load("trolley")
-    tr = model.simulate(model.Parameters(theta0=1.0), t_end=5.0, estimate_error=True)
+    tr = ss.simulate(model.Parameters(theta0=1.0), t_end=5.0, estimate_error=True)
     assert tr.error is not None
     assert tr.error.max() < 1e-6
     tr.save(tmp_path / "tr.csv")
@@ -122,7 +120,7 @@ def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
 def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
     model = ss.load("kang_nam").search
     x0 = np.array([0.1, float(np.cos(1.0))])
-    sweep = model.rms_sweep(model.Parameters(theta0=1.0), t_end=10.0, x0=x0, y0=float(np.sin(1.0)))
+    sweep = ss.rms_sweep(model.Parameters(theta0=1.0), t_end=10.0, x0=x0, y0=float(np.sin(1.0)))
     assert np.isfinite(sweep.rms).tolist() == [True, False]
     assert "on one point" in sweep.reason[1]
 
@@ -157,7 +155,7 @@ def test_a_component_is_drawn_by_its_name() -> None:
     """A trolley's third component is x_a, an article's is vx."""
     figures = pytest.importorskip("spragsym.figures")
     model = ss.load("trolley")
-    motion = model.simulate(model.Parameters(theta0=0.8), t_end=5.0, vx0=0.3, backend="scipy")
+    motion = ss.simulate(model.Parameters(theta0=0.8), t_end=5.0, vx0=0.3, backend="scipy")
     for name in motion.components:
         line = figures.draw_motion(motion, name, pytest.importorskip("matplotlib.figure").Figure().add_subplot())
         assert line.get_ydata()[[0, -1]] == pytest.approx(getattr(motion, name)[[0, -1]])
@@ -172,7 +170,7 @@ def test_help_names_the_unit_of_time_of_the_model(run: Run) -> None:
 
 def test_a_motion_can_be_copied_and_sent_to_another_process() -> None:
     model = ss.load("stick_slip")
-    motion = model.simulate(model.Parameters(), t_end=5.0)
+    motion = ss.simulate(model.Parameters(), t_end=5.0)
     assert np.array_equal(copy.deepcopy(motion).x, motion.x)  # as a pickle takes it apart
 
 
@@ -185,7 +183,7 @@ def test_commands_name_what_is_wrong_with_a_model(run: Run) -> None:
 def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():
     model = ss.load("damped")
     more = {"mu0": 0.7, "zeta_x": 0.5, "zeta_y": 0.5}
-    sweep = model.rms_sweep(model.Parameters(theta0=np.radians([30.0, 60.0]), **more), x0=[[0.0], [1.5]], t_end=200.0, rtol=1e-8)
+    sweep = ss.rms_sweep(model.Parameters(theta0=np.radians([30.0, 60.0]), **more), x0=[[0.0], [1.5]], t_end=200.0, rtol=1e-8)
     # At the friction μ(V), which the motion feels.
     friction = 0.7 * (1 - np.exp(-model.base["V"] * model.base["d"]))
     eq = ss.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0]), **{**more, "mu0": friction}))

@@ -171,7 +171,7 @@ def test_a_double_pendulum_moves_as_in_the_textbook(models: dict[str, Any], back
     if backend == "heyoka":
         pytest.importorskip("heyoka")
     model, start = models["double_pendulum"], [2.0, 1.0, 0.3, -0.4]
-    tr = model.simulate(model.Parameters(), start=start, t_end=10.0, backend=backend, rtol=1e-11)
+    tr = ss.simulate(model.Parameters(), start=start, t_end=10.0, backend=backend, rtol=1e-11)
     want = solve_ivp(pendulum, (0, 10.0), start, args=(0.3, 0.7), rtol=1e-12, atol=1e-13, method="DOP853").y[:, -1]
     assert np.allclose(tr.state[:, -1], want, atol=1e-7)
     energy = tr.energy()
@@ -240,9 +240,7 @@ def test_both_integrators_agree_and_energy_balances(models: dict[str, Any], name
     model = models[name]
     ends = []
     for backend in ("heyoka", "scipy"):
-        tr = model.simulate(
-            model.Parameters(), start=[0.4] * (2 * len(model.coordinates)), t_end=60.0, backend=backend, rtol=1e-10
-        )
+        tr = ss.simulate(model.Parameters(), start=[0.4] * (2 * len(model.coordinates)), t_end=60.0, backend=backend, rtol=1e-10)
         energy = tr.energy()
         assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-6
         ends.append(tr.state[:, -1])

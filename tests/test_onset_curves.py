@@ -233,7 +233,7 @@ def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
     from spragsym import figures
 
     model = ss.load("stick_slip")
-    found = model.onset_curves(model.Parameters(), ("V", "zeta"), between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
+    found = ss.onset_curves(model.Parameters(), ("V", "zeta"), between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
     artists = figures.draw_onset_curves(found)
     assert [artist.get_linestyle() for artist in artists[:2]] == ["-", "--"]
     ends = [artist.get_xdata()[[0, -1]] for artist in artists[:2]]

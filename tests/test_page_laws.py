@@ -151,7 +151,7 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     case, it = model
     p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
     start, t_end = (0.05, 0.01, 0.6, -0.05), 12.0
-    found = it.simulate(p, start=start, t_end=t_end, rtol=1e-11, backend=backend)
+    found = ss.simulate(p, start=start, t_end=t_end, rtol=1e-11, backend=backend)
 
     def field(_: float, state: Any) -> list[float]:
         x, y, vx, vy = map(mpmath.mpf, state.tolist())

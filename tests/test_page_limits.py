@@ -141,7 +141,7 @@ def test_a_heavy_mass_forces_the_body() -> None:
     more = INSTEAD["a mass that swings"]
     model = loaded(more, (CONTACT, "page.normal_force(F_L)"))
     p = model.Parameters(mu0=0.0, sigma=1e-3, zeta=0.3, kappa=1.0)
-    tr = model.simulate(p, z0=1.0, t_end=40.0)
+    tr = ss.simulate(p, z0=1.0, t_end=40.0)
     t = tr.t
     stiff, drive = 0.25 + 2e-3, 1e-3  # of x, and of the tie
     free = np.sqrt(stiff)
@@ -306,7 +306,7 @@ def test_along_what_varies_already_is_refused_at_once(name: str, run: Run, monke
 def test_a_motion_without_x_is_drawn() -> None:
     figures = pytest.importorskip("spragsym.figures")
     model = without_mu0()
-    tr = model.simulate(model.Parameters(), t_end=5.0)
+    tr = ss.simulate(model.Parameters(), t_end=5.0)
     line = figures.draw_motion(tr)
     assert line.axes.get_ylabel() == "$u$ / $L_0$"
     assert figures.draw_motion(tr, "vu").axes.get_ylabel() == r"$u'$ / $(L_0\,\sqrt{k_c/m})$"
@@ -346,6 +346,6 @@ def test_a_coordinate_may_be_called_s() -> None:
     model, want = loaded(('x = page.coordinate("x"', 'x = page.coordinate("s"')), loaded()
     p, q = model.Parameters(), want.Parameters()
     backend = "heyoka" if importlib.util.find_spec("heyoka") else None
-    one, two = model.simulate(p, t_end=30.0, backend=backend), want.simulate(q, t_end=30.0, backend=backend)
+    one, two = ss.simulate(p, t_end=30.0, backend=backend), want.simulate(q, t_end=30.0, backend=backend)
     assert one.rms() == two.rms()
     assert one.components == ("s", "y", "vs", "vy")

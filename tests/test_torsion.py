@@ -134,7 +134,7 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, b
         pytest.importorskip("heyoka")
     p = model.Parameters(tau=0.02, mu0=0.3)
     start, given = behind(p, -0.1, 0.5), dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
-    tr = model.simulate(p, start=start, t_end=3.0, backend=backend, rtol=1e-12)
+    tr = ss.simulate(p, start=start, t_end=3.0, backend=backend, rtol=1e-12)
 
     def rates(_: float, state: Any) -> list[float]:
         x, y, vx, vy = state
@@ -166,7 +166,7 @@ def test_a_jump_is_crossed_once_however_loose_the_tolerance(model: Any, rtol: fl
     pytest.importorskip("heyoka")
     p = model.Parameters(theta0=2.205926133607513, mu0=0.0, kappa=0.30704, alpha=0.02441, sigma=0.08657, tau=1.725e-4, gamma=3.44)
     start = [-1.0095703714247501, 1.4616892648305715, 0.2977184895486993, -1.058684974734116]
-    ends = [model.simulate(p, start=start, t_end=1.0, backend=name, rtol=rtol).state[:, -1] for name in ("heyoka", "scipy")]
+    ends = [ss.simulate(p, start=start, t_end=1.0, backend=name, rtol=rtol).state[:, -1] for name in ("heyoka", "scipy")]
     assert np.abs(ends[0] - ends[1]).max() < 100 * rtol
 
 
@@ -174,7 +174,7 @@ def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
     """The torque points away from the ray on both sides, as the energy has its largest value there."""
     p = model.Parameters(tau=0.5, mu0=0.3)
     for sign in (1, -1):
-        tr = model.simulate(p, start=behind(p, -0.1 * sign, 0.05 * sign), t_end=2.0)
+        tr = ss.simulate(p, start=behind(p, -0.1 * sign, 0.05 * sign), t_end=2.0)
         off = np.sin(0.8) * tr.x - np.cos(0.8) * tr.y
         assert (np.sign(off[0]) == np.sign(off)).all()
         assert abs(off[-1]) > 0.2
@@ -390,6 +390,6 @@ def test_the_explorer_has_the_states_and_the_motion(model: Any, tmp_path: Path) 
         start = list(map(float, behind(p, -0.1, 0.5)))
         run = "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 300; i++) s = m.step(s, 0.01); return s; }"
         assert page.page.evaluate(run, [point, start]) == pytest.approx(
-            model.simulate(p, start=start, t_end=3.0).state[:, -1], abs=2e-6
+            ss.simulate(p, start=start, t_end=3.0).state[:, -1], abs=2e-6
         )
         assert page.errors == []

@@ -70,7 +70,7 @@ def leaves(model: Any, p: Any, end: ModelEnd) -> bool | None:
     near = np.abs(getattr(eq, first)[: int(eq.count)] - q[0]).min()
     off = []
     for side in (-1, 1):
-        motion = model.simulate(
+        motion = ss.simulate(
             p.replace(mu0=end.value * (1 + side * BESIDE), d=STEEP / float(p.V)), start=[*q, *[0.0] * len(q)], t_end=LONG
         )
         off.append(float(np.abs(getattr(motion, first) - q[0]).max()))

@@ -302,7 +302,7 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
         return None
     ends = []
     for share in (0.8, 1.1):
-        tr = model.simulate(p, start=rest + share * (cycle.state - rest), t_end=span)
+        tr = ss.simulate(p, start=rest + share * (cycle.state - rest), t_end=span)
         late = tr.state[:, tr.t > span - 2 * cycle.period]
         early = tr.state[:, tr.t < 2 * cycle.period]
         size = [np.abs(form.p.conjugate() @ (part - rest[:, None])).mean() for part in (early, late)]

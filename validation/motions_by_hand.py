@@ -64,7 +64,7 @@ def motion(model: Any, drawn: Drawn, values: Values, rng: np.random.Generator) -
         begin = time.process_time()
         for rtol in (RTOL, RTOL / 1000):  # stiff creep multiplies the tolerance
             try:
-                tr = model.simulate(
+                tr = ss.simulate(
                     model.Parameters(**values), start=start, t_end=t_end, rtol=rtol, backend=backend, max_steps=MAX_STEPS
                 )
             except ss.ConvergenceError as error:

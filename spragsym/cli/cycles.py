@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+import spragsym as ss
+
 from ..errors import ParameterError
 from ..progress import show_progress
 from .drawings import written
@@ -67,7 +69,7 @@ def cycles(
         _tell_diagram(case, p, along, [] if start is None else [start], points, plot, json_output)
         return
     with show_progress("looking for a cycle"):
-        found = case.model.cycle(p, start)
+        found = ss.cycle(p, start)
     summary, title = case.units.measured({"model": case.model.name, **_summary(found)}), ""
     # As --near takes it.
     summary["state"] = [value * one for value, one in zip(summary["state"], _ones(case), strict=True)]

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+import spragsym as ss
+
 from ..errors import MissingExtraError, ModelError, ParameterError
 from ..explorer import Preset, Units, explorer_page
 from ..explorer.derived import shipped
@@ -156,7 +158,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
         raise ParameterError(f"--onsets: {model.name} has no two parameters of its equilibria; leave it out")
     ends = window(model, model.plane, {})
     with show_progress("searching for onsets (--onsets)"):
-        found = model.onset_curves(p, model.plane, _LINES, between=ends)
+        found = ss.onset_curves(p, model.plane, _LINES, between=ends)
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
     spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.plane)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])

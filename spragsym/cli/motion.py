@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+import spragsym as ss
+
 from ..errors import ParameterError
 from ..parameters import FloatArray
 from .of_model import Case, of_model
@@ -69,7 +71,7 @@ def simulate(
     """
     p, (t_end, transient) = case.set(), times(case, t_end, transient)
     refuse_targets(output, plot, force)
-    tr = case.model.simulate(p, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **case.start)
+    tr = ss.simulate(p, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **case.start)
     summary = {"model": case.model.name, **case.units.measured(summary_of(tr, transient))}
     if output is not None:
         tr.save(output)
@@ -173,7 +175,7 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, output
     t_end, transient = times(case, t_end, transient, EACH)
     p, start = grid_of(case)
     options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": output}
-    run_sweep(lambda: case.model.rms_sweep(p, **options), output, force)
+    run_sweep(lambda: ss.rms_sweep(p, **options), output, force)
     study = case.units.study
     if study is not None:
         unit, size = study.unit_of("m")

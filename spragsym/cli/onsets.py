@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+import spragsym as ss
+
 from ..errors import ParameterError
 from ..progress import show_progress
 from .bifurcation import plane
@@ -58,7 +60,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
     names = tuple(one.name for one in along)
     between = {name: ends for one in along for name, ends in one.between.items()}
     with show_progress(f"searching for onsets in the plane of {' and '.join(names)}"):
-        found = case.model.onset_curves(case.set(*names), names, n, between=between)
+        found = ss.onset_curves(case.set(*names), names, n, between=between)
     if plot is not None:
         from ..figures import stability_figure
 
@@ -66,7 +68,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
         written(plot, f"drawing onsets in the plane of {' and '.join(names)}", lambda: stability_figure(found), [(across, up)])
     curves = [{"criticality": curve.criticality.tolist(), **_columns(case, curve, along)} for curve in found.curves]
     points = _points(case, found, along)
-    undecided, remarks = boxes_of(case, found.undecided, (*case.model.coordinates, *names)), case.units.said(found.remarks)
+    undecided, remarks = boxes_of(case, list(found.undecided), (*case.model.coordinates, *names)), case.units.said(found.remarks)
     if json_output:
         told = {"curves": curves, "points": points, "complete": found.complete, "undecided": undecided, "remarks": remarks}
         print_json({"model": case.model.name, "parameters": case.told(), **told})

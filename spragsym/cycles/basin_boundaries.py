@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..door import model_of
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, flow
 from ..dynamics.segment import Fly
@@ -18,6 +17,7 @@ from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..progress import doing
+from ..questions import model_of
 from .attractors import Verdict, attractor, judged, same, surely
 from .saddles import Saddle, equilibrium_near, saddle_near, side
 

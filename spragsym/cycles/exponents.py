@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..door import model_of
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
 from ..dynamics.regimes import Regime
 from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number
+from ..questions import model_of
 from .attractors import KINDS, attractor, judged, limiting
 from .growth_rates import PROVED, rates_along
 

@@ -13,7 +13,6 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..display import Result
-from ..door import model_of
 from ..dynamics.cycles import same_orbit
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, follower
@@ -22,6 +21,7 @@ from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet, as_numbers
 from ..progress import doing
+from ..questions import model_of
 from .attractors import JUDGED, PARTED, TOLERANCES, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle, surely
 from .branch import MERGES, cycle_branch
 from .finding import cycle_at

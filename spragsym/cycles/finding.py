@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from ..door import model_of
 from ..dynamics import Trajectory
 from ..dynamics.bifurcation_functions import multipliers
 from ..dynamics.field import Field
@@ -30,6 +29,7 @@ from ..dynamics.shooting import (
 )
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..parameters import FINITE, FloatArray, ParameterSet, as_number
+from ..questions import model_of
 from .orbit import Cycle, cycle_of
 
 #: Returns of a motion are looked at over this time, then over longer ones.

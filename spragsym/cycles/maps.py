@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..door import model_of
 from ..dynamics import integrators
 from ..dynamics.trajectory import initial_state
 from ..errors import ParameterError
@@ -23,11 +22,12 @@ from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
 from ..progress import advance
+from ..questions import model_of
 from ..sweeps import code
 from ..sweeps import workers as processes
 from ..sweeps.result import Results
 from ..sweeps.workers import Workers
-from .verdicts import UNFOLLOWED
+from .verdicts import UNFOLLOWED, fate
 
 #: Numbers of a record, in this order.
 MEASURED = ("kind", "period", "exponent", "exponent_error", "time_scale", "t")
@@ -189,7 +189,7 @@ def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, va
     """What is said of one point; what makes its motion impossible is why it is undecided."""
     try:
         p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
-        found = model.fate(p, start=start, t_end=t_end, backend=backend)
+        found = fate(p, start=start, t_end=t_end, backend=backend)
     except (ParameterError, ArithmeticError) as error:
         return [float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}"
     kind = Kind[found.kind.upper().replace("-", "_")]

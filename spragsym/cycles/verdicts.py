@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 
 from ..display import Result
-from ..door import model_of
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
 from ..dynamics.regimes import Outcome, Regime
 from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number
+from ..questions import model_of
 from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
 from .finding import cycle_near, stands_still
 from .growth_rates import rates_along

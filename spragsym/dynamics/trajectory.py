@@ -12,18 +12,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..display import Table, caption, words
-from ..door import model_of
 from ..errors import ParameterError, ParameterTypeError
 from ..files import storage
 from ..names import hint
 from ..parameters import FINITE, FloatArray, ParameterSet, as_number, as_numbers, degrees
+from ..questions import model_of
 from . import forces, integrators, pictures, spectra
 from .events import Events
 from .problem import MAX_STEPS, Event, Problem
 from .regimes import Outcome
 from .sampled_motion import Recorded
 
-__all__ = ["Event", "Events", "Trajectory", "follow", "initial_state", "simulate"]
+__all__ = ["Event", "Events", "Trajectory", "initial_state", "simulate"]
 
 #: The smallest tolerance that SciPy accepts, for the second run of an error estimate.
 TIGHTEST = 2.3e-14
@@ -281,18 +281,7 @@ def simulate(
     >>> tr.components, round(tr.largest(), 2)
     (('x', 'vx'), 0.61)
     """
-    options: dict[str, Any] = {
-        "start": start, "t_end": t_end, "rtol": rtol, "events": events, "estimate_error": estimate_error, "backend": backend,
-        "max_steps": max_steps, **initial,
-    }  # fmt: skip
-    return follow(model_of(p), p.given(V=V, d=d), **options)
-
-
-def follow(
-    model: Any, p: ParameterSet, *, start: ArrayLike | None = None, t_end: float = 2000.0, rtol: float = 1e-10,
-    events: bool = True, estimate_error: bool = False, backend: str | None = None, max_steps: int = MAX_STEPS, **initial: float,
-) -> Trajectory:  # fmt: skip
-    """The motion that a model prepares, by an integrator that takes it; arguments as :func:`simulate`."""
+    model, p = model_of(p), p.given(V=V, d=d)
     state = tuple(as_number(name, value) for name, value in initial_state(model, start, initial).items())
     problem = model.prepare(p, start=state, t_end=t_end, rtol=rtol, max_steps=max_steps)
     chosen = integrators.choose(backend, model.backends)

@@ -16,13 +16,14 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..cycles import Cycle, CycleBranch, CycleEvent, cycle_branch
+from ..cycles import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
 from ..cycles.finding import cycle_near
 from ..cycles.saddles import equilibrium_near
 from ..display import Result
 from ..dynamics.field import Field, Mode
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
+from ..questions import model_of
 from .catastrophe.flutter import flutter_onsets
 from .statics.equilibria import equilibria
 
@@ -117,7 +118,9 @@ class Diagram(Result):
     model: Any = field(default=None, repr=False)
 
 
-def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
+def diagram(
+    p: ParameterSet, vary: str, to: tuple[float, float], *, starts: Sequence[Any] = (), doublings: int = 1, points: int = 100
+) -> Diagram:
     """Equilibria and cycles of one parameter over a range.
 
     Parameters
@@ -160,17 +163,7 @@ def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any)
     >>> len(found.equilibria), len(found.cycles), bool(found.cycles[0].stable.any())
     (1, 1, True)
     """
-    from ..door import model_of
-
-    found: Diagram = model_of(p).diagram(p, vary, to, **options)
-    return found
-
-
-def diagram_of(
-    model: Model, p: ParameterSet, vary: str, to: tuple[float, float], *, starts: Sequence[Any] = (), doublings: int = 1,
-    points: int = 100,
-) -> Diagram:  # fmt: skip
-    """As :func:`diagram`."""
+    model = model_of(p)
     if vary not in model.parameters:
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
     p.scalars(*(name for name in model.parameters if name != vary))
@@ -438,7 +431,7 @@ def _cycles(
     """A cycle of each family that is known of: born at a Hopf point, or near a start."""
     for i, value in enumerate([] if onsets is None else np.asarray(getattr(onsets, vary)).tolist()):
         try:
-            yield model.cycle(onset=onsets, index=i)
+            yield cycle(onset=onsets, index=i)
         except SpragsymError as error:
             remarks.append(f"no cycle was found at the Hopf point {vary} = {value:.10g}: {error}")
     for start in starts:

@@ -273,8 +273,10 @@ def _check(model: Model) -> Callable[[str, float], None]:
 
 
 def _simulate(model: Model) -> Callable[..., Any]:
+    from ..dynamics.trajectory import simulate as motion
+
     def simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
         p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
-        return model.simulate(p, start=np.asarray(state), t_end=t_end, **options)
+        return motion(p, start=np.asarray(state), t_end=t_end, **options)
 
     return simulate

@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ..door import closed_form, part, question, unanswered
 from ..errors import ModelError, ParameterError
@@ -17,9 +17,8 @@ from . import parameters as _parameters
 from .describe import described, explained
 
 if TYPE_CHECKING:
-    from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
+    from ..cycles import Cycle
     from ..design import Certificate, JumpGradient, JumpMargin, JumpProbability, Redesign
-    from ..dynamics import Trajectory
     from ..dynamics.field import Field
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
@@ -31,11 +30,8 @@ if TYPE_CHECKING:
     from ..results.paths import Path
     from ..results.points import Ended, Points
     from ..results.precise_states import CuspProof, PreciseEquilibria
-    from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
-    from .catastrophe.hopf_curves import OnsetCurves
     from .catastrophe.normal_forms import NormalForm
-    from .diagram import Diagram
     from .statics.stability import Linearized
 
 
@@ -252,78 +248,6 @@ class Model:
 
         return quasi_static_path(self, p, vary, values, **options)
 
-    @question
-    def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
-        """Equilibria and cycles over one parameter, labelled: see :func:`spragsym.models.diagram.diagram`."""
-        from .diagram import diagram_of
-
-        return diagram_of(self, p, vary, to, **options)
-
-    @question
-    def onset_curves(
-        self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 30, **options: Any
-    ) -> OnsetCurves:  # fmt: skip
-        """Curves of Hopf points in the plane of two parameters, gentle or dangerous: see :func:`spragsym.onset_curves`."""
-        from .catastrophe.hopf_curves import onset_curves
-
-        return onset_curves(self, p, self.two(vary), n, **options)
-
-    @question
-    def cycle(self, p: ParameterSet | None = None, near: Any = None, **options: Any) -> Cycle:
-        """The cycle near a state, or that a motion approaches, or, with ``onset=``, that is born: see :func:`spragsym.cycle`."""
-        from ..cycles import cycle
-
-        return cycle(p, near, **options)
-
-    def cycle_branch(self, cycle: Cycle, vary: str, to: tuple[float, float], **options: Any) -> CycleBranch:
-        """A cycle followed as one of the model's parameters varies: see :func:`spragsym.cycle_branch`, which is the same."""
-        from ..cycles import cycle_branch
-
-        cycle.require(self.field, "cycle")
-        return cycle_branch(cycle, vary, to, **options)
-
-    @question
-    def lyapunov(self, p: ParameterSet, **options: Any) -> Lyapunov:
-        """Lyapunov exponents of the motion from ``start``: see :func:`spragsym.lyapunov`."""
-        from ..cycles import lyapunov
-
-        return lyapunov(p, **options)
-
-    @question
-    def fate(self, p: ParameterSet, **options: Any) -> Fate:
-        """What the motion from ``start`` comes to: see :func:`spragsym.fate`."""
-        from ..cycles import fate
-
-        return fate(p, **options)
-
-    @question
-    def fate_boundary(self, p: ParameterSet, **options: Any) -> FateBoundary:
-        """The value of ``vary`` in ``bracket`` at which ``start`` changes its fate: see :func:`spragsym.fate_boundary`."""
-        from ..cycles import fate_boundary
-
-        return fate_boundary(p, **options)
-
-    @question
-    def basin_boundary(self, p: ParameterSet, **options: Any) -> BasinBoundary:
-        """The stable manifold of a saddle in a plane of starts: see :func:`spragsym.basin_boundary`."""
-        from ..cycles import basin_boundary
-
-        return basin_boundary(p, **options)
-
-    @question
-    def simulate(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> Trajectory:
-        """Integrate the motion from an initial state: see :func:`spragsym.simulate`."""
-        from ..dynamics.trajectory import follow
-
-        return follow(self, p.given(V=V, d=d), **options)
-
-    @question
-    def rms_sweep(self, p: ParameterSet, V: ArrayLike | None = None, d: ArrayLike | None = None, **options: Any) -> Sweep:
-        """Simulate every point of a broadcast, and tell what each comes to: see :func:`spragsym.rms_sweep`."""
-        from ..sweeps.many import run
-
-        return run(self, p.given(V=V, d=d), **options)
-
     def prepare(self, p: ParameterSet, **options: Any) -> Problem:
         """A motion as a problem for an integrator."""
         from .problems import prepare
@@ -524,20 +448,6 @@ class Model:
     surface = unanswered("equilibria(p) has all states over a grid of parameters")
     linear_sprag = unanswered("equilibria(p) has the states")
     linear_critical_friction = unanswered("folds(p, vary) has the values at which states meet")
-
-    @question
-    def basin(self, p: ParameterSet, V: float | None = None, d: float | None = None, **options: Any) -> Basin:
-        """Which attractor each start of a grid reaches: see :func:`spragsym.basin`."""
-        from ..sweeps import basin
-
-        return basin(p, V, d, **options)  # type: ignore[arg-type]  # a set of any model
-
-    @question
-    def sensitivity(self, p: ParameterSet, V: ArrayLike | None = None, d: ArrayLike | None = None, **options: Any) -> Sensitivity:
-        """Where the RMS jumps as θ₀ grows, for every V with every d: see :func:`spragsym.sensitivity`."""
-        from ..sweeps import sensitivity
-
-        return sensitivity(p, V, d, **options)  # type: ignore[arg-type]  # a set of any model
 
     def normal_form(self, given: FloatArray, state: FloatArray, vary: str, radii: FloatArray) -> NormalForm:
         """Of a Hopf point among :class:`~spragsym.Onsets`: see :func:`spragsym.models.catastrophe.normal_forms.normal_form`."""

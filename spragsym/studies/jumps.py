@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+import spragsym as ss
+
 from ..display import Result
 from ..dynamics import forces
 from ..dynamics.regimes import Regime
@@ -89,7 +91,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
     start = _balanced(model, p.replace(**{rise.name: value}), begin + AWAY * (end - begin), held)
     for t_end in _T_END:
         try:
-            motion = model.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
+            motion = ss.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
             comes_to = motion.outcome(0.5 * t_end).regime
         except ConvergenceError:
             return None

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+import spragsym as ss
+
 from ..cycles import Cycle
 from ..display import Result
 from ..dynamics import forces
@@ -73,7 +75,7 @@ def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillati
     size = len(p.model.coordinates)
     for word, place in (("rest", ()), ("far out", _FAR[:size])):
         try:
-            found = p.model.cycle(p, near=(*place, *[0.0] * (2 * size - len(place))), patient=False)
+            found = ss.cycle(p, near=(*place, *[0.0] * (2 * size - len(place))), patient=False)
         except ConvergenceError:
             continue
         if found.stable:  # no motion comes to one that is not
@@ -101,7 +103,7 @@ def _of_cycle(study: Study, found: Cycle, settles: bool | None, start: str) -> O
 
 def _of_motion(study: Study, settles: bool | None, holds: bool) -> Oscillation:
     p = study.dimensionless
-    motion = p.model.simulate(p, t_end=T_END)
+    motion = ss.simulate(p, t_end=T_END)
     late = motion.after(0.75 * T_END)
     try:
         regime = motion.outcome(0.75 * T_END).regime

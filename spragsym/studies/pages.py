@@ -12,6 +12,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+import spragsym as ss
+
 from ..errors import MissingExtraError, SpragsymError
 from . import rises
 from .oscillations import first_unit
@@ -131,7 +133,7 @@ def stability_map(study: Study, p: Any, friction: tuple[float, float], top: floa
     if "theta0" not in p.model.parameters or not study.moves:
         return
     with suppress(SpragsymError):
-        onsets = p.model.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
+        onsets = ss.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
         angles = study.quantities["theta0"]
 
         def draw(ax: Any) -> None:

@@ -14,6 +14,7 @@ from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ParameterTypeError
 from ..names import hint
 from ..parameters import FloatArray, Parameters, as_numbers
+from .many import rms_sweep
 from .measure import LIMITS
 from .result import Sweep
 
@@ -111,7 +112,8 @@ def basin(
         if values.ndim != 1:
             raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
     (one, first), (other, second) = axes.items()
-    sweep = p.model.rms_sweep(p, **{one + "0": first[:, None], other + "0": second}, **starts)
+    options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
+    sweep = rms_sweep(p, **options)
     labels, attractors = _attractors(sweep)
     return Basin((one, other), (first, second), labels, attractors, sweep)
 

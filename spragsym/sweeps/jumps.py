@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from ..display import Result
 from ..errors import ModelError, ParameterError
 from ..parameters import FloatArray, Parameters, as_numbers
+from .many import rms_sweep
 from .result import Sweep
 
 
@@ -98,14 +99,14 @@ def sensitivity(
     p.require(*(name for name, value in (("V", V), ("d", d)) if value is None))
     speeds, creeps = np.atleast_1d(p.V if V is None else as_numbers("V", V), p.d if d is None else as_numbers("d", d))
     p = p.replace(V=speeds[:, None, None], d=creeps[None, :, None])
-    sweep = p.model.rms_sweep(p, **options)
+    sweep = rms_sweep(p, **options)
     ratio = sweep.rms[..., 1:] / sweep.rms[..., :-1]
     at = np.argmax(np.where(np.isnan(ratio), 0.0, ratio), axis=-1)[..., None]
     low, high = angles[at], angles[at + 1]
     before, after = (np.take_along_axis(sweep.rms, at + k, axis=-1) for k in (0, 1))
     for _ in range(refine):
         middle = (low + high) / 2
-        between = p.model.rms_sweep(p.replace(theta0=middle), **options).rms
+        between = rms_sweep(p.replace(theta0=middle), **options).rms
         upper = after * before > between**2
         low, before = np.where(upper, middle, low), np.where(upper, between, before)
         high, after = np.where(upper, high, middle), np.where(upper, after, between)

@@ -7,12 +7,10 @@ from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..door import model_of
 from ..dynamics import batch_heyoka, integrators
 from ..dynamics.problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
 from ..dynamics.trajectory import initial_state
@@ -21,6 +19,7 @@ from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, common_shape
 from ..progress import advance
+from ..questions import model_of
 from . import workers as processes
 from .measure import MotionsOf, Settings, measured
 from .result import Results, Sweep
@@ -108,19 +107,7 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
-    options: dict[str, Any] = {
-        "t_end": t_end, "transient": transient, "rtol": rtol, "backend": backend, "max_steps": max_steps, "workers": workers,
-        "progress": progress, "store": store, **initial,
-    }  # fmt: skip
-    return run(model_of(p), p.given(V=V, d=d), **options)
-
-
-def run(
-    model: Any, p: ParameterSet, *, t_end: float = 2000.0, transient: float | None = None, rtol: float = 1e-10,
-    backend: str | None = None, max_steps: int = MAX_STEPS, workers: Workers = 1, progress: bool = False,
-    store: str | os.PathLike[str] | None = None, **initial: ArrayLike,
-) -> Sweep:  # fmt: skip
-    """The sweep of a model's motions; arguments as :func:`rms_sweep`."""
+    model, p = model_of(p), p.given(V=V, d=d)
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
     settings = settings_of(t_end, transient, rtol, backend, max_steps, model.backends)

@@ -107,7 +107,7 @@ def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> Non
     explorer = opened(browser, model, tmp_path)
     (point,) = points(model, 1)
     start = [0.05] + [0.0] * (2 * len(model.coordinates) - 1)
-    tr = model.simulate(model.Parameters(**point), start=start, t_end=30.0)
+    tr = ss.simulate(model.Parameters(**point), start=start, t_end=30.0)
     run = "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 3000; i++) s = m.step(s, 0.01); return s; }"
     assert explorer.page.evaluate(run, [point, start]) == pytest.approx(tr.state[:, -1], abs=2e-6)
     assert explorer.errors == []

@@ -15,6 +15,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import spragsym as ss
+
 pytest.importorskip("sympy")
 
 from spragsym.cli import main
@@ -131,7 +133,7 @@ def test_the_example_is_built_and_moves_as_python_does(name: str, tmp_path: Path
     subprocess.run(["make", "-s"], cwd=out, check=True, timeout=120)
     lines = subprocess.run(["./example"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout.splitlines()
     assert len(lines) == 6
-    tr = model.simulate(a_set(name, 45.0), t_end=20.0)
+    tr = ss.simulate(a_set(name, 45.0), t_end=20.0)
     said = lines[2].split()
     assert said[:2] == ["time", "8.0"]
     for component, value in zip(tr.components, tr(8.0), strict=True):

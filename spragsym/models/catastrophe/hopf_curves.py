@@ -15,7 +15,8 @@ from ...exact import contractors
 from ...exact.certified_roots import concatenated
 from ...exact.interval_arrays import FloatArray, Intervals
 from ...exact.polynomials import Undecided
-from ...parameters import as_count
+from ...parameters import ParameterSet, as_count
+from ...questions import model_of
 from ...results.named_columns import Columns
 from ...results.onsets import criticality
 from ...results.points import Points
@@ -107,30 +108,35 @@ class OnsetCurves(Result):
 
 
 def onset_curves(
-    model: Model,
-    p: Any,
-    vary: Sequence[str],
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
     n: int = 30,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
 ) -> OnsetCurves:
-    """All Hopf points of a damped model on ``n`` lines of either parameter, joined to curves, with the points that end them.
+    """Curves of Hopf points in the plane of two parameters, each point gentle or dangerous, and where curves end and change.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; those that vary are not used.
-    vary : pair of str
-        Two parameters.
+        Of any model, scalars; those that vary are not used.
+    vary : pair of str, optional
+        Two parameters; without it ``theta0`` and ``mu0``.
     n : int
-        Lines in each direction.
+        Lines of either parameter on which all Hopf points are found and proved.
     between : mapping, optional
-        Ranges of the two, as for :func:`spragsym.models.catastrophe.folds.folds`.
+        Ranges of the two, as ``{"mu0": (0, 1)}``.
 
     Returns
     -------
     OnsetCurves
+        ``curves``, each point with ``criticality``; ``points``, all those of the kinds BT, ZH and HH, proved; and ``changes``,
+        where l₁ passes 0 along a curve (GH).
+
+    Raises
+    ------
+    ParameterError
+        For parameters that the model has not, or ranges that leave theirs.
 
     Notes
     -----
@@ -138,7 +144,19 @@ def onset_curves(
     two points are neighbours only if no line separates them. A curve that closes between two lines is not seen. Where the only
     coordinate that is damped has no damping, by a falling friction law against a damper, every pair crosses, and each is a curve
     without l₁.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> p = ss.load("stick_slip").Parameters()
+    >>> found = ss.onset_curves(p, ("V", "zeta"), between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
+    >>> len(found), sorted(set(found.curves[0].criticality.tolist()))
+    (1, ['dangerous', 'gentle'])
+    >>> found.changes["V"].round(4).tolist()  # where F‴ = 0, at (1 + √2) v_s
+    [0.2414]
     """
+    model = model_of(p)
+    vary = model.two(vary)
     as_count("n", n, 2)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})

@@ -106,6 +106,8 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
         yield acceleration_of(entry.symbol), f"the acceleration of {entry.symbol}", entry.line
         yield f"{entry.symbol}0", f"the start of {entry.symbol}", entry.line
         yield f"{entry.rate}0", f"the start of the rate of {entry.symbol}", entry.line
+        for of_limit in (f"mean_{entry.symbol}", f"rest_{entry.symbol}", f"cycle_{entry.symbol}", f"cycle_{entry.rate}"):
+            yield of_limit, f"a column of a sweep, for {entry.symbol}", entry.line
     for datum in page.parameters:
         yield datum.becomes, PARAMETER, datum.line
         if datum.unit == "rad" and datum.becomes.isidentifier():

@@ -689,11 +689,11 @@ def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPa
             raise ss.ConvergenceError("too far")
         return followed(field, known, values, backend)
 
-    def told(one: Any, other: Any) -> bool:
+    def told(one: Any, other: Any, around: Any) -> bool:
         return (one.period < middle) == (other.period < middle)
 
     monkeypatch.setattr(fate_boundaries, "followed", near)
-    monkeypatch.setattr(fate_boundaries, "_seems", told)
+    monkeypatch.setattr(fate_boundaries, "same_limit", told)
     p, settings = ss.Parameters.article(), {"vary": "theta0", "bracket": (0.733, 0.7334), "start": (2.54, 3.36, 0.0, 0.36)}
     periods = [ss.cycle(p.replace(theta0=value), **BELT, near=settings["start"]).period for value in settings["bracket"]]
     middle = sum(periods) / 2
@@ -773,13 +773,13 @@ def test_a_boundary_beside_others_is_told_where_rounding_does_not_decide(monkeyp
     def judged(field: Any, values: Any, start: Any, backend: str, *, times: Any = (), rtol: float = 0.0) -> attractors.Verdict:
         other = values[0] >= 0.3 or island[0] < values[0] < island[1]
         return attractors.Verdict(
-            ss.Outcome(ss.Regime.EQUILIBRIUM, rest_x=float(other), rest_y=0.0), np.zeros(4), 2000.0, ("x", "y")
+            ss.Outcome(ss.Regime.EQUILIBRIUM, rest=(float(other), 0.0)), np.zeros(4), 2000.0, ("x", "y")
         )
 
     monkeypatch.setattr(fate_boundaries, "judged", judged)
-    monkeypatch.setattr(fate_boundaries, "attractor", lambda field, values, verdict, backend: verdict.outcome.rest_x)
+    monkeypatch.setattr(fate_boundaries, "attractor", lambda field, values, verdict, backend: verdict.outcome.rest)
     monkeypatch.setattr(fate_boundaries, "followed", lambda field, known, values, backend: known)
-    monkeypatch.setattr(fate_boundaries, "same", lambda one, other: one == other)
+    monkeypatch.setattr(fate_boundaries, "same", lambda field, one, other: one == other)
     monkeypatch.setattr(fate_boundaries, "_saddle", lambda *_: ("unknown", np.zeros(4), math.nan, math.nan))
     found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.2, 0.4), **BELT)
     assert abs(found.value - 0.3) < found.error < 1e-12

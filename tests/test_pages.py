@@ -207,14 +207,14 @@ def test_a_page_that_is_no_text_in_utf_8(tmp_path: Path) -> None:
 def test_a_coordinate_hides_nothing_of_the_results() -> None:
     """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that of a parameter."""
     from spragsym.derive import reserved
-    from spragsym.sweeps.result import REPORTED
+    from spragsym.sweeps.measure import reported
 
     def asked(kind: type) -> set[str]:
         return {name for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind))) if not name.startswith("_")}
 
     for kind in (ss.Trajectory, ss.Sweep, ss.Equilibria, ss.Points, ss.Path):
         assert asked(kind) <= reserved.RESULTS | reserved.OF_MOTIONS, kind
-    assert asked(ss.Points) | asked(ss.Onsets) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
+    assert asked(ss.Points) | asked(ss.Onsets) | {*reported((""), ()), "regime", "equilibrium", "reason"} <= reserved.RESULTS
 
 
 def with_contact(law: str) -> Any:

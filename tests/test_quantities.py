@@ -74,11 +74,10 @@ def test_files_say_what_one_of_each_number_is(name: str) -> None:
 
     for entry in about["parameters"]:
         assert float(getattr(p, entry["name"])) * one_of(entry["name"]) == pytest.approx(given[entry["quantity"]], rel=1e-12)
-    assert {said[key][0] for key in ("rms", "mean", "cycle_x", model.coordinates[0], f"{model.coordinates[0]}0")} == {
-        said["rms"][0]
-    }
+    first = model.coordinates[0]
+    assert {said[key][0] for key in ("rms", "mean", f"cycle_{first}", f"rest_{first}", first, f"{first}0")} == {said["rms"][0]}
     assert one_of("period") * one_of("rate") == pytest.approx(1.0)
-    assert all(model.coordinates[0] in said[key][1] for key in ("rms", "largest", "cycle_x"))
+    assert all(first in said[key][1] for key in ("rms", "largest", f"cycle_{first}"))
 
 
 @pytest.mark.parametrize("name", ["x", "y", "L", "vx", "vy", "V", "d", "tau"])

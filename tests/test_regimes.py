@@ -120,16 +120,19 @@ def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, 
     def courses(states: np.ndarray, duration: float) -> list[Course]:
         return [course(state, duration) for state in states]
 
+    def ends(states: np.ndarray, duration: float) -> np.ndarray:
+        return np.array([course(state, duration).last for state in states])
+
     first = fixed + start
 
-    def closed(state: np.ndarray, period: float, reach: float) -> Closed:
+    def closed(state: np.ndarray, section: int, period: float, reach: float) -> Closed:
         # One round is what Newton's method finds of two or more.
-        return Closed(np.insert(fixed, 2, 0.0), PERIOD, matrix)
+        return Closed(np.insert(fixed, 2, 0.0), PERIOD, matrix, section)
 
-    def roughly(state: np.ndarray, period: float, reach: float) -> tuple[np.ndarray, float, np.ndarray]:
+    def roughly(state: np.ndarray, section: int, period: float, reach: float) -> tuple[np.ndarray, float, np.ndarray]:
         return np.insert(fixed, 2, 0.0), PERIOD, matrix
 
-    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), Onward(courses, roughly, closed)
+    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), Onward(courses, ends, roughly, closed)
 
 
 def _turn(size: float, angle: float) -> np.ndarray:

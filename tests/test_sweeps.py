@@ -24,7 +24,6 @@ from spragsym.dynamics import Event, Regime, simulate
 from spragsym.files import storage
 from spragsym.kang_nam.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
-from spragsym.sweeps.measure import REPORTED
 from tests.support import needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
@@ -34,7 +33,7 @@ SHORT = {"V": 0.5, "d": 10.0, "t_end": 60.0, "transient": 20.0}
 
 def assert_same(one: Sweep, other: Sweep) -> None:
     """To the last bit."""
-    for name in (*REPORTED, "regime", "equilibrium", "reason"):
+    for name in (*one.measured, "regime", "equilibrium", "reason"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 

@@ -13,10 +13,9 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 import spragsym as ss
-from spragsym.dynamics.cycles import same_orbit
-from spragsym.dynamics.regimes import ATTRACTOR, Outcome, Regime
+from spragsym.dynamics import regimes
+from spragsym.dynamics.regimes import Outcome, Regime
 from spragsym.sweeps import Sweep, rms_sweep
-from spragsym.sweeps.measure import LIMITS
 
 #: Where the first verdict is given, and the windows of the two: the late one is wide enough for decays that take a million.
 EARLY, WINDOW, LATE_WINDOW = 2000.0, 500.0, 4000.0
@@ -60,9 +59,9 @@ def compared(inputs: Inputs, late_end: float = 4e4) -> list[Compared]:
     early = judged(inputs, EARLY, WINDOW)
     told = np.flatnonzero(~np.isin(early.regime, (Regime.UNSETTLED, Regime.FAILED)))
     late = judged({name: values[told] for name, values in inputs.items()}, late_end, LATE_WINDOW)
-    outcomes = dict(zip(told.tolist(), (outcome_of(late, k) for k in range(len(told))), strict=True))
+    outcomes = dict(zip(told.tolist(), (late.outcome(k) for k in range(len(told))), strict=True))
     return [
-        Compared({name: float(values[i]) for name, values in inputs.items()}, outcome_of(early, i), outcomes.get(i))
+        Compared({name: float(values[i]) for name, values in inputs.items()}, early.outcome(i), outcomes.get(i))
         for i in range(len(early.regime))
     ]
 
@@ -85,17 +84,9 @@ def judged(inputs: Inputs, end: float, window: float) -> Sweep:
     return rms_sweep(ss.Parameters(**parameters), **rest, t_end=end, transient=end - window)
 
 
-def outcome_of(sweep: Sweep, i: int) -> Outcome:
-    """What a sweep tells of one motion."""
-    values = {name: float(getattr(sweep, name)[i]) for name in LIMITS}
-    return Outcome(Regime(int(sweep.regime[i])), int(sweep.equilibrium[i]), **values)
-
-
 def same_limit(early: Outcome, late: Outcome) -> bool:
     """Whether both are of one equilibrium, one cycle, or lift-off."""
-    limit, last = (ATTRACTOR.get(one.regime, one.regime) for one in (early, late))
-    same = limit == last and early.equilibrium == late.equilibrium
-    return same and (limit != Regime.LIMIT_CYCLE or same_orbit(early, late))
+    return early.equilibrium == late.equilibrium and regimes.same_limit(early, late, ())
 
 
 if __name__ == "__main__":

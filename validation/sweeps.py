@@ -28,7 +28,6 @@ from spragsym.errors import DamageWarning, StoreError
 from spragsym.files import storage
 from spragsym.files.journal import path_of
 from spragsym.sweeps import Sweep, rms_sweep
-from spragsym.sweeps.measure import REPORTED
 
 P = ss.Parameters.article(theta0=np.radians(np.linspace(30.0, 60.0, 12)))
 SHORT = {"V": 0.5, "d": 10.0, "t_end": 30.0, "transient": 10.0}
@@ -55,7 +54,7 @@ class Recorded:
 
 def same(one: Sweep, other: Sweep) -> bool:
     """To the last bit."""
-    names = (*REPORTED, "regime", "equilibrium", "reason")
+    names = (*one.measured, "regime", "equilibrium", "reason")
     return all(np.array_equal(getattr(one, n), getattr(other, n), equal_nan=getattr(one, n).dtype.kind == "f") for n in names)
 
 

@@ -108,13 +108,13 @@ def reach_of(values: tuple[float, ...], state: Any, place: Any, pieces: int = 20
 def holds(values: tuple[float, ...], found: ss.Fate) -> tuple[bool, str]:
     """Whether the other driver confirms a verdict."""
     if found.kind == "rest":
-        place = np.array([found.outcome.rest_x, found.outcome.rest_y, 0.0, 0.0])
+        place = np.array([*found.outcome.rest, 0.0, 0.0])
         before, state = reach_of(values, found.end, place)
         after, _ = reach_of(values, carried(values, state, 3000.0)[0], place)
         return after < max(1.02 * before, 1e-6), f"up to {before:.3g} off, 3000 later {after:.3g}"
     if found.kind == "cycle":
         told = found.outcome
-        state = np.array([told.cycle_x, told.cycle_y, 0.0, told.cycle_vy])
+        state = np.array(told.cycle)
         end, _ = carried(values, state, told.period, 1e-13)
         closed = float(np.abs(end - state).max())
         kicks = 1e-6 * np.eye(4)
@@ -141,8 +141,7 @@ def examined(number: int) -> dict[str, Any]:
     right, how = holds(values, found)
     line |= {"confirmed": bool(right), "how": how}
     if found.kind == "cycle":
-        cycle = found.outcome
-        told = ss.lyapunov(ss.Parameters(*values), start=[cycle.cycle_x, cycle.cycle_y, 0.0, cycle.cycle_vy], t_end=4000.0)
+        told = ss.lyapunov(ss.Parameters(*values), start=found.outcome.cycle, t_end=4000.0)
         line["intervals"] = (np.abs(told.exponents - found.exponents) <= told.error + 1e-9).tolist()
     return line
 

@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..dynamics.field import Field
+from ..dynamics.field import Field, apart
 from ..dynamics.flows import carrier
-from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
+from ..dynamics.regimes import Outcome, Regime
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .arclength import Setting, along, started
-from .finding import cycle_at, cycle_near
+from .finding import cycle_at
 from .orbit import Cycle, cycle_of
 from .saddles import equilibrium_near, linearization, rounding_of
 
@@ -71,7 +71,7 @@ class Verdict:
     @property
     def kind(self) -> Regime:
         """EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED."""
-        return ATTRACTOR.get(self.outcome.regime, self.outcome.regime)
+        return self.outcome.limit
 
     @property
     def decided(self) -> bool:
@@ -85,7 +85,7 @@ class Verdict:
     def _limit(self) -> str:
         found = self.outcome
         if self.kind == Regime.EQUILIBRIUM:
-            place = zip(self.names, (found.rest_x, found.rest_y), strict=False)
+            place = zip(self.names, found.rest, strict=True)
             return "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
         if self.kind == Regime.LIMIT_CYCLE:
             return f"a cycle of period {found.period:.6g}"
@@ -144,19 +144,14 @@ class Attractor:
 
 def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> Attractor:
     """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the one that was told."""
-    found, n = verdict.outcome, len(field.coordinates)
+    found = verdict.outcome
     if verdict.kind == Regime.LIFT_OFF:
         return Attractor(verdict.kind, values, verdict.end)
     if verdict.kind == Regime.EQUILIBRIUM:
-        place = [found.rest_x, found.rest_y][:n] if n < 3 else verdict.end[:n].tolist()
-        return _at_rest(field, values, equilibrium_near(field, values, np.array([*place, *[0.0] * n])))
+        return _at_rest(field, values, equilibrium_near(field, values, np.array([*found.rest, *[0.0] * len(found.rest)])))
     if verdict.kind != Regime.LIMIT_CYCLE:
         raise ConvergenceError(f"the motion comes to {verdict.told()}")
-    if n > 2:
-        orbit = cycle_near(field, values, verdict.end, backend, patient=False)
-    else:
-        state = np.array([found.cycle_x, found.cycle_y, 0.0, found.cycle_vy][: 4 if n == 2 else 1] + [0.0] * (n == 1))
-        orbit = cycle_at(field, values, state, found.period, backend)
+    orbit = cycle_at(field, values, np.array(found.cycle), found.period, backend)
     if abs(orbit.period / found.period - 1) > 1e-3:
         raise ConvergenceError(f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}")
     return _stable(Attractor(verdict.kind, values, orbit.state, orbit))
@@ -220,20 +215,21 @@ def limiting(field: Field, known: Attractor) -> tuple[FloatArray, FloatArray]:
     return np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
 
 
-def same(one: Attractor, other: Attractor) -> bool:
+def same(field: Field, one: Attractor, other: Attractor) -> bool:
     """Whether two attractors at the same values of the parameters are one."""
-    if one.kind != other.kind:
-        return False
+    if one.kind != other.kind or one.kind == Regime.LIFT_OFF:
+        return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
-        return one.kind == Regime.LIFT_OFF or bool(np.abs(one.state - other.state).max() < SAME * (1 + np.abs(one.state).max()))
+        return bool(np.abs(apart(one.state, other.state, field.around)).max() < SAME * (1 + np.abs(one.state).max()))
     return same_cycle(one.orbit, other.orbit)
 
 
 def same_cycle(one: Cycle, other: Cycle) -> bool:
     """Whether two cycles at the same values of the parameters are one."""
-    size = max(one.amplitude, other.amplitude)
-    alike = abs(one.period / other.period - 1) < SAME and max(abs(one.rms - other.rms), abs(one.mean - other.mean)) < SAME * size
-    return bool(alike and np.abs(one.samples.states - other.state[:, None]).max(axis=0).min() < ON * size)
+    size = np.pi if np.isnan(one.amplitude) or np.isnan(other.amplitude) else max(one.amplitude, other.amplitude)
+    if abs(one.period / other.period - 1) >= SAME or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= SAME * size:
+        return False
+    return bool(np.abs(apart(one.samples.states.T, other.state, one.field.around)).max(axis=1).min() < ON * size)
 
 
 def _at_rest(field: Field, values: tuple[float, ...], state: FloatArray) -> Attractor:

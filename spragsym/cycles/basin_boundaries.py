@@ -208,7 +208,7 @@ def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdic
     if not (one.decided and other.decided):
         return False
     try:
-        return not same(*(attractor(field, values, each, backend) for each in (one, other)))
+        return not same(field, *(attractor(field, values, each, backend) for each in (one, other)))
     except ConvergenceError:  # one that Newton's method does not find again decides nothing
         return False
 

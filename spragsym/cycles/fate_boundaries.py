@@ -13,10 +13,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..display import Result
-from ..dynamics.cycles import same_orbit
-from ..dynamics.field import Field
+from ..dynamics.field import Field, apart
 from ..dynamics.flows import carrier, follower
-from ..dynamics.regimes import Outcome, Regime
+from ..dynamics.regimes import Outcome, Regime, same_limit
 from ..dynamics.trajectory import state_of
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet, as_numbers
@@ -245,11 +244,15 @@ class _Asked:
         if fate.label >= 0:
             verdict = surely(
                 self.field, self.at(fate.value), self.start, fate.verdict, self.backend,
-                lambda beside: _is_one(fate.verdict, beside) or self._label(fate.value, beside) == fate.label,
+                lambda beside: self._are_one(fate.verdict, beside) or self._label(fate.value, beside) == fate.label,
             )  # fmt: skip
             if not verdict.decided:
                 self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
         return fate
+
+    def _are_one(self, one: Verdict, other: Verdict) -> bool:
+        """Whether two motions at one value have one limit, whatever labels it has there: two may turn out to be one later."""
+        return same_limit(one.outcome, other.outcome, self.field.around)
 
     def _label(self, value: float, verdict: Verdict) -> int:
         """That of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
@@ -259,13 +262,13 @@ class _Asked:
         alike = [each for each in self.known if each.verdict.kind == verdict.kind]
         nearest = {each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))}
         for label, each in nearest.items():
-            if _seems(each.verdict.outcome, verdict.outcome):
+            if same_limit(each.verdict.outcome, verdict.outcome, self.field.around):
                 return label
         likely = sorted(nearest, key=lambda label: _unlike(nearest[label].verdict.outcome, verdict.outcome))
         for label in likely[:1] if len(self.lost) < LOST else ():
             if _unlike(nearest[label].verdict.outcome, verdict.outcome) < UNLIKE:
                 try:
-                    if same(self.followed(nearest[label], value), attractor(self.field, self.at(value), verdict, self.backend)):
+                    if same(self.field, self.followed(nearest[label], value), self.attractor_of(value, verdict)):
                         return label
                 except ConvergenceError:
                     self.lost.append(value)
@@ -277,7 +280,11 @@ class _Asked:
 
     def attractor(self, fate: _Fate) -> Any:
         """The attractor of a fate."""
-        return attractor(self.field, self.at(fate.value), fate.verdict, self.backend)
+        return self.attractor_of(fate.value, fate.verdict)
+
+    def attractor_of(self, value: float, verdict: Verdict) -> Any:
+        """The attractor of a verdict at a value."""
+        return attractor(self.field, self.at(value), verdict, self.backend)
 
     def merge(self, one: int, other: int) -> None:
         """Two attractors have turned out to be one."""
@@ -357,19 +364,6 @@ def _unlike(one: Outcome, other: Outcome) -> float:
     return abs(math.log(one.period / other.period)) if one.period > 0 and other.period > 0 else 0.0
 
 
-def _seems(one: Outcome, other: Outcome) -> bool:
-    """Whether two limits are hardly apart."""
-    if one.period > 0 and other.period > 0:
-        return same_orbit(one, other)
-    apart = [abs(a - b) for a, b in ((one.rest_x, other.rest_x), (one.rest_y, other.rest_y)) if np.isfinite(a)]
-    return max(apart, default=0.0) < 1e-6
-
-
-def _is_one(one: Verdict, other: Verdict) -> bool:
-    """Whether two motions at one value come to one limit, whatever labels it has there: two may turn out to be one later."""
-    return one.kind == other.kind and _seems(one.outcome, other.outcome)
-
-
 class _TooLong(ConvergenceError):
     """Motions were followed for longer than one call may take."""
 
@@ -406,7 +400,7 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
     for one, other in ((low, high), (high, low)):
         try:
-            met = same(asked.followed(one, other.value), asked.attractor(other))
+            met = same(asked.field, asked.followed(one, other.value), asked.attractor(other))
         except ConvergenceError as why:
             raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
         if met:
@@ -483,18 +477,20 @@ def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, fl
             saddle = saddle_near(field, values, state)
         except ConvergenceError:
             continue
-        if saddle is not None and saddle.attracts and (off := float(np.abs(state - saddle.state).max())) < best[3]:
+        if saddle is None or not saddle.attracts:
+            continue
+        if (off := float(np.abs(apart(state, saddle.state, field.around)).max())) < best[3]:
             best = ("equilibrium", saddle.state, saddle.growth, off)
     if best[3] < CLOSE:
         return best
     extent = float(np.ptp(hovering, axis=0).max())
-    for state, period, off in _returns(hovering, parted, extent):
+    for state, period, off in _returns(hovering, parted, extent, field.around):
         try:
             cycle = cycle_at(field, values, state, period, asked.backend)
         except ConvergenceError:
             continue
         growth = growth_of_cycle(cycle)
-        near = float(np.abs(cycle.samples.states - state[:, None]).max(axis=0).min())
+        near = float(np.abs(apart(cycle.samples.states.T, state, field.around)).max(axis=1).min())
         if growth is not None and near < CLOSE * extent:
             return "cycle", cycle.state, growth, max(off, near)
     return "unknown", hovering[-1], float("nan"), float("nan")
@@ -505,8 +501,8 @@ def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, Float
     span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE[0]}
     one, other = (asked.field.simulate(asked.at(value), asked.start, span, **settings) for value in (low, high))
     times = np.linspace(0.0, span, int(10 * span) + 1)
-    apart = np.abs(one(times) - other(times)).max(axis=0) > PARTED
-    until = float(times[int(np.argmax(apart))]) if apart.any() else span
+    parted = np.abs(one(times) - other(times)).max(axis=0) > PARTED
+    until = float(times[int(np.argmax(parted))]) if parted.any() else span
     none = np.zeros((2, len(asked.field.parameters)))
     passage = follower(asked.field, asked.backend).fly(asked.start, asked.field.constants(asked.at(low)), until, none)
     tops = [turn for turn in passage.turns if turn.border == -1 and turn.direction < 0]
@@ -515,10 +511,12 @@ def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, Float
     return np.array([turn.state for turn in tops]), np.array([turn.t for turn in tops])
 
 
-def _returns(states: FloatArray, times: FloatArray, extent: float) -> list[tuple[FloatArray, float, float]]:
+def _returns(
+    states: FloatArray, times: FloatArray, extent: float, around: tuple[int, ...]
+) -> list[tuple[FloatArray, float, float]]:  # fmt: skip
     """States of a hovering motion that are alike, with the time between them and by how much they differ: nearest first."""
     found = [
-        (states[i], float(times[j] - times[i]), float(np.abs(states[j] - states[i]).max()))
+        (states[i], float(times[j] - times[i]), float(np.abs(apart(states[j], states[i], around)).max()))
         for j in range(len(states) // 2, len(states)) for i in range(max(0, j - 12), j)
     ]  # fmt: skip
     return sorted((each for each in found if each[2] < CLOSE * extent), key=lambda each: each[2])[:TRIES]

@@ -281,8 +281,7 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
         return f"{told}, which could not be followed: {error}"
     if still := stands_still(field, values, state):
         return f"{told}: {still}"
-    rest = zip(field.coordinates, (outcome.rest_x, outcome.rest_y), strict=False)
-    places = [f"{name} = {value:.6g}" for name, value in rest if np.isfinite(value)]
+    places = [f"{name} = {value:.6g}" for name, value in zip(field.coordinates, outcome.rest, strict=False)]
     return (
         f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
         + (f" at {', '.join(places)}" if places else "")

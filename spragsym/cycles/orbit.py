@@ -25,11 +25,11 @@ from ..dynamics.shooting import (
     MOST_STRETCHES,
     Guess,
     Loop,
-    at_rest_along,
     error_of,
     growth,
     looped,
     once_round,
+    phase,
     recut,
     solved,
 )
@@ -59,7 +59,7 @@ class Cycle(Result):
     period : float
         The least one.
     state : ndarray, shape (m,)
-        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'.
+        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'. Anywhere if it only turns around.
     multipliers : ndarray of complex, shape (m,)
         Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding; then by size.
     multiplier_errors : ndarray, shape (m − 1,)
@@ -73,7 +73,7 @@ class Cycle(Result):
     events : Events
         Where it passes a kink: ``t`` from ``state`` on.
     rms, mean, amplitude : float
-        Of the first coordinate over one period: root mean square about zero, mean, half of its range.
+        Of the first coordinate over one period: root mean square about zero, mean, half of its range. NaN where it turns around.
     backend : str
         The integrator.
     loop : Loop
@@ -183,7 +183,7 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
     loop = refined(once_round(loop, fly), fly)
     guess, found = loop.guess, loop.multipliers
-    (mean, rms), (lowest, highest) = moments(loop, backend), range_of(loop)
+    (mean, rms), (lowest, highest) = (((math.nan,) * 2,) * 2) if loop.winding else (moments(loop, backend), range_of(loop))
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
         stable=is_stable(loop), error=error_of(loop), residual=loop.missed,
@@ -246,12 +246,12 @@ def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
 
 def refined(loop: Loop, fly: Fly) -> Loop:
     """The same orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
-    field, size = loop.field, loop.field.size
+    field = loop.field
     begin, pieces, known = _top(loop), len(loop.guess.states), loop
     while True:
         cut = recut(known, fly, pieces, begin)
         try:
-            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=7, precision=1e-15, reach=STAYS)
+            found = solved(field, fly, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
         except ConvergenceError:
             found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
@@ -263,7 +263,7 @@ def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
     """The closed orbit by the shortest steps of Newton's method: at a fold of a branch its matrix is singular."""
     loop = looped(field, fly, guess)
     for _ in range(3):
-        values, rows = at_rest_along(field, guess.states.size + 1)(loop)
+        values, rows = phase(loop, guess)(loop)
         matrix, residual = np.vstack([loop.slopes(0), rows]), np.concatenate([loop.gaps.ravel(), values])
         step, *_ = np.linalg.lstsq(matrix, -residual, rcond=1e-7)
         ahead = looped(field, fly, loop.guess.moved(step, ()))
@@ -276,11 +276,13 @@ def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
 
 
 def _top(loop: Loop) -> float:
-    """When the first coordinate is largest, and among several such times the one at which the second is."""
+    """When the first coordinate is largest, and among several such times the one at which the second is; now if it never is."""
     n, first = len(loop.field.coordinates), loop.guess.states[0]
     highest = [(turn.state, turn.t) for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
     if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
         highest.append((first, 0.0))
+    if not highest:
+        return 0.0
     most = max(float(state[0]) for state, _ in highest)
     _, begin = max(
         ((state, t) for state, t in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda pair: float(pair[0][1])

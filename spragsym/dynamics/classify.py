@@ -8,15 +8,16 @@ linearization (:mod:`.rest`), and cycles by the closed orbit itself and its mult
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
-from ..parameters import FloatArray
 from . import flows
 from .cycles import FEWEST, on_cycle
+from .field import TURN
 from .flows import Onward
 from .measures import Course
 from .motions import Measured, Motions
@@ -44,16 +45,17 @@ def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETT
     Outcome
         Without ``equilibrium``, which :func:`~spragsym.dynamics.rest.rest_index` finds for many at once.
     """
-    if is_lifted(course.last, course.events) and problem.field.aloft(np.array([problem.constants]))[0](course.last):
-        return Outcome(Regime.LIFT_OFF)
-    return at_rest(course, problem, tol) or on_cycle(course, problem, onward, tol) or Outcome()
+    stays = keeps_apart(course.events) and problem.field.aloft(np.array([problem.constants]), course.last[None])[0]
+    if stays:
+        found = Outcome(Regime.LIFT_OFF)
+    else:
+        found = at_rest(course, problem, tol) or on_cycle(course, problem, onward, tol) or Outcome()
+    return replace(found, names=problem.field.components)
 
 
-def is_lifted(last: FloatArray, events: NDArray[np.intp]) -> Any:
-    """Whether motions end above the belt, and have not passed y = 0; states and events along the last axis."""
-    if last.shape[-1] < 4:
-        return np.zeros(last.shape[:-1], dtype=bool)
-    return (last[..., 1] > 0) & ~events[..., [Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any(axis=-1)
+def keeps_apart(events: NDArray[np.intp]) -> Any:
+    """Whether motions have neither lost contact nor regained it; events along the last axis."""
+    return ~events[..., [Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any(axis=-1)
 
 
 def classified(
@@ -64,12 +66,12 @@ def classified(
     Most short motions are: they hardly turn. They are told by what every other regime asks for first.
     """
     extent, moved = measured.high - measured.low, measured.last[:, 0] - measured.first[:, 0]
-    lifted = np.flatnonzero(is_lifted(measured.last, measured.events))
-    stays = zip(lifted.tolist(), motions.field.aloft(motions.constants[lifted]) if len(lifted) else [], strict=True)
-    aloft = np.isin(np.arange(len(motions)), [row for row, held in stays if held(measured.last[row])])
+    aloft = keeps_apart(measured.events)
+    aloft[aloft] = motions.field.aloft(motions.constants[aloft], measured.last[aloft])
     for row in np.flatnonzero(aloft).tolist():
-        yield row, Outcome(Regime.LIFT_OFF)
-    for row in np.flatnonzero(~aloft & ((measured.maxima >= FEWEST) | is_still(moved, extent, tol))).tolist():
+        yield row, Outcome(Regime.LIFT_OFF, names=motions.field.components)
+    turning = (0 in motions.field.around) & (np.abs(moved) > FEWEST * TURN)
+    for row in np.flatnonzero(~aloft & ((measured.maxima >= FEWEST) | turning | is_still(moved, extent, tol))).tolist():
         problem = motions.problem(row)
         try:
             yield row, classify(measured.course(row), problem, flows.onward(problem, backend), tol)

@@ -1,8 +1,8 @@
 """Cycles: what a motion winds onto, by the closed orbit itself and its multipliers, and whether it nears it at that rate.
 
 Newton's method with the derivative of the flow (:mod:`.periodic_orbit`) gives the cycle from two states that are alike, where x
-is largest. Of several numbers of rounds the smallest comes first, and the least period is looked for, so that a cycle is never
-counted twice round.
+is largest, or of an x that turns around and never back, where it passes 0. Coordinates that come around are alike after a turn.
+Of several numbers of rounds the smallest comes first, and the least period is looked for, so that a cycle is never counted twice.
 """
 
 from __future__ import annotations
@@ -11,18 +11,19 @@ import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
+from .field import TURN, apart, in_one_turn
 from .flows import Onward
 from .measures import Course
 from .periodic_orbit import Closed, section
 from .problem import Problem
-from .regimes import SETTLED, Outcome, Regime
+from .regimes import Outcome, Regime
 
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
 CLOSE = 0.05
@@ -42,6 +43,9 @@ ALIGNED, AWAY = 0.98, 0.5
 #: By how much the linearized map may be wrong about a return, relative to the distance at the return before.
 MISSED = 0.25
 
+#: Passages of an x that turns around which are looked at, and Newton's steps for the time of each; by how much it may be missed.
+PASSAGES, STEPS, MET = 9, 20, 1e-9
+
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
 
@@ -56,11 +60,12 @@ class _Cycle:
     orbit: Closed
     onward: Onward
     scale: FloatArray
+    around: tuple[int, ...]
 
     @property
     def place(self) -> FloatArray:
         """Its own section."""
-        return section(self.orbit.state) / self.scale
+        return section(self.orbit.state, self.orbit.fixed) / self.scale
 
     @property
     def slope(self) -> FloatArray:
@@ -69,15 +74,20 @@ class _Cycle:
 
     def returned(self, places: FloatArray) -> FloatArray:
         """The return map: where motions from places on the section next meet it, after about a period."""
-        states = np.insert(places * self.scale, (places.shape[1] + 1) // 2, 0.0, axis=1)
-        courses = self.onward.courses(states, 1.1 * self.orbit.period)
+        fixed, period = self.orbit.fixed, self.orbit.period
+        states = np.insert(places * self.scale, fixed, self.orbit.state[fixed], axis=1)
+        if fixed == 0:
+            ends = self.onward.ends(self.orbit.state[None], period)[0]
+            found = np.array([_passed(self.onward, state, ends[0], period)[1] for state in states])
+            return section(_near(found, self.orbit.state, self.around), fixed) / self.scale
+        courses = self.onward.courses(states, 1.1 * period)
         return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])
 
     def _next(self, place: FloatArray, course: Course) -> FloatArray:
         late = np.flatnonzero(course.maxima_t > 0.5 * self.orbit.period)
         if not len(late):
             raise ConvergenceError("the motion does not come back")
-        returns = section(course.maxima[late]) / self.scale
+        returns = section(_near(course.maxima[late], self.orbit.state, self.around), self.orbit.fixed) / self.scale
         off = np.abs(returns - place).max(axis=1) + np.abs(course.maxima_t[late] / self.orbit.period - 1)
         found: FloatArray = returns[int(np.argmin(off))]
         return found
@@ -85,17 +95,21 @@ class _Cycle:
 
 def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
-    if len(course.maxima) < FEWEST:
+    around = problem.field.around
+    seen = _returns(course, onward, around)
+    if seen is None:
         return None
-    scale = _scale(course)
-    states = section(course.maxima) / scale
+    times, places, fixed = seen
+    states = section(places, fixed)
+    scale = _scale(states if fixed == 0 else section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), fixed)
+    states /= scale
     for k in _candidates(states):
-        period = float(course.maxima_t[-1] - course.maxima_t[-1 - k])
+        period = float(times[-1] - times[-1 - k])
         try:
-            orbit = _orbit(onward, course.maxima[-1], period, scale)
+            orbit = _orbit(onward, places[-1], fixed, period, scale)
         except ConvergenceError:
             continue
-        cycle = _Cycle(orbit, onward, scale)
+        cycle = _Cycle(orbit, onward, scale, around)
         largest = float(np.abs(np.linalg.eigvals(orbit.slope)).max())
         rounds = max(1, round(k * orbit.period / period))
         off = states[::-1][::rounds] - cycle.place  # latest first
@@ -112,20 +126,69 @@ def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Ou
     return None
 
 
-def _orbit(onward: Onward, state: FloatArray, period: float, scale: FloatArray) -> Closed:
+def _returns(course: Course, onward: Onward, around: tuple[int, ...]) -> tuple[FloatArray, FloatArray, int] | None:
+    """Times and states of a motion's passages of a section, and the place of the number that is fixed there; None for too few.
+
+    Where x is largest; an x that turns around and never back passes 0, and is followed for some turns more.
+    """
+    n = len(course.last) // 2
+    if len(course.maxima) >= FEWEST:
+        places = _near(course.maxima, course.maxima[-1], around)
+        places[:, n] = 0.0
+        return course.maxima_t, places, n
+    moved = float(course.last[0] - course.first[0])
+    if 0 not in around or not abs(moved) > FEWEST * TURN:
+        return None
+    turn = math.copysign(TURN, moved)
+    rest = (-course.last[0] / turn) % 1.0
+    t, state, goal = 0.0, course.last, float(course.last[0]) + (rest if rest > 0 else 1.0) * turn
+    passages = []
+    try:
+        for _ in range(PASSAGES):
+            duration, state = _passed(onward, state, goal, (goal - float(state[0])) * (course.end - course.begin) / moved)
+            t, goal = t + duration, goal + turn
+            passages.append((t, state))
+    except ConvergenceError:
+        return None
+    times, states = (np.array(column) for column in zip(*passages, strict=True))
+    places = _near(states, np.zeros(2 * n), (0,))
+    places = _near(places, places[-1], around)
+    places[:, 0] = 0.0
+    return times, places, 0
+
+
+def _passed(onward: Onward, state: FloatArray, goal: float, duration: float) -> tuple[float, FloatArray]:
+    """When x reaches a value from a state, near a duration, and the state there; Newton's method on the time."""
+    n = len(state) // 2
+    for _ in range(STEPS):
+        if not 0 < duration < math.inf:
+            break
+        end = onward.ends(state[None], duration)[0]
+        left = goal - float(end[0])
+        if abs(left) <= MET:
+            return duration, end
+        duration += left / float(end[n]) if end[n] else math.nan
+    raise ConvergenceError("the motion does not pass the section again")
+
+
+def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> FloatArray:
+    """The same states, coordinates that come around by whole turns nearer to a place."""
+    return place + apart(states, place, around)
+
+
+def _orbit(onward: Onward, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
     """The closed orbit near a state; ConvergenceError where there is none, or it is soon seen to be far away or to repel."""
     reach = 4 * CLOSE * float(scale.max())
-    place, period, slope = onward.roughly(state, period, reach)
-    if np.abs(section(place - state) / scale).max() > 5 * CLOSE or np.abs(np.linalg.eigvals(slope)).max() > REPELS:
+    place, period, slope = onward.roughly(state, fixed, period, reach)
+    if np.abs(section(place - state, fixed) / scale).max() > 5 * CLOSE or np.abs(np.linalg.eigvals(slope)).max() > REPELS:
         raise ConvergenceError("the closed orbit is too far away, or repels")
-    return onward.closed(place, period, reach)
+    return onward.closed(place, fixed, period, reach)
 
 
-def _scale(course: Course) -> FloatArray:
-    """Extents of x, y and y' over all its turning points, those across the belt at least 1 % of that along it."""
-    turns = section(np.vstack([course.maxima, course.minima]))
+def _scale(turns: FloatArray, fixed: int) -> FloatArray:
+    """Extents of x, y and y' over all turning points, those across the belt at least 1 % of that along it, or of a turn."""
     extent: FloatArray = np.ptp(turns, axis=0)
-    scale: FloatArray = np.maximum(extent, 1e-2 * extent[0] + 1e-300)
+    scale: FloatArray = np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
     return scale
 
 
@@ -223,31 +286,19 @@ def _same_size(off: FloatArray, values: NDArray[np.complex128], vectors: NDArray
 
 
 def _described(cycle: _Cycle, regime: Regime, rate: float, distance: float) -> Outcome:
-    """The outcome, with averages over the cycle's one period, and its state where x is largest."""
-    period = cycle.orbit.period
-    (course,) = cycle.onward.courses(cycle.orbit.state[None], 1.1 * period)
-    row = int(np.argmin(np.abs(course.maxima_t - period)))
-    mean, spread = course.moments(row)
-    round_once = course.maxima[(course.maxima_t > 1e-3 * period) & (course.maxima_t <= course.maxima_t[row])]
-    # Of maxima that agree but for rounding the one highest above the belt, so that a cycle has one such state.
-    top = round_once[round_once[:, 0] >= round_once[:, 0].max() - 1e-6 * cycle.scale[0]]
-    x, y, vy = _first_two(top[np.argmax(top[:, 1])])
+    """The outcome, with averages over the cycle's one period, and the state of the cycle that stands for it."""
+    period, tops, mean, spread = cycle.orbit.period, cycle.orbit.state[None], math.nan, math.nan
+    if cycle.orbit.fixed:
+        (course,) = cycle.onward.courses(cycle.orbit.state[None], 1.1 * period)
+        row = int(np.argmin(np.abs(course.maxima_t - period)))
+        tops = course.maxima[(course.maxima_t > 1e-3 * period) & (course.maxima_t <= course.maxima_t[row])]
+        if not abs(tops[-1, 0] - cycle.orbit.state[0]) > TURN / 2 or 0 not in cycle.around:
+            mean, spread = course.moments(row)
+    tops = in_one_turn(tops, cycle.around)
+    # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle has one such state.
+    for place, scale in zip((i for i in range(tops.shape[1]) if i != cycle.orbit.fixed), cycle.scale, strict=True):
+        tops = tops[tops[:, place] >= tops[:, place].max() - 1e-6 * scale]
     return Outcome(
         regime, rate=rate, distance=distance, period=period, cycle_mean=mean, cycle_rms=math.hypot(mean, spread),
-        cycle_x=x, cycle_y=y, cycle_vy=vy,
+        cycle=tuple(np.where(np.arange(tops.shape[1]) == cycle.orbit.fixed, 0.0, tops[0]).tolist()),
     )  # fmt: skip
-
-
-def _first_two(state: FloatArray) -> tuple[float, float, float]:
-    """x, y and y' of a state; NaN for a second coordinate that is not there."""
-    n = len(state) // 2
-    return (float(state[0]), float(state[1]), float(state[n + 1])) if n > 1 else (float(state[0]), math.nan, math.nan)
-
-
-def same_orbit(one: Any, other: Any) -> bool:
-    """Whether two cycles are one: state where x is largest, period and averages, all found by Newton's method."""
-    names = ("cycle_x", "cycle_y", "cycle_vy", "cycle_mean", "cycle_rms")
-    reach = max(abs(one.cycle_x - one.cycle_mean), abs(other.cycle_x - other.cycle_mean))
-    return abs(one.period / other.period - 1) < SETTLED and all(
-        abs(getattr(one, name) - getattr(other, name)) < 10 * SETTLED * reach for name in names
-    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -25,6 +25,9 @@ GAP = 1e-12
 
 #: How far apart an exponential of the friction law is left out and taken in again, in units of its exponent.
 WIDTH = 5.0
+
+#: Where a turn of a coordinate that comes around begins: no angle that models have, so that rounding decides no state's turn.
+TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
 
 #: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law out: far below rounding.
 REACH = 42.0
@@ -66,9 +69,25 @@ class Border:
     jumps: Callable[..., bool] | None = None
 
 
-def never(constants: FloatArray) -> list[Callable[[FloatArray], bool]]:
+def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
+    """One state less another, numbers along the last axis; of coordinates that come ``around`` the shorter way."""
+    off: FloatArray = np.subtract(one, other, dtype=float)
+    for place in around:
+        off[..., place] -= TURN * np.round(off[..., place] / TURN)
+    return off
+
+
+def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
+    """The same state with coordinates that come ``around`` in the turn from :data:`BEGIN` on."""
+    found = np.array(state, dtype=float)
+    for place in around:
+        found[..., place] -= TURN * np.floor((found[..., place] - BEGIN) / TURN)
+    return found
+
+
+def never(constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
     """That no motion is known to stay above the belt."""
-    return [lambda state: False] * len(constants)
+    return np.zeros(len(states), dtype=bool)
 
 
 @dataclass(frozen=True)
@@ -108,11 +127,13 @@ class Field:
         How many numbers at the end of a mode go with the place alone.
     curved : bool
         Whether a level is no linear function of the state.
+    around : tuple of int
+        Places of coordinates that are angles after a turn of which all is as before.
     is_angle : callable
         ``is_angle(name)`` of a parameter or a coordinate.
     aloft : callable
-        ``aloft(constants)`` of many motions, (N, C): for each whether a state, (m,), is above the belt for good; never where
-        that is not known.
+        ``aloft(constants, states)`` of many motions, (N, C) and (N, m): whether each is above the belt for good; never where that
+        is not known.
     """
 
     name: str
@@ -132,8 +153,9 @@ class Field:
     again: tuple[str, ...] = ()
     ways: int = 0
     curved: bool = False
+    around: tuple[int, ...] = ()
     is_angle: Callable[[str], bool] = "".__eq__
-    aloft: Callable[[FloatArray], list[Callable[[FloatArray], bool]]] = never
+    aloft: Callable[[FloatArray, FloatArray], NDArray[np.bool_]] = never
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""

@@ -59,16 +59,19 @@ class Onward:
     ----------
     courses : callable
         ``courses(states, duration)``: what is measured on the way from each of many states.
+    ends : callable
+        ``ends(states, duration)``: where they end.
     roughly : callable
-        ``roughly(state, period, reach)``: the closed orbit near a state where x' = 0, to some digits: its state, its period, and
-        the derivative of one round.
+        ``roughly(state, fixed, period, reach)``: the closed orbit near a state of a section, where the number at the place
+        ``fixed`` has its value, to some digits: its state, its period, and the derivative of one round.
     closed : callable
-        ``closed(state, period, reach)``: the same to all digits.
+        ``closed(state, fixed, period, reach)``: the same to all digits.
     """
 
     courses: Courses
-    roughly: Callable[[FloatArray, float, float], tuple[FloatArray, float, FloatArray]]
-    closed: Callable[[FloatArray, float, float], Closed]
+    ends: Ends
+    roughly: Callable[[FloatArray, int, float, float], tuple[FloatArray, float, FloatArray]]
+    closed: Callable[[FloatArray, int, float, float], Closed]
 
 
 def onward(problem: Problem, backend: str) -> Onward:
@@ -83,18 +86,18 @@ def onward(problem: Problem, backend: str) -> Onward:
         """The flow with rough derivatives that cost little."""
         return scout(field(), backend) or by_forward_differences(field(), ends)
 
-    def roughly(state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
-        loop = nearly_closed(field(), plain(ends), state, period, reach, ROUGH)
+    def roughly(state: FloatArray, fixed: int, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
+        loop = nearly_closed(field(), plain(ends), state, fixed, period, reach, ROUGH)
         return loop.guess.states[0], loop.guess.period, loop.monodromy
 
-    def closed(state: FloatArray, period: float, reach: float) -> Closed:
+    def closed(state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
         rtol, near, precision = PRECISIONS[backend]
         fine, fine_ends = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
-            guess = nearly_closed(field(), plain(fine_ends), state, period, reach, near).guess
+            guess = nearly_closed(field(), plain(fine_ends), state, fixed, period, reach, near).guess
             state, period = guess.states[0], guess.period
-        return closed_orbit(field(), derived(fine), state, period, reach, precision)
+        return closed_orbit(field(), derived(fine), state, fixed, period, reach, precision)
 
     def derived(fine: Courses) -> Fly:
         """The flow with its derivatives."""
@@ -104,4 +107,4 @@ def onward(problem: Problem, backend: str) -> Onward:
             return variations_scipy.Flight(field()).fly
         return by_differences(field(), fine)
 
-    return Onward(courses, roughly, closed)
+    return Onward(courses, ends, roughly, closed)

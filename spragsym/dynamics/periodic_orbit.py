@@ -11,7 +11,7 @@ from ..parameters import FloatArray
 from .field import Field
 from .measures import Courses, Ends
 from .segment import Fly, Passage, Turn
-from .shooting import Guess, Loop, at_rest_along, once_round, rate, solved
+from .shooting import Conditions, Guess, Loop, once_round, rate, solved
 
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.
 STEP = 1e-5
@@ -30,45 +30,61 @@ class Closed:
     Attributes
     ----------
     state : ndarray, shape (2 n,)
-        Where x is extremal: x' = 0.
+        On the section: where x is extremal, x' = 0, or where x has a value.
     period : float
         The least one.
     slope : ndarray, shape (2 n − 1, 2 n − 1)
-        Derivative of the return to x' = 0, in the numbers of a state but x'. Its eigenvalues are the multipliers.
+        Derivative of the return to the section, in the numbers of a state but ``fixed``. Its eigenvalues are the multipliers.
+    fixed : int
+        Place of the number that has one value all over the section.
     """
 
     state: FloatArray
     period: float
     slope: FloatArray
+    fixed: int
 
 
-def section(states: FloatArray) -> FloatArray:
-    """States where x' = 0, that rate left out: x, y, y' for two coordinates."""
-    kept: FloatArray = np.delete(states, states.shape[-1] // 2, axis=-1)
+def section(states: FloatArray, fixed: int) -> FloatArray:
+    """States of a section without the number that is ``fixed`` there: x, y, y' for two coordinates where x' = 0."""
+    kept: FloatArray = np.delete(states, fixed, axis=-1)
     return kept
 
 
-def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach: float, closed: float) -> Closed:
-    """The closed orbit of about a period near a state with x' = 0; ConvergenceError where there is none within ``reach``."""
-    condition = at_rest_along(field, field.size + 1)
+def _on_section(state: FloatArray, fixed: int) -> Conditions:
+    """The orbit begins on the section of a state."""
+
+    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        row = np.zeros((1, state.size + 1))
+        row[0, fixed] = 1.0
+        return loop.guess.states[0, fixed : fixed + 1] - state[fixed], row
+
+    return condition
+
+
+def closed_orbit(field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, closed: float) -> Closed:
+    """The closed orbit of about a period near a state of a section; ConvergenceError where there is none within ``reach``."""
+    condition = _on_section(state, fixed)
     try:
         loop = solved(field, fly, Guess(state[None], period, ()), condition, reach=reach, precision=closed, closed=closed)
     except (OverflowError, ValueError) as error:
         raise ConvergenceError("Newton's method left the range of numbers") from error
     loop = once_round(loop, fly)
-    place, n = loop.guess.states[0], len(field.coordinates)
+    place = loop.guess.states[0]
     flow = rate(field, place, loop.constants)
-    if flow[n] == 0:
-        raise ConvergenceError("the orbit does not turn where it should")
+    if flow[fixed] == 0:
+        raise ConvergenceError("the orbit does not pass through the section")
     back = np.eye(field.size)
-    back[:, n] -= flow / flow[n]  # along the flow to where x' = 0 again
-    slope = section(section(back @ loop.monodromy).T).T
-    return Closed(place, loop.guess.period, slope)
+    back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
+    slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
+    return Closed(place, loop.guess.period, slope, fixed)
 
 
-def nearly_closed(field: Field, fly: Fly, state: FloatArray, period: float, reach: float, precision: float) -> Loop:
+def nearly_closed(
+    field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float
+) -> Loop:  # fmt: skip
     """The loop to a precision, by a flow with rough derivatives that cost little; little is lost where that fails."""
-    guess, condition = Guess(state[None], period, ()), at_rest_along(field, field.size + 1)
+    guess, condition = Guess(state[None], period, ()), _on_section(state, fixed)
     return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
 
 

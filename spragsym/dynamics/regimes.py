@@ -1,16 +1,23 @@
-"""Names of the long-run behaviour of a motion."""
+"""Long-run behaviour of a motion: regimes, the limit that it has, and whether two limits are one."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
 
-from ..display import Result
+from ..display import Result, named_fields
+from ..names import hint
+from .field import apart
 
 #: A motion has settled when what is left to its limit is this share of its reach; for rest, of L_0.
 SETTLED = 1e-4
+
+#: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.
+SAME = 1e-6
 
 
 class Regime(IntEnum):
@@ -43,37 +50,83 @@ ATTRACTOR = {
 class Outcome(Result):
     """What a motion comes to.
 
+    A number of ``rest`` or ``cycle`` is an attribute of its name too, as ``rest_x``, ``rest_y`` and ``cycle_vy``; NaN for none.
+
     Attributes
     ----------
     regime : Regime
     equilibrium : int
         For EQUILIBRIUM and APPROACHES_EQUILIBRIUM its index among ``equilibria(p)`` at the friction μ(V); −1 otherwise.
-    rest_x, rest_y : float
-        Where that equilibrium is; NaN otherwise.
+    rest : tuple of float, length n
+        The coordinates of that equilibrium, in the order of the model; empty for none.
     rate : float
         Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or multipliers. NaN where there is none.
     distance : float
         What is left to the limit when the motion ends: relative to the motion's reach for a cycle, in L_0 for rest.
     period, cycle_mean, cycle_rms : float
-        Of the cycle itself: period, mean of x, and root mean square of x about zero over one whole period. NaN for no cycle.
-    cycle_x, cycle_y, cycle_vy : float
-        The cycle's state where its x is largest (there x' = 0): one point, which with the equations is the whole orbit.
+        Of the cycle itself: period, mean of x, the first coordinate, and root mean square of x about zero over one whole period.
+        NaN for no cycle, and the last two where x turns around: then the cycle is one modulo a turn.
+    cycle : tuple of float, length 2 n
+        The cycle's state where its x is largest (there x' = 0), or where x passes 0 if it turns around and never back: one point,
+        which with the equations is the whole orbit. Empty for no cycle.
+    names : tuple of str, length 2 n
+        Of the coordinates, then of their rates. Those that come around after 2π are in the turn from −π + 0.0123 on.
     """
 
     regime: Regime = Regime.UNSETTLED
     equilibrium: int = -1
-    rest_x: float = np.nan
-    rest_y: float = np.nan
+    rest: tuple[float, ...] = ()
     rate: float = np.nan
     distance: float = np.nan
     period: float = np.nan
     cycle_mean: float = np.nan
     cycle_rms: float = np.nan
-    cycle_x: float = np.nan
-    cycle_y: float = np.nan
-    cycle_vy: float = np.nan
+    cycle: tuple[float, ...] = ()
+    names: tuple[str, ...] = ()
+
+    def __getattr__(self, name: str) -> float:
+        names = self.__dict__.get("names", ())
+        numbers = {f"rest_{each}": i for i, each in enumerate(names[: len(names) // 2])}
+        numbers |= {f"cycle_{each}": i for i, each in enumerate(names)}
+        if name not in numbers:
+            raise AttributeError(f"an outcome has no {name!r}{hint(name, numbers)}")
+        found = self.rest if name.startswith("rest_") else self.cycle
+        return found[numbers[name]] if found else np.nan
+
+    @property
+    def limit(self) -> Regime:
+        """The attractor behind the regime."""
+        return ATTRACTOR.get(self.regime, self.regime)
+
+    def table_values(self) -> dict[str, Any]:
+        values = named_fields(self)
+        names, rest, cycle = (values.pop(key) for key in ("names", "rest", "cycle"))
+        values |= {f"rest_{name}": value for name, value in zip(names, rest, strict=False)}
+        return values | {f"cycle_{name}": value for name, value in zip(names, cycle, strict=False)}
 
     @property
     def cycle_spread(self) -> float:
         """Root mean square of x about its mean over one period."""
         return float(np.sqrt(max(self.cycle_rms**2 - self.cycle_mean**2, 0.0))) if self.period > 0 else float("nan")
+
+
+def same_limit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
+    """Whether two motions of one set of parameters have one limit, by all numbers of its state.
+
+    ``around`` are the places of coordinates that come around. What has no limit is not told apart.
+    """
+    if one.limit != other.limit:
+        return False
+    if one.limit == Regime.EQUILIBRIUM:
+        return bool(np.abs(apart(one.rest, other.rest, around)).max() < SAME * (1 + np.abs(one.rest).max()))
+    return one.limit != Regime.LIMIT_CYCLE or same_orbit(one, other, around)
+
+
+def same_orbit(one: Outcome, other: Outcome, around: Sequence[int]) -> bool:
+    """Whether two cycles are one: period, averages, and the one state that stands for each, all found by Newton's method."""
+    reach = max(abs(one.cycle[0] - one.cycle_mean), abs(other.cycle[0] - other.cycle_mean))
+    if np.isnan(one.cycle_mean) != np.isnan(other.cycle_mean):
+        return False
+    averages = (one.cycle_mean - other.cycle_mean, one.cycle_rms - other.cycle_rms) if reach > 0 else ()
+    off = np.abs([*apart(one.cycle, other.cycle, around), *averages]).max()
+    return bool(abs(one.period / other.period - 1) < SETTLED and off < 10 * SETTLED * (reach if reach > 0 else 1.0))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..parameters import FloatArray
+from .field import in_one_turn
 from .measures import Course
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
@@ -91,15 +92,15 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     rest = rest_near(problem, course.last[:n] if still else means)
     if rest is None:
         return None
-    x, y = (*rest.state[:n].tolist(), math.nan)[:2]
+    place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())
     growth = float(rest.values.real.max())
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
     distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
     if still and distance <= tol and growth <= ROUNDING and _stays(course, problem, rest):
-        return Outcome(Regime.EQUILIBRIUM, rest_x=x, rest_y=y, rate=max(-growth, 0.0), distance=distance)
+        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(-growth, 0.0), distance=distance)
     if decaying and growth < 0 and _decays(course, rest):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
-        return Outcome(regime, rest_x=x, rest_y=y, rate=-growth, distance=distance)
+        return Outcome(regime, rest=place, rate=-growth, distance=distance)
     return None
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
-from .field import Field
+from .field import TURN, Field, apart
 from .multipliers import Multipliers, multipliers_of
 from .segment import Crossing, Fly, Passage, Turn
 
@@ -67,13 +67,20 @@ class Loop:
 
     @cached_property
     def gaps(self) -> FloatArray:
-        """Ends of the stretches less the beginnings of the next, shape (k, m)."""
-        return np.array([each.state for each in self.passages]) - np.roll(self.guess.states, -1, axis=0)
+        """Ends of the stretches less the beginnings of the next, shape (k, m): what comes around closes after whole turns."""
+        ends = np.array([each.state for each in self.passages])
+        return apart(ends, np.roll(self.guess.states, -1, axis=0), self.field.around)
 
     @property
     def missed(self) -> float:
         """Largest gap."""
         return float(np.abs(self.gaps).max())
+
+    @cached_property
+    def winding(self) -> int:
+        """Turns that the first coordinate makes in one round."""
+        moved = sum(float(each.state[0] - start[0]) for each, start in zip(self.passages, self.guess.states, strict=True))
+        return round(moved / TURN) if 0 in self.field.around else 0
 
     @cached_property
     def monodromy(self) -> FloatArray:
@@ -253,6 +260,14 @@ def at_rest_along(field: Field, unknowns: int) -> Conditions:
     return condition
 
 
+def phase(loop: Loop, guess: Guess) -> Conditions:
+    """The phase of a guess at an orbit: where the first coordinate is largest, or as it is where that only turns around."""
+    unknowns = guess.states.size + 1
+    if loop.winding and not any(turn.border == -1 for turn in loop.turns()):
+        return across(loop.field, guess.states[0], loop.constants, unknowns)
+    return at_rest_along(loop.field, unknowns)
+
+
 def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
     """The same loop cut into ``pieces`` equal stretches, from its first state on."""
     constants, states = field.constants(guess.values), [guess.states[0]]
@@ -292,9 +307,9 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
         if (other.t - first.t) * len(turns) < period / 2:
             continue  # rounds have a turn each at least: this is the same one, at the end of a stretch and where the next begins
         share = period / (other.t - first.t)
-        apart = np.abs(other.state - first.state)
-        if (apart / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
-            if apart.max() > max(ONE, 10 * error_of(loop)):
+        off = np.abs(apart(other.state, first.state, loop.field.around))
+        if (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
+            if off.max() > max(ONE, 10 * error_of(loop)):
                 continue
             guess = Guess(first.state[None], period / round(share), loop.guess.values)
             with suppress(ConvergenceError):
@@ -309,7 +324,7 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
 def error_of(loop: Loop) -> float:
     """Largest row sum of the inverse of Newton's matrix, times what does not close and what rounding adds to that."""
     size = loop.field.size
-    _, rows = at_rest_along(loop.field, loop.guess.states.size + 1)(loop)
+    _, rows = phase(loop, loop.guess)(loop)
     inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
     wanted = np.r_[0:size, -1]
     return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop)))
@@ -317,7 +332,7 @@ def error_of(loop: Loop) -> float:
 
 def extent(loop: Loop) -> float:
     """How far apart the turns of an orbit are: the largest of all components."""
-    states = [*(turn.state for turn in loop.turns()), *loop.guess.states]
+    states = [*(turn.state for turn in loop.turns()), *loop.guess.states, *(each.state for each in loop.passages)]
     return float(np.ptp(states, axis=0).max())
 
 

@@ -191,7 +191,7 @@ class Trajectory(Recorded):
         return prepared
 
     def _identified(self, found: Outcome) -> Outcome:
-        return replace(found, equilibrium=int(self.model.rest_index(self.p, np.array(found.rest_x), np.array(found.rest_y))))
+        return replace(found, equilibrium=int(self.model.rest_index(self.p, np.array(found.rest)))) if found.rest else found
 
     def _event_counts(self) -> NDArray[np.intp]:
         """How often each kind of event happened, from the samples alone, which include all events."""

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable
-from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..generated.models.kang_nam import algebra
 from ..parameters import NAMES, FloatArray, Parameters
@@ -54,13 +53,16 @@ def wells(p: Parameters) -> list[tuple[Well, ...]]:
     return [tuple(each) for each in told]
 
 
-def aloft(constants: FloatArray) -> list[Callable[[FloatArray], bool]]:
-    """For each of many motions whether a state is in a well of the energy above the belt that it can't leave."""
-    cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = constants.T
-    theta0 = np.arctan2(sin0, cos0)
-    known = wells(Parameters(theta0=theta0, mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta))
-    numbers = zip(*(each.tolist() for each in (cos0, sin0, kappa, alpha, sigma, beta)), strict=True)
-    return [partial(_held, of_one, given) for of_one, given in zip(known, numbers, strict=True)]
+def aloft(constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+    """For states of many motions, in rows, whether each is in a well of the energy above the belt that it can't leave."""
+    found = states[:, 1] > 0
+    if found.any():
+        cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = constants[found].T
+        theta0 = np.arctan2(sin0, cos0)
+        known = wells(Parameters(theta0=theta0, mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta))
+        numbers = np.array([cos0, sin0, kappa, alpha, sigma, beta]).T.tolist()
+        found[found] = [_held(*each) for each in zip(known, map(tuple, numbers), states[found], strict=True)]
+    return found
 
 
 def _held(known: tuple[Well, ...], constants: tuple[float, ...], state: FloatArray) -> bool:

@@ -10,11 +10,11 @@ from ..generated import laws
 from ..parameters import FloatArray, Parameters
 
 
-def rest_index(p: Parameters, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
-    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y; −1 where there is none."""
+def rest_index(p: Parameters, places: FloatArray) -> NDArray[np.int8]:
+    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y, shape (2, …); −1 where there is none."""
     from .statics.solver import equilibria
 
-    x, y = np.asarray(x), np.asarray(y)
+    x, y = places
     index = np.full(x.shape, -1, dtype=np.int8)
     rows = np.isfinite(x)
     if rows.any():

@@ -49,20 +49,18 @@ def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
         found[entry["name"]] = ("rad" if entry["unit"] == "rad" else entry["scale"] or "1", entry["meaning"])
     for name in about["angles"]:
         found[f"{name}_deg"] = ("degree", found[name][1])
-    return found | _of_motions(places[0], places[1] if len(places) > 1 else None, time, rate)
+    return found | _of_motions(places, time, rate)
 
 
-def _of_motions(first: Place, second: Place | None, time: str, rate: str) -> dict[str, tuple[str, str]]:
-    """Of what is computed of motions, by its first coordinate, and the second if there is one."""
-    x, unit, *_ = first
-    after, alone = "after the transient", "of a second coordinate, of which there is none"
-    y, across, vy, speed = second or ("", "1", "", "1")
-    of_second = {
-        "mean_y": (across, f"mean of {y} {after}"),
-        "cycle_y": (across, f"{y} of the cycle where its {x} is largest"),
-        "cycle_vy": (speed, f"{vy} of the cycle where its {x} is largest"),
-    }
-    return {
+def _of_motions(places: Sequence[Place], time: str, rate: str) -> dict[str, tuple[str, str]]:
+    """Of what is computed of motions, by the coordinates."""
+    (x, unit, *_), *others = places
+    after, top = "after the transient", f"of the cycle where its {x} is largest"
+    found = {f"mean_{y}": (across, f"mean of {y} {after}") for y, across, *_ in others}
+    for y, across, vy, speed in places:
+        found |= {f"rest_{y}": (across, f"{y} of the equilibrium that it settles to or approaches; NaN for none")}
+        found |= {f"cycle_{y}": (across, f"{y} {top}"), f"cycle_{vy}": (speed, f"{vy} {top}")}
+    return found | {
         "error": ("1", "largest difference of the state to a run at a tighter tolerance"),
         "rms": (unit, f"root mean square of {x} about zero, {after}"),
         "spread": (unit, f"root mean square of {x} about its mean, {after}"),
@@ -73,8 +71,6 @@ def _of_motions(first: Place, second: Place | None, time: str, rate: str) -> dic
         "distance": ("1", f"what is left of the way there: of the reach of a cycle, over {unit} for rest"),
         "cycle_mean": (unit, f"mean of {x} over one period of the cycle"),
         "cycle_rms": (unit, f"root mean square of {x} about zero over one period of the cycle"),
-        "cycle_x": (unit, f"largest {x} of the cycle"),
-        **(of_second if second else dict.fromkeys(of_second, ("1", alone))),
         "contact_lost": ("1", f"times contact was lost {after}"),
         "slip_reversed": ("1", f"times the sliding speed changed its sign {after}"),
         "regime": ("1", "what the motion settles to or approaches"),

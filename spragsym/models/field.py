@@ -56,6 +56,7 @@ def field_of(model: Model, reach: float) -> Field:
         ways=torsions,
         forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),
+        around=tuple(place for place, entry in enumerate(model.about["coordinates"]) if entry.get("comes_around")),
         is_angle=model.is_angle,
         aloft=model.aloft,
     )

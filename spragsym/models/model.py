@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from types import ModuleType
@@ -107,7 +108,7 @@ class Model:
 
     def is_angle(self, name: str) -> bool:
         """Whether a parameter, a coordinate, the direction of a spring, or what is told of them after a jump, is an angle."""
-        name = name.removesuffix("_before").removesuffix("_after")
+        name = re.sub(r"^(rest|mean|cycle)_|_(before|after)$", "", name)
         turning = {entry["name"] for entry in self.about["coordinates"] if entry["unit"] == "rad"}
         if name in (*self.parameters, *self.coordinates):
             return name in self.about["angles"] or name in turning
@@ -273,18 +274,18 @@ class Model:
         raise ModelError(f"{self.name} has no compiled motion; give backend='heyoka' or 'scipy'")
 
     @part
-    def aloft(self, constants: FloatArray) -> list[Callable[[FloatArray], bool]]:
-        """For each of many motions, with constants in rows, whether it stays above the belt for good from a state."""
+    def aloft(self, constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+        """For each of many motions, constants and states in rows, whether it stays above the belt for good from its state."""
         from ..dynamics.field import never
 
-        return never(constants)
+        return never(constants, states)
 
     @part
-    def rest_index(self, p: ParameterSet, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
-        """Slots, among the equilibria at the friction μ(V), of motions that rest at x, y, the first coordinates; −1 for none."""
+    def rest_index(self, p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
+        """Slots, among the equilibria at the friction μ(V), of motions that rest at ``places``, shape (n, …); −1 for none."""
         from .statics.search import rest_index
 
-        return rest_index(p, x, y)
+        return rest_index(p, places)
 
     def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
         """The friction coefficient of steady sliding at the speed of the belt, or ``"friction_at_rest"``, which statics takes.

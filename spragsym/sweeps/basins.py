@@ -9,13 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result, named_fields
-from ..dynamics.cycles import same_orbit
-from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
+from ..dynamics.regimes import Outcome, Regime, same_limit
 from ..errors import ParameterTypeError
 from ..names import hint
 from ..parameters import FloatArray, Parameters, as_numbers
 from .many import rms_sweep
-from .measure import LIMITS
 from .result import Sweep
 
 
@@ -119,21 +117,13 @@ def basin(
 
 
 def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, int, float, float], ...]]:
-    """Group motions by what they settle to or approach: cycles by their orbits, which know no phase."""
-    labels = np.full(sweep.rms.shape, -1)
-    attractors: list[tuple[Regime, int, Outcome]] = []
-    for index in np.ndindex(sweep.rms.shape):
-        code = Regime(int(sweep.regime[index]))
-        if code == Regime.FAILED:
-            continue
-        regime, which = ATTRACTOR.get(code, code), int(sweep.equilibrium[index])
-        outcome = Outcome(code, which, **{name: float(getattr(sweep, name)[index]) for name in LIMITS})
-        same = (
-            i for i, known in enumerate(attractors)
-            if known[:2] == (regime, which) and (regime != Regime.LIMIT_CYCLE or same_orbit(known[2], outcome))
-        )  # fmt: skip
-        label = next(same, len(attractors))
-        if label == len(attractors):
-            attractors.append((regime, which, outcome))
-        labels[index] = label
-    return labels, tuple((regime, which, one.cycle_mean, one.cycle_spread) for regime, which, one in attractors)
+    """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or of a cycle's one state."""
+    labels = np.full(sweep.regime.shape, -1)
+    known: list[Outcome] = []
+    for index in np.argwhere(sweep.regime != Regime.FAILED):
+        outcome = sweep.outcome(tuple(index))
+        same = (i for i, other in enumerate(known) if same_limit(other, outcome, sweep.model.field.around))
+        labels[tuple(index)] = label = next(same, len(known))
+        if label == len(known):
+            known.append(outcome)
+    return labels, tuple((one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in known)

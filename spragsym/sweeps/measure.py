@@ -16,17 +16,21 @@ from ..dynamics.regimes import Regime
 from ..files.journal import Record
 from ..parameters import FloatArray
 
-#: What is measured of every motion after its transient.
-AVERAGES = ("rms", "spread", "largest", "mean", "mean_y", "contact_lost", "slip_reversed")
 
-#: What a record says, after those, about the limit of the motion.
-LIMITS = ("period", "rate", "distance", "cycle_mean", "cycle_rms", "cycle_x", "cycle_y", "cycle_vy")
+def averages(coordinates: Sequence[str]) -> tuple[str, ...]:
+    """What is measured of every motion after its transient: of the first coordinate, and means of the others."""
+    return ("rms", "spread", "largest", "mean", *(f"mean_{name}" for name in coordinates[1:]), "contact_lost", "slip_reversed")
 
-#: Numbers that a file and a result hold.
-REPORTED = (*AVERAGES, *LIMITS)
 
-#: A record holds these numbers, then the code of the regime and the place of the equilibrium.
-MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
+def limits(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
+    """What a record says, after those, about the limit of a motion: an equilibrium by its place, a cycle by one state."""
+    rest, cycle = (f"rest_{name}" for name in coordinates), (f"cycle_{name}" for name in (*coordinates, *rates))
+    return ("period", "rate", "distance", "cycle_mean", "cycle_rms", *rest, *cycle)
+
+
+def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
+    """Numbers that a file and a result hold, by names of the model; a record holds these, then the code of the regime."""
+    return (*averages(coordinates), *limits(coordinates, rates))
 
 
 @dataclass(frozen=True)
@@ -64,26 +68,25 @@ def _no_result(error: Exception) -> Record:
 
 
 def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Exception]]:
-    """The measured values of motions, in the order of MEASURED, and why there are none."""
-    found = integrators.measure(motions, backend)
-    table, errors = np.full((len(motions), len(MEASURED)), np.nan), found.errors.copy()
-    table[:, : len(AVERAGES)] = _averages(found).T
-    table[:, MEASURED.index("regime")] = Regime.UNSETTLED
-    needed = [i for i, name in enumerate(AVERAGES) if name != "mean_y" or motions.starts.shape[1] > 2]
-    for row in np.flatnonzero(~np.isfinite(table[:, needed]).all(axis=1)).tolist():
+    """What records of motions hold, a row each, and why there is none."""
+    found, names, n = integrators.measure(motions, backend), motions.field.components, len(motions.field.coordinates)
+    first, told = _averages(found), (*limits(names[:n], names[n:]), "regime")
+    table, errors = np.full((len(motions), len(first) + len(told)), np.nan), found.errors.copy()
+    table[:, : len(first)] = first.T
+    table[:, -1] = Regime.UNSETTLED
+    for row in np.flatnonzero(~np.isfinite(first).all(axis=0)).tolist():
         errors.setdefault(row, out_of_range())
     for row, outcome in classified(found, motions, backend):
         if isinstance(outcome, Exception):
             errors.setdefault(row, outcome)
         else:
-            table[row, len(AVERAGES) :] = [getattr(outcome, name) for name in MEASURED[len(AVERAGES) :]]
+            table[row, len(first) :] = [getattr(outcome, name) for name in told]
     return table, errors
 
 
 def _averages(found: Measured) -> FloatArray:
-    """The measured values after the transient, in the order of AVERAGES."""
+    """The measured values after the transient, in the order of :func:`averages`."""
     mean, spread, *others = found.averages
-    mean_y = others[0] if others else np.full(len(mean), np.nan)
     lost, _, *reversals = found.events.T
     largest = np.maximum(np.abs(found.low), np.abs(found.high))
-    return np.array([np.hypot(mean, spread), spread, largest, mean, mean_y, lost, sum(reversals)])
+    return np.array([np.hypot(mean, spread), spread, largest, mean, *others, lost, sum(reversals)])

@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..dynamics import integrators
-from ..dynamics.regimes import Regime
+from ..dynamics.regimes import Outcome, Regime
 from ..files import storage
 from ..files.journal import Record
+from ..names import hint
 from ..parameters import FloatArray, degrees
 from . import code
-from .measure import MEASURED, REPORTED, Settings
+from .measure import Settings, reported
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +30,9 @@ class Sweep(Result):
     ----------
     inputs : dict of str to ndarray
         The model's parameters and initial state as they were given, which broadcast together; for the article's θ₀, μ₀, κ, α,
-        σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's first coordinate, and y the second.
+        σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's first coordinate, and y stands for every other one.
+    measured : dict of str to ndarray
+        What follows, up to ``distance``; each is an attribute of its name.
     rms, spread, largest, mean, mean_y : ndarray
         Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
         means of x and y.
@@ -38,8 +41,10 @@ class Sweep(Result):
     period, cycle_mean, cycle_rms : ndarray
         Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of x about zero, over
         one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they depend on no window.
-    cycle_x, cycle_y, cycle_vy : ndarray
-        State of that cycle where its x is largest.
+    cycle_x, cycle_y, cycle_vx, cycle_vy : ndarray
+        State of that cycle where its x is largest, or 0 if x turns around; NaN for no cycle.
+    rest_x, rest_y : ndarray
+        Where the equilibrium is that the motion is at or approaches; NaN for none.
     rate, distance : ndarray
         In the long run a motion nears what it settles to or approaches as exp(−rate τ); ``distance`` is what is left of the
         way at ``t_end``, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.dynamics.regimes.Outcome`.
@@ -62,25 +67,32 @@ class Sweep(Result):
     rtol: float
     backend: str
     max_steps: int
-    rms: FloatArray
-    spread: FloatArray
-    largest: FloatArray
-    mean: FloatArray
-    mean_y: FloatArray
-    contact_lost: FloatArray
-    slip_reversed: FloatArray
-    period: FloatArray
-    rate: FloatArray
-    distance: FloatArray
-    cycle_mean: FloatArray
-    cycle_rms: FloatArray
-    cycle_x: FloatArray
-    cycle_y: FloatArray
-    cycle_vy: FloatArray
+    measured: dict[str, FloatArray]
     regime: NDArray[np.int8]
     equilibrium: NDArray[np.int8]
     reason: NDArray[np.str_]
     model: Any
+
+    def __getattr__(self, name: str) -> FloatArray:
+        measured: dict[str, FloatArray] = self.__dict__.get("measured", {})
+        if name not in measured:
+            raise AttributeError(f"a sweep has no {name!r}{hint(name, measured)}")
+        return measured[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.measured]
+
+    def outcome(self, index: Any) -> Outcome:
+        """What one motion comes to."""
+        names = (*self.model.coordinates, *self.model.rates)
+        rest, cycle = (
+            tuple(float(self.measured[f"{what}_{name}"][index]) for name in places)
+            for what, places in (("rest", self.model.coordinates), ("cycle", names))
+        )
+        known = {name: float(self.measured[name][index]) for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")}
+        regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
+        at_rest, on_cycle = not np.isnan(rest[0]), not np.isnan(cycle[0])
+        return Outcome(regime, which, rest if at_rest else (), cycle=cycle if on_cycle else (), names=names, **known)
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
@@ -96,7 +108,7 @@ class Sweep(Result):
             else (dims, np.broadcast_to(values, self.rms.shape).copy())
             for name, values in self._inputs().items()
         }  # fmt: skip
-        results = {name: (dims, getattr(self, name)) for name in (*REPORTED, "regime", "equilibrium")}
+        results = {name: (dims, values) for name, values in self._results().items()}
         results["reason"] = (dims, self.reason.astype(object))
         dataset = storage.xarray().Dataset(results, coords=inputs, attrs=self._attributes())
         for name in dataset.variables:
@@ -129,7 +141,10 @@ class Sweep(Result):
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
-        return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
+        return inputs | self._results() | {"reason": self.reason}
+
+    def _results(self) -> dict[str, NDArray[Any]]:
+        return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium}
 
     def _inputs(self) -> dict[str, FloatArray]:
         """The inputs, every angle in degrees beside it in radians."""
@@ -167,19 +182,22 @@ class Results:
 
     def made(self, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
         """The sweep of these records."""
-        table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
-        measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
-        results: dict[str, Any] = {name: measured[name] for name in REPORTED}
-        results["regime"] = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
-        results["equilibrium"] = self.equilibrium(inputs, measured["rest_x"], measured["rest_y"])
+        names = (*self.reported, "regime")
+        table = np.array([values or [np.nan] * len(names) for values, _ in records]).reshape(-1, len(names))
+        measured = {name: column.reshape(shape) for name, column in zip(names, table.T, strict=True)}
+        regime = measured.pop("regime")
+        results: dict[str, Any] = {"measured": measured}
+        results["regime"] = np.where(np.isnan(regime), Regime.FAILED, regime).astype(np.int8)
+        results["equilibrium"] = self.equilibrium(inputs, np.array([measured[f"rest_{name}"] for name in self.model.coordinates]))
         results["reason"] = np.array([reason and storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
         return self.sweep(inputs, settings, results)
 
     def loaded(self, path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
         """The sweep that a file holds, if it is this one."""
         columns = storage.read_own(path, key)
-        kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
-        results = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
+        kinds = {"regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
+        results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
+        results["measured"] = {name: columns[name].astype(float).reshape(shape) for name in self.reported}
         return self.sweep(inputs, settings, results)
 
     def identity(self) -> dict[str, Any]:
@@ -187,10 +205,15 @@ class Results:
         about = self.model.about
         return {"model": about["name"], "files": about["files"], "page": about["source"], "own": sorted(self.model.closed)}
 
-    def equilibrium(self, inputs: dict[str, FloatArray], x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
-        """Slots of the equilibria that stand at x, y."""
+    @property
+    def reported(self) -> tuple[str, ...]:
+        """Names of what is measured."""
+        return reported(self.model.coordinates, self.model.rates)
+
+    def equilibrium(self, inputs: dict[str, FloatArray], places: FloatArray) -> NDArray[np.int8]:
+        """Slots of the equilibria at places, shape (n, …)."""
         p = self.model.Parameters(**{name: inputs[name] for name in self.model.parameters})
-        found: NDArray[np.int8] = self.model.rest_index(p, x, y)
+        found: NDArray[np.int8] = self.model.rest_index(p, places)
         return found
 
     def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ...dynamics.field import BEGIN, TURN
 from ...exact.certified_roots import Roots
 from ...exact.interval_arrays import FloatArray
 from .balance import Balance
 
-#: From it each state lies once in a turn, which the search goes beyond at both ends. No angle that models have.
-BEGIN, END = -np.pi + 0.012345, np.pi + 0.012345
+#: Where the turn ends; the search goes beyond it at both ends.
+END = BEGIN + TURN
 
 
 def once_around(balance: Balance, found: Roots) -> Roots:

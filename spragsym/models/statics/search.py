@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...dynamics.field import apart
 from ...dynamics.regimes import SETTLED
 from ...errors import ParameterError, ParameterTypeError
 from ...exact import boxes, certified_roots
@@ -48,6 +49,8 @@ STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 
 
 #: Boxes of a point that a second, narrower search leaves where roots form a line.
 ALL_OVER = 2000
+#: Coordinates of two states that differ by less than this are equal.
+EQUAL = 1e-12
 #: Boxes of a point that are looked at where floats only look for what is there.
 SEEN_BUDGET = 8000
 
@@ -71,33 +74,50 @@ def balance_of(model: Model, contact: bool) -> Balance:
     return balance
 
 
-def rest_index(p: ParameterSet, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+def rest_index(p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
     """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
 
     Parameters
     ----------
-    x, y : ndarray
-        The first coordinates of each, in the shape of ``p``; NaN for motions that do not rest.
+    places : ndarray, shape (n, …)
+        The coordinates of each, in the shape of ``p``; NaN for motions that do not rest.
     """
-    x, y = (np.broadcast_to(values, np.broadcast_shapes(p.shape, np.shape(x))) for values in (x, y))
-    out = np.full(x.shape, -1, dtype=np.int8)
-    rows = np.isfinite(x)
+    places = np.broadcast_to(places, (len(places), *np.broadcast_shapes(p.shape, np.shape(places)[1:])))
+    out = np.full(places.shape[1:], -1, dtype=np.int8)
+    rows = np.isfinite(places).all(axis=0)
     if not rows.any():
         return out
     balance = Balance(p.model, True, "friction_at_speed")
-    given = np.array([np.broadcast_to(getattr(p, name), x.shape)[rows] for name in balance.parameters])
-    states = np.array([x[rows], y[rows]][: balance.n])
+    given = np.array([np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in balance.parameters])
+    states = places[:, rows]
     found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
-    order = np.lexsort((found.middle[0], found.point))
-    point, middle = found.point[order], found.middle[: states.shape[0], order]
+    order = _in_slots(found)
+    point, middle = found.point[order], found.middle[:, order]
     slot = np.arange(point.size) - np.searchsorted(point, point)
-    away = np.linalg.norm(middle - states[:, point], axis=0) / (1 + np.linalg.norm(states[:, point], axis=0))
+    off = apart(middle.T, states[:, point].T, balance.around)
+    away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
     index = np.full(states.shape[1], -1)
     for row in np.argsort(-away, kind="stable"):  # the nearest last
         if away[row] <= SETTLED:
             index[point[row]] = slot[row]
     out[rows] = index
     return out
+
+
+def _in_slots(found: Roots) -> NDArray[np.intp]:
+    """Roots in the order of their slots: by coordinates from the first on, of which those that agree decide nothing.
+
+    Two states that mirror each other have equal coordinates, of which rounding would make a first and a second.
+    """
+    keys = []
+    for middle in found.middle:
+        order = np.lexsort((middle, found.point))
+        near = EQUAL * (1 + np.abs(middle[order])) + found.error[order]
+        begins = np.diff(middle[order], prepend=-np.inf) > near + np.roll(near, 1)
+        ranks = np.empty(order.size, dtype=np.intp)
+        ranks[order] = np.cumsum(begins | (np.diff(found.point[order], prepend=-1) != 0))
+        keys.append(ranks)
+    return np.lexsort((*reversed(keys), found.point))
 
 
 def columns(p: Any, names: list[str]) -> FloatArray:
@@ -175,7 +195,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
-    order = np.lexsort((found.middle[0], found.point))
+    order = _in_slots(found)
     point, states, errors = found.point[order], found.middle[:, order], found.error[order]
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))

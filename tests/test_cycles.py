@@ -772,9 +772,7 @@ def test_a_boundary_beside_others_is_told_where_rounding_does_not_decide(monkeyp
 
     def judged(field: Any, values: Any, start: Any, backend: str, *, times: Any = (), rtol: float = 0.0) -> attractors.Verdict:
         other = values[0] >= 0.3 or island[0] < values[0] < island[1]
-        return attractors.Verdict(
-            ss.Outcome(ss.Regime.EQUILIBRIUM, rest=(float(other), 0.0)), np.zeros(4), 2000.0, ("x", "y")
-        )
+        return attractors.Verdict(ss.Outcome(ss.Regime.EQUILIBRIUM, rest=(float(other), 0.0)), np.zeros(4), 2000.0, ("x", "y"))
 
     monkeypatch.setattr(fate_boundaries, "judged", judged)
     monkeypatch.setattr(fate_boundaries, "attractor", lambda field, values, verdict, backend: verdict.outcome.rest)

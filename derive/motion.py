@@ -124,6 +124,11 @@ class Motion:
         return self._apart + sum((k * (line.l - line.rest) ** 2 / 2 for line, k in springs), sp.S.Zero)
 
     @cached_property
+    def strain_energy(self) -> sp.Expr:
+        """Energy of springs, torsion springs, contact and the page's potentials, without the applied forces."""
+        return self.energy - self.model.kinetic + self.work
+
+    @cached_property
     def _apart(self) -> sp.Expr:
         """Without the springs along lines."""
         it = self.model
@@ -264,6 +269,8 @@ def module(model: Mechanics) -> Module:
             *_turns(motion, function, moving, (*place, *accelerations, *model.arguments), ways),
             function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.energy,
                      "energy"),
+            function("strain_energy", "Energy stored in springs, contact and potentials, without the applied forces.",
+                     (*model.coordinates, *model.arguments, PUSHING), motion.strain_energy, "energy"),
             function("friction_power", "Rate at which friction changes that energy.", regime, motion.friction_power, "power"),
             function("damper_power", "Rate at which dampers change it, never positive.", moving, motion.damper_power, "power"),
             function("applied_power", "Rate at which applied forces without a potential change it.", moving, motion.applied_power,

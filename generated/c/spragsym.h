@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "c4452494e6d5338c"
+#define SPRAGSYM_SOURCE "b6963ea417d17df1"
 
 /** What became of a call. */
 typedef enum {

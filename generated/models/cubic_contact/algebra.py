@@ -36,7 +36,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
     "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "friction_power", "damper_power", "applied_power",
+    "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -338,6 +338,19 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d
     return (
         alpha*(x*x)/2 + (base9*base9)*sigma/2 + beta*w0 + kappa*y + pushing*(gamma*(y_2*y_2)/4 + w0) + (vx*vx)/2 + (vy*vy)/2
     )
+
+
+@broadcasting
+def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, *, xp=numpy):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 25."""
+    base0 = cos0 - x
+    base2 = sin0 - y
+    l1 = xp.sqrt(base0*base0 + base2*base2)
+    base7 = l1 - 1
+    y_2 = y*y
+    w0 = y_2/2
+    return alpha*(x*x)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*(gamma*(y_2*y_2)/4 + w0)
 
 
 @broadcasting

@@ -40,7 +40,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
     "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "friction_power", "damper_power", "applied_power",
+    "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -244,6 +244,20 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushi
         alpha*(x*x)/2 + (base10*base10)*sigma/2 + beta*(y*y)/2 + 2*(depth*depth)*pushing*root12/5 + kappa*y + (vx*vx)/2 +
         (vy*vy)/2
     )
+
+
+@broadcasting
+def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 32."""
+    base0 = 1 - pushing
+    depth = (base0*base0)/1099511627776 - pushing*y
+    base2 = cos0 - x
+    base4 = sin0 - y
+    l1 = xp.sqrt(base2*base2 + base4*base4)
+    base8 = l1 - 1
+    root10 = xp.sqrt(depth)
+    return alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*(y*y)/2 + 2*(depth*depth)*pushing*root10/5
 
 
 @broadcasting

@@ -29,7 +29,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
     "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "friction_power", "damper_power", "applied_power",
+    "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -240,6 +240,17 @@ def energy(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     w1 = sigma/4
     x_2 = x*x
     return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + (vx*vx)/2 + (vy*vy)/2 + w0 + w1*x_2 + w1*y_2 + y
+
+
+@broadcasting
+def strain_energy(x, y, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 17."""
+    y_2 = y*y
+    w0 = y_2/2
+    w1 = sigma/4
+    x_2 = x*x
+    return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + w0 + w1*x_2 + w1*y_2
 
 
 @broadcasting

@@ -45,7 +45,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
     "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "friction_power", "damper_power", "applied_power",
+    "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -398,6 +398,24 @@ def energy(
     return (
         alpha*(x*x)/2 + (base11*base11)*sigma/2 + kappa*z + nu_w*(vw*vw)/2 + nu_z*(vz*vz)/2 + pushing*(-w*y + w0 + w1) +
         sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 + sigma_w*w1 + (vx*vx)/2 + (vy*vy)/2
+    )
+
+
+@broadcasting
+def strain_energy(
+    x, y, w, z, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing, *, xp=numpy,
+):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 35."""
+    base0 = cos0 - x
+    base2 = sin0 - y
+    l1 = xp.sqrt(base0*base0 + base2*base2)
+    base7 = l1 - 1
+    w0 = (y*y)/2
+    w1 = (w*w)/2
+    return (
+        alpha*(x*x)/2 + (base7*base7)*sigma/2 + pushing*(-w*y + w0 + w1) + sigma_p*w0 - sigma_p*y*z + sigma_p*(z*z)/2 +
+        sigma_w*w1
     )
 
 

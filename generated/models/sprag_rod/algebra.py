@@ -34,7 +34,8 @@ __all__ = [
     "friction_by_parameters", "turnings", "torsions", "forces", "stiffnesses", "spring_forces", "contact_force",
     "forces_apart", "forces_jacobian", "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope",
     "friction_slope_by_sizes", "rhs", "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates",
-    "layers", "layer_rates", "turning_borders", "turning_rates", "energy", "friction_power", "damper_power", "applied_power",
+    "layers", "layer_rates", "turning_borders", "turning_rates", "energy", "strain_energy", "friction_power",
+    "damper_power", "applied_power",
 ]
 
 
@@ -455,6 +456,23 @@ def energy(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, push
     w4 = -cos0*sin_psi + cos_psi*sin0
     phi1 = xp.atan2(-c1*w3 + s1*w4, c1*w4 + s1*w3)
     return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + (cos0*cos0)/2 + w2_2/2) + (vphi*vphi)/6
+
+
+@broadcasting
+def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 34."""
+    w0 = xp.sin(phi)
+    w2 = xp.cos(phi)
+    w2_2 = w2*w2
+    l1 = xp.sqrt(w0*w0 + w2_2)
+    w1 = 1/l1
+    c1 = w0*w1
+    s1 = w1*w2
+    w3 = cos0*cos_psi + sin0*sin_psi
+    w4 = -cos0*sin_psi + cos_psi*sin0
+    phi1 = xp.atan2(-c1*w3 + s1*w4, c1*w4 + s1*w3)
+    return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + (cos0*cos0)/2 + w2_2/2)
 
 
 @broadcasting

@@ -23,7 +23,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
     "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "friction_power", "damper_power", "applied_power",
+    "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -248,6 +248,13 @@ def layer_rates(x, vx, ax, mu_s, v_s, zeta, V, side, *, xp=numpy):
 def energy(x, vx, mu_s, v_s, zeta, V, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 5."""
     return (vx*vx)/2 + (x*x)/2
+
+
+@broadcasting
+def strain_energy(x, mu_s, v_s, zeta, V, pushing, *, xp=numpy):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 2."""
+    return (x*x)/2
 
 
 @broadcasting

@@ -42,7 +42,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
     "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "friction_power", "damper_power", "applied_power",
+    "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -289,6 +289,18 @@ def energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s,
     base8 = l1 - 1
     w0 = (y*y)/2
     return alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*w0 + kappa*y + pushing*w0 + (vx*vx)/2 + (vy*vy)/2
+
+
+@broadcasting
+def strain_energy(x, y, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V, d, pushing, *, xp=numpy):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 21."""
+    base0 = cos0 - x
+    base2 = sin0 - y
+    l1 = xp.sqrt(base0*base0 + base2*base2)
+    base6 = l1 - 1
+    w0 = (y*y)/2
+    return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
 
 
 @broadcasting

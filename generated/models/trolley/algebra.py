@@ -40,7 +40,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "balance", "balance_jacobian", "mass_matrix", "damping", "friction_slope",
     "friction_slope_by_sizes", "rhs", "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates",
-    "layers", "layer_rates", "energy", "friction_power", "damper_power", "applied_power",
+    "layers", "layer_rates", "energy", "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -387,6 +387,18 @@ def energy(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, 
         alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + (base10*base10)*sigma/2 + beta*w0 + kappa*y + nu_a*(vx_a*vx_a)/2 + pushing*w0 +
         (vx*vx)/2 + (vy*vy)/2
     )
+
+
+@broadcasting
+def strain_energy(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, *, xp=numpy):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 26."""
+    base0 = sin0 - y
+    base2 = cos0 - x + x_a
+    l1 = xp.sqrt(base0*base0 + base2*base2)
+    base7 = l1 - 1
+    w0 = (y*y)/2
+    return alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*w0
 
 
 @broadcasting

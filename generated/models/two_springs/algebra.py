@@ -42,7 +42,7 @@ __all__ = [
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
     "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
     "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "friction_power", "damper_power", "applied_power",
+    "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
 
@@ -445,6 +445,26 @@ def energy(
         alpha*(x*x)/2 + (base12*base12)*sigma_2/2 + (base14*base14)*sigma/2 + beta*w2 + kappa*y + pushing*w2 + (vx*vx)/2 +
         (vy*vy)/2
     )
+
+
+@broadcasting
+def strain_energy(
+    x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, *, xp=numpy,
+):
+    """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
+    Operations: 37."""
+    w0 = -x
+    base0 = cos0 + w0
+    w1 = -y
+    base2 = sin0 + w1
+    l1 = xp.sqrt(base0*base0 + base2*base2)
+    base4 = cos0_2*lambda_2 + w0
+    base6 = lambda_2*sin0_2 + w1
+    l2 = xp.sqrt(base4*base4 + base6*base6)
+    base10 = l2 - lambda_2
+    base12 = l1 - 1
+    w2 = (y*y)/2
+    return alpha*(x*x)/2 + (base10*base10)*sigma_2/2 + (base12*base12)*sigma/2 + beta*w2 + pushing*w2
 
 
 @broadcasting

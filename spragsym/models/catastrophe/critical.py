@@ -18,7 +18,7 @@ from ...results.points import Points
 from ..mechanics.balance import Balance
 from ..mechanics.forces import Model
 from ..statics.equilibria import equilibria
-from ..statics.foremost import foremost
+from ..statics.reference_state import reference_state
 from ..statics.remarks import of_ranges
 from ..tubes.tubes import carried
 from .bifurcation_conditions import Touch, TouchTurn
@@ -237,8 +237,9 @@ class _Search:
             raise ConvergenceError(
                 f"no state at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
             )
-        states = np.array([eq.coordinates[name][stable] for name in self.balance.coordinates])
-        way = self.carried(here, self.over, np.array(places), states[:, foremost(np.abs(states[0]), states, eq.error[stable])])
+        slot = reference_state(self.model, eq)
+        first = np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
+        way = self.carried(here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))
 
     def carried(self, p: Any, name: str, values: Any, q: Any) -> Any:

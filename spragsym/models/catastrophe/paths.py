@@ -24,6 +24,7 @@ from ..mechanics.balance import Balance
 from ..mechanics.forces import Model
 from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
+from ..statics.reference_state import least_strained
 from ..statics.search import columns
 from ..statics.stability import linearization
 from .bifurcation_conditions import Touch
@@ -250,9 +251,11 @@ class _Way:
             at = f"the first value, {self.vary} = {float(self.stops[0])!r}"
             raise ParameterError(f"{at}, has no equilibrium in contact; begin where there is one: at folds they begin and end")
         states = np.array([self.state(0, slot)[0] for slot in stable]).T
-        error = max(self.state(0, slot)[2] for slot in stable)
-        sign = 1.0 if start == "small" else -1.0
-        return stable[int(foremost(sign * np.abs(states[0]), states, np.full(len(stable), error)))]
+        error = np.full(len(stable), max(self.state(0, slot)[2] for slot in stable))
+        if start == "large":
+            return stable[int(foremost(-np.abs(states[0]), states, error))]
+        here = self.p.replace(**{self.vary: float(self.stops[0])})
+        return stable[int(least_strained(self.model, here, states, error, np.ones(len(stable), dtype=np.bool_)))]
 
     def _met(self, stop: int) -> int | None:
         """The number of the fold or border that a stop is equal to."""

@@ -17,7 +17,7 @@ from ...progress import doing
 from ...results.equilibria import Stability
 from ..mechanics.varying_units import BalanceInUnits
 from ..statics.equilibria import equilibria
-from ..statics.foremost import foremost
+from ..statics.reference_state import reference_state
 from ..tubes.tube_regions import ByColumn, Flags, Parts, Place, halves
 from ..tubes.tubes import SMALL, Tubes
 from .state_certificates import STATES, certify_states, corner_values
@@ -110,14 +110,13 @@ class Splitting:
         return Parts(np.repeat(self.fixed, low.shape[1], axis=1), centre, half)
 
     def _first(self, middle: FloatArray) -> FloatArray:
-        """The stable state of smallest first coordinate in the middle of the box, where what moves begins."""
+        """The reference state in the middle of the box, where what moves begins."""
         eq = equilibria(self.point(np.append(middle, self.begin)))
         stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
         if not eq.decided or not stable.size:
             raise ConvergenceError(f"no state in the middle of the box is known to be stable at {self.vary} = {self.begin:g}")
-        states = np.array([eq.coordinates[name][stable] for name in self.balance.coordinates])
-        first: FloatArray = states[:, foremost(np.abs(states[0]), states, eq.error[stable])]
-        return first
+        slot = reference_state(self.model, eq)
+        return np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
         """Whether the state that is taken up at one point becomes, while all moves to another, the one that is taken up there."""

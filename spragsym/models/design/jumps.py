@@ -13,12 +13,11 @@ from ...design.values import FROM_LOWER_END, told
 from ...errors import ConvergenceError, ParameterError
 from ...exact.interval_arrays import FloatArray
 from ...parameters import Range, as_numbers
-from ...results.equilibria import Stability
 from ..catastrophe.paths import first_end
 from ..catastrophe.points import FAR
 from ..mechanics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.foremost import foremost
+from ..statics.reference_state import reference_state
 from ..statics.stability import filled
 from ..tubes.tube_regions import Parts, Place
 from ..tubes.tubes import Tubes
@@ -80,10 +79,10 @@ def jump_value(
 
     Notes
     -----
-    Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.models.tubes.turning_points`: the
-    state is the stable one of smallest first coordinate at the first value, or the one of smallest where none is stable; of those
-    that are alike the one of larger coordinates. What tubes don't decide is followed between all folds that are found by search,
-    see :func:`spragsym.models.catastrophe.paths.first_end`; an end there may also be where the state leaves the contact.
+    Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.models.tubes.turning_points`, from
+    the reference state at the first value, see :mod:`spragsym.models.statics.reference_state`. What tubes don't decide is
+    followed between all folds that are found by search, see :func:`spragsym.models.catastrophe.paths.first_end`; an end there
+    may also be where the state leaves the contact.
     """
     found = told(Followed(model, p, vary, direction, begin, until).ends()).value
     return found if found.ndim else float(found)
@@ -205,14 +204,11 @@ class Followed:
         return self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
 
     def _start(self, rows: Any) -> tuple[Parts, Place, FloatArray]:
-        """Some points, the states of small deformation from which they are followed, where these are known, and up to where."""
+        """Some points, the reference states from which they are followed, where these are known, and up to where."""
         n, begin = self.balance.n, self.begin[rows]
         p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
         eq = equilibria(p)
-        states = np.array([getattr(eq, name) for name in self.balance.coordinates])
-        stable = eq.stability == Stability.STABLE
-        open_ = np.where(stable.any(axis=1, keepdims=True), stable, ~np.isnan(states[0]))
-        slot = foremost(np.where(open_, np.abs(states[0]), np.inf), states, eq.error)
+        slot = reference_state(self.model, eq)
         z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0

@@ -1,0 +1,51 @@
+"""The state that is followed unless told otherwise: the stable one of least strain energy."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.models.statics.reference_state import reference_state
+
+
+def strained(angle: float, phi: float, p: object) -> float:
+    """Strain energy of the rod by hand: torsion spring k_t, at rest at phi = theta0 − psi, and linear contact."""
+    depth = max(0.0, math.cos(phi) - math.cos(angle))
+    return 0.5 * float(p.kappa) * (phi - angle + float(p.psi)) ** 2 + 0.5 * depth**2  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("angle", [20.0, 30.0, 45.0])
+def test_the_rod_is_followed_from_the_state_whose_spring_is_turned_least(angle: float) -> None:
+    """Not from the flipped one, whose coordinate is smaller."""
+    model = ss.load("sprag_rod")
+    theta0 = math.radians(angle)
+    p = model.Parameters(theta0=theta0, mu0=0.0)
+    eq = ss.equilibria(p)
+    stable = [float(phi) for phi, kind in zip(eq.phi, eq.stability, strict=True) if kind == ss.Stability.STABLE]
+    least = min(stable, key=lambda phi: strained(theta0, phi, p))
+    assert least > 0 > min(stable, key=abs)
+    path = ss.quasi_static_path(p, "mu0", [0.0])
+    assert path.phi[0] == pytest.approx(least, abs=1e-12)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.5])
+def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float) -> None:
+    """Also without a spring along the belt, where a spring that has flipped over is strained less."""
+    rng = np.random.default_rng(7)
+    size = 400
+    given = {
+        "theta0": rng.uniform(0.01, 3.13, size), "kappa": 10 ** rng.uniform(-4, 0.5, size),
+        "alpha": rng.choice([0.0, 0.01], size), "sigma": 10 ** rng.uniform(-3, 1, size),
+        "beta": 10 ** rng.uniform(-4, 1, size),
+    }  # fmt: skip
+    p = ss.Parameters(mu0=friction, **given)
+    eq = ss.equilibria(p)
+    slot = reference_state(p.model, eq)
+    stable = eq.stability == ss.Stability.STABLE
+    several = stable.sum(axis=1) > 1
+    smallest = np.where(stable, np.abs(eq.x), np.inf).argmin(axis=1)
+    assert several.sum() > 50
+    assert (slot == smallest)[several].all()

@@ -255,7 +255,7 @@ class _Way:
         if start == "large":
             return stable[int(foremost(-np.abs(states[0]), states, error))]
         here = self.p.replace(**{self.vary: float(self.stops[0])})
-        return stable[int(least_strained(self.model, here, states, error, np.ones(len(stable), dtype=np.bool_)))]
+        return stable[int(least_strained(self.model, here, list(states), error, np.ones(len(stable), dtype=np.bool_)))]
 
     def _met(self, stop: int) -> int | None:
         """The number of the fold or border that a stop is equal to."""

@@ -58,9 +58,9 @@ def least_strained(model: Any, p: Any, q: Sequence[FloatArray], error: FloatArra
     place = np.stack(q, axis=-1)
     second = np.einsum("...i,...si->...s", slope, place) + 0.5 * np.einsum("...si,...ij,...sj->...s", place, stiffness, place)
     convex = np.isfinite(stiffness).all(axis=(-2, -1))
-    roots = np.linalg.eigvalsh(np.where(convex[..., None, None], stiffness, 0.0))
+    roots = np.linalg.eigvalsh(np.where(np.expand_dims(convex, (-2, -1)), stiffness, 0.0))
     convex &= roots[..., 0] > POSITIVE * np.abs(roots).max(axis=-1)
-    strain = np.where(convex[..., None], second, energy(*q))
+    strain = np.where(np.expand_dims(convex, -1), second, energy(*q))
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.where(np.isfinite(strain), np.abs(strain), 0.0).max(axis=-1, keepdims=True, initial=0.0)
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding

@@ -38,7 +38,7 @@ WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1
 # Files go to workers in the order that tests/conftest.py gives them: the longest first.
 TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
-.PHONY: help install derive test poor check lint thorough coverage mutants regenerate installs package explorer bench figures docs check-claims clean
+.PHONY: help install derive test poor check lint thorough coverage regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
@@ -49,7 +49,6 @@ help:
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
 	@echo "make thorough      all tests, with ten times as many random cases"
 	@echo "make coverage      the same, and the lines and branches that they reach; twice the time"
-	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
 	@echo "make check         what CI runs: lint, types, all tests, generated/ as committed"
 	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, if a registry can be reached"
@@ -119,10 +118,6 @@ thorough: $(TEST)
 # What they reach of spragsym decides nothing, and to count it doubles the time: CI does not.
 coverage: $(TEST)
 	HYPOTHESIS_PROFILE=all $(TESTS) --cov --cov-branch --cov-report=term
-
-# Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
-mutants: $(TEST)
-	$(BIN)/python -m tests.mutants $(ONLY) --jobs $(WORKERS)
 
 # The derivation, then the committed bytes: what went wrong is the last line.
 regenerate: $(DERIVE)

@@ -18,26 +18,23 @@ from pathlib import Path
 _SECTIONS = {
     "equilibria": ("benchmarks.bench_equilibria", "Equilibria: speed"),
     "accuracy": ("benchmarks.bench_accuracy", "Equilibria: accuracy beside speed"),
-    "counts": ("validation.equilibria", "Equilibria: a million adversarial points"),
     "c": ("benchmarks.bench_c", "The C target"),
     "languages": ("benchmarks.bench_languages", "JavaScript and MATLAB"),
     "models": ("benchmarks.bench_models", "Models from pages beside the closed forms"),
     "catastrophe": ("benchmarks.bench_catastrophe", "The bifurcation set"),
     "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
-    "codegen": ("benchmarks.bench_codegen", "Generated code against other generators"),
     "scale": ("benchmarks.bench_scale", "How cost grows, and start-up"),
 }
 #: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to measure.
 _QUICK = {
     "equilibria": "20000",
     "accuracy": "10",
-    "counts": "1000",
     "c": "10000",
     "languages": "100",
     "models": "25",
     "scale": "4",
 }
-_VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "python-flint", "heyoka", "symforce", "wrenfold", "casadi")
+_VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "python-flint", "heyoka")
 
 
 def main() -> int:

@@ -1,11 +1,9 @@
 """This tree beside another commit, in one run: how long each question takes, and whether the equilibria are the same.
 
-``python -m benchmarks.bench_before REV [--points N] [--only NAMES] [--python INTERPRETER]``: REV is checked out into a temporary
-folder, its compiled code is built there if it has any, and a process for each tree answers the same questions in turn: equilibria
-of random points by each solver, and those of :mod:`benchmarks.before_questions`, all or those whose names begin with one of NAMES,
-as in ``--only folds,cusps``. A commit whose compiled solver needs numba takes it from the interpreter, by default the one that runs
-this; what a tree can't be asked is "not there". ``--families`` takes N points of each family instead, cusp wedge and near folds
-among them, whose points leave float64.
+``python -m benchmarks.bench_before REV [--points N] [--rounds N] [--only NAMES]``: REV is checked out into a temporary folder, its
+compiled code is built there, and a process for each tree is asked the questions in turn, all or those whose names begin with one of
+NAMES, as in ``--only folds,cusps``. A question that raises is "not there". asv builds an environment for each commit, times the
+commits one after the other, and compares no answers.
 """
 
 from __future__ import annotations
@@ -21,157 +19,170 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.before_worker import COLUMNS
 from spragsym.parameters import NAMES
-from tests.oracles.families import FAMILIES, random
+from tests.oracles.families import random
 
 ROOT = Path(__file__).resolve().parent.parent
 #: Slower by more than this share is marked.
 ALLOWED = 0.05
-#: Ways to solve whose equilibria are compared.
-COMPARED = ("equilibria, numpy", "equilibria, compiled")
-
-
-class Worker:
-    """A process that asks the package of one tree: :mod:`benchmarks.before_worker`."""
-
-    def __init__(self, python: str, tree: Path, points: Path, *only: str) -> None:
-        environment = os.environ | {"PYTHONPATH": str(tree), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-        environment.pop("PYTHONDONTWRITEBYTECODE", None)  # else a new process compiles the package, which has grown
-        command = [python, str(Path(__file__).with_name("before_worker.py")), str(tree), str(points)]
-        self.process = subprocess.Popen(
-            [*command, *only], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment
-        )
-        self.ways = self._answer().split("\t")
-
-    def ask(self, *words: str) -> str:
-        """What it answers to a line of words."""
-        assert self.process.stdin is not None
-        self.process.stdin.write("\t".join(words) + "\n")
-        self.process.stdin.flush()
-        return self._answer()
-
-    def _answer(self) -> str:
-        assert self.process.stdout is not None
-        line = self.process.stdout.readline()
-        if not line:
-            sys.exit(f"the process for {self.process.args!r} ended")
-        return line.strip()
-
-    def stop(self) -> None:
-        """End it."""
-        assert self.process.stdin is not None
-        self.process.stdin.close()
-        self.process.wait()
+#: What both trees are asked; ``many`` are all points, ``some`` 300 of them, ``few`` 30 sets of one point each.
+QUESTIONS = {
+    "equilibria, numpy": "ss.set_backend('numpy', 1), ss.equilibria(many)",
+    "equilibria, compiled": "ss.set_backend('compiled', 1), ss.equilibria(many)",
+    "equilibria, compiled, 2 threads": "ss.set_backend('compiled', 2), ss.equilibria(many)",
+    "equilibria of one point, numpy": "ss.set_backend('numpy', 1), ss.equilibria(one)",
+    "equilibria of one point, compiled": "ss.set_backend('compiled', 1), ss.equilibria(one)",
+    "count, numpy": "ss.set_backend('numpy', 1), ss.count(many)",
+    "count, compiled": "ss.set_backend('compiled', 1), ss.count(many)",
+    "folds along theta0": "ss.folds(one, 'theta0')",
+    "folds along mu0": "ss.folds(one, 'mu0')",
+    "folds along theta0, 30 points": "[ss.folds(p, 'theta0') for p in few]",
+    "folds of cubic_contact": "ss.folds(cubic, 'theta0')",
+    "cusps": "ss.cusps(one)",
+    "cusps, 30 points": "[ss.cusps(p) for p in few]",
+    "cusps of cubic_contact": "ss.cusps(cubic)",
+    "flutter_onsets": "ss.flutter_onsets(flutters, damping=False)",
+    "flutter_onsets, 30 points": "[ss.flutter_onsets(p, damping=False) for p in few]",
+    "bifurcation_set": "ss.bifurcation_set(one)",
+    "quasi_static_path along theta0": "ss.quasi_static_path(one, 'theta0', np.linspace(0.01, 3.0, 500))",
+    "quasi_static_path along mu0": "ss.quasi_static_path(one, 'mu0', np.linspace(0.0, 1.0, 500))",
+    "quasi_static_path of cubic_contact": "ss.quasi_static_path(cubic, 'mu0', np.linspace(0.0, 1.0, 100))",
+    "jump_value along mu0": "ss.jump_value(one, 'mu0')",
+    "jump_value along theta0": "ss.jump_value(one, 'theta0')",
+    "jump_value along mu0, 300 points": "ss.jump_value(some, 'mu0')",
+    "jump_value along theta0, 300 points": "ss.jump_value(some, 'theta0')",
+    "critical_friction": "ss.critical_friction(one)",
+    "critical_friction, 300 points": "ss.critical_friction(some)",
+    "jump_margin": "ss.jump_margin(design, scale)",
+    "jump_margin of cubic_contact": "ss.jump_margin(cubic, scale)",
+    "redesign": "ss.redesign(design, ('theta0', 'sigma'), {'mu0': 0.7})",
+    "redesign of cubic_contact": "ss.redesign(cubic, ('theta0', 'sigma'), {'mu0': 0.7})",
+    "simulate": "ss.simulate(one, **law)",
+    "simulate, compiled": "ss.simulate(one, **law, backend='compiled')",
+    "simulate, scipy": "ss.simulate(one, **law, t_end=100.0, backend='scipy')",
+    "rms_sweep": "ss.rms_sweep(angles, **law, t_end=500.0)",
+    "rms_sweep, compiled": "ss.rms_sweep(angles, **law, t_end=500.0, backend='compiled')",
+    "rms_sweep, 2 workers": "ss.rms_sweep(angles, **law, t_end=500.0, workers=2)",
+    "import spragsym": "fresh('import spragsym')",
+    "import and first equilibria": "fresh('import spragsym as ss; ss.equilibria(ss.Parameters.article(theta0=1.0))')",
+    "command --help": "fresh(\"from spragsym.cli import main; main(['--help'])\")",
+    "command equilibria": "fresh(\"from spragsym.cli import main; main(['equilibria', '--theta0', '49'])\")",
+}
+#: The process of one tree: a line holds an expression, and a file if its equilibria are to be saved; the answer is seconds, or nothing.
+WORKER = """
+import subprocess, sys, time
+import numpy as np, spragsym as ss
+points = np.load(sys.argv[1])
+one, many, some = ss.Parameters.article(theta0=np.radians(49.0)), ss.Parameters(*points), ss.Parameters(*points[:, :300])
+few = [ss.Parameters(*map(float, point)) for point in points[:, :30].T]
+flutters, design = ss.Parameters.article(sigma=1.0, mu0=1.5), one.replace(theta0=0.7, mu0=0.5)
+cubic = ss.load("cubic_contact").Parameters(theta0=0.7, mu0=0.5)
+angles = ss.Parameters.article(theta0=np.radians(np.linspace(5.0, 175.0, 35)))
+scale, law = {"theta0": 0.02, "mu0": 0.05, "sigma": 0.01, "kappa": 0.001}, {"V": 0.5, "d": 10.0}
+known = {}
+def fresh(code):
+    subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+for line in sys.stdin:
+    question, _, file = line.rstrip("\\n").partition("\\t")
+    best, end = float("inf"), time.perf_counter() + 0.2
+    try:
+        if question not in known:
+            known[question] = compile(question, "question", "eval")
+            eval(known[question])
+        while time.perf_counter() < end or best == float("inf"):
+            begin = time.perf_counter()
+            answer = eval(known[question])
+            best = min(best, time.perf_counter() - begin)
+        if file:
+            np.savez(file, **{key: getattr(answer[1], key) for key in ("count", "stability", "theta", "L", "x", "y")})
+    except Exception:
+        best = float("nan")
+    print(best, flush=True)
+"""
 
 
 @contextmanager
 def checkout(rev: str) -> Iterator[Path]:
     """A work tree of a commit in a temporary folder, with its extension modules built."""
     with tempfile.TemporaryDirectory() as name:
-        tree = Path(name) / "tree"
-        git = ["git", "-C", str(ROOT), "worktree"]
+        tree, git = Path(name) / "tree", ["git", "-C", str(ROOT), "worktree"]
         subprocess.run([*git, "add", "--quiet", "--detach", str(tree), rev], check=True)
         try:
-            if "ext-modules" in (tree / "pyproject.toml").read_text(encoding="utf-8"):
-                build = [sys.executable, "-c", "import setuptools; setuptools.setup()", "--quiet", "build_ext", "--inplace"]
-                subprocess.run(build, cwd=tree, check=True, stdout=subprocess.DEVNULL)
+            build = "from setuptools import setup; setup()"
+            subprocess.run(
+                [sys.executable, "-c", build, "-q", "build_ext", "--inplace"], cwd=tree, check=False, capture_output=True
+            )
             yield tree
         finally:
             subprocess.run([*git, "remove", "--force", str(tree)], check=True)
 
 
+@contextmanager
+def worker(tree: Path, points: Path) -> Iterator[subprocess.Popen[str]]:
+    """A process that asks the package of one tree."""
+    environment = os.environ | {"PYTHONPATH": str(tree), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    command = [sys.executable, "-c", WORKER, str(points)]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment, cwd=tree
+    ) as process:
+        yield process
+
+
+def asked(process: subprocess.Popen[str], *words: str) -> float:
+    """Seconds of a question, NaN where the tree doesn't know it."""
+    assert process.stdin is not None
+    assert process.stdout is not None
+    process.stdin.write("\t".join(words) + "\n")
+    process.stdin.flush()
+    line = process.stdout.readline()
+    if not line:
+        sys.exit("the process of a tree ended")
+    return float(line)
+
+
+def differences(workers: list[subprocess.Popen[str]], question: str, folder: Path) -> str:
+    """Points whose count or kinds differ, and the largest difference over max(1, |value|)."""
+    found = []
+    for number, process in enumerate(workers):
+        if np.isnan(asked(process, question, str(folder / f"{number}.npz"))):
+            return "- | - | -"
+        with np.load(folder / f"{number}.npz") as file:
+            found.append(dict(file))
+    one, other = found
+    counts = int((one["count"] != other["count"]).sum())
+    kinds = int((one["stability"] != other["stability"]).any(axis=-1).sum())
+    gaps = [np.abs(one[key] - other[key]) / np.maximum(1, np.abs(one[key])) for key in ("theta", "L", "x", "y")]
+    return f"{counts} | {kinds} | {max(float(np.nanmax(gap, initial=0.0)) for gap in gaps):.1e}"
+
+
 def main() -> None:
     """Print both tables."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.bench_before")
-    parser.add_argument("rev", help="the commit to compare with")
-    parser.add_argument("--points", type=int, default=1_000_000, help="1 000 000 by default")
-    parser.add_argument("--families", action="store_true", help="N points of each family instead of random ones")
-    parser.add_argument(
-        "--only", type=lambda text: text.split(","), default=[], help="beginnings of names, with commas; all by default"
-    )
-    parser.add_argument("--rounds", type=int, default=7, help="turns of each, of which the best counts; 7 by default")
-    parser.add_argument("--python", default=sys.executable, help="interpreter for the commit before, as one that has numba")
-    options = parser.parse_args()
+    parser.add_argument("rev")
+    parser.add_argument("--points", type=int, default=100_000)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--only", type=lambda text: tuple(text.split(",")), default=("",), help="beginnings of names")
+    given = parser.parse_args()
+    chosen = {name: question for name, question in QUESTIONS.items() if name.startswith(given.only)}
     with ExitStack() as stack:
-        tree = stack.enter_context(checkout(options.rev))
-        folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-        if options.families:
-            by_family(options.python, tree, folder, options.points, options.rounds)
-            return
-        columns = random(np.random.default_rng(1), options.points).broadcast(*NAMES)
-        np.save(folder / "points.npy", np.stack(columns))
-        trees = ((options.python, tree), (sys.executable, ROOT))
-        workers = [Worker(python, where, folder / "points.npy", *options.only) for python, where in trees]
-        for worker in workers:
-            stack.callback(worker.stop)
-        print(f"{options.points:,} random points in contact, {options.rev} and this tree in turn, best of {options.rounds}.\n")
-        speed(*workers, options.rounds)
-        answers(*workers, folder)
-
-
-def speed(before: Worker, now: Worker, rounds: int) -> None:
-    """How long either tree takes for each question that it has."""
-    print("| question | before, µs | now | now / before |")
-    print("|---|---:|---:|---|")
-    for way in [*now.ways, *(way for way in before.ways if way not in now.ways)]:
-        there = [worker for worker in (before, now) if way in worker.ways]
-        taken = dict.fromkeys(there, np.inf)
-        for turn in range(rounds):
-            for worker in there[:: -1 if turn % 2 else 1]:
-                taken[worker] = min(taken[worker], float(worker.ask("time", way)))
-        cells = [f"{1e6 * taken[worker]:,.0f}" if worker in taken else "not there" for worker in (before, now)]
-        share = taken[now] / taken[before] if len(there) == 2 else np.nan
-        ratio = f"{share:.2f}" + (", slower" if share > 1 + ALLOWED else "") if np.isfinite(share) else "-"
-        print(f"| {way} | {cells[0]} | {cells[1]} | {ratio} |", flush=True)
-
-
-def by_family(python: str, tree: Path, folder: Path, points: int, rounds: int) -> None:
-    """What each rung settles of each family in contact, in percent, and microseconds a point by NumPy and by the compiled solver."""
-    print(f"{points:,} points of each family in contact; best of {rounds}.\n")
-    print(
-        "| family | % by float64, wider, intervals: before | now | "
-        + " | ".join(f"µs of {way}: before | now" for way in COMPARED)
-        + " |"
-    )
-    print("|---|---:|---:|" + "---:|" * 2 * len(COMPARED))
-    for number, (name, family) in enumerate(FAMILIES.items()):
-        file = folder / f"{number}.npy"
-        np.save(file, np.stack(family(np.random.default_rng([61, number]), points).broadcast(*NAMES)))
-        workers = [Worker(python, tree, file, *COMPARED), Worker(sys.executable, ROOT, file, *COMPARED)]
-        cells = [", ".join(worker.ask("rungs", COMPARED[0]).split()) for worker in workers]
-        for way in COMPARED:
+        tree, folder = stack.enter_context(checkout(given.rev)), Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        np.save(folder / "points.npy", np.stack(random(np.random.default_rng(1), given.points).broadcast(*NAMES)))
+        workers = [stack.enter_context(worker(where, folder / "points.npy")) for where in (tree, ROOT)]
+        print(f"{given.points:,} random points in contact, {given.rev} and this tree in turn, best of {given.rounds}.\n")
+        print("| question | before, µs | now | now / before |\n|---|---:|---:|---|")
+        for name, question in chosen.items():
             taken = [np.inf, np.inf]
-            for turn in range(rounds):
+            for turn in range(given.rounds):
                 for which in ((0, 1), (1, 0))[turn % 2]:
-                    if way in workers[which].ways:
-                        taken[which] = min(taken[which], float(workers[which].ask("time", way)))
-            cells += [f"{1e6 * spent / points:.3g}" if np.isfinite(spent) else "not there" for spent in taken]
-        for worker in workers:
-            worker.stop()
-        print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
-
-
-def answers(before: Worker, now: Worker, folder: Path) -> None:
-    """Points whose count or kinds differ, and the largest difference over max(1, |value|)."""
-    ways = [way for way in COMPARED if way in before.ways and way in now.ways]
-    if not ways:
-        return
-    print("\n| question | other counts | other kinds | largest difference |")
-    print("|---|---|---|---|")
-    for way in ways:
-        found = []
-        for name, worker in (("before", before), ("now", now)):
-            path = folder / f"{name}_{way}.npz"
-            worker.ask("save", way, str(path))
-            with np.load(path) as file:
-                found.append({column: file[column] for column in ("count", "stability", *COLUMNS)})
-        one, other = found
-        counts = int((one["count"] != other["count"]).sum())
-        kinds = int((one["stability"] != other["stability"]).any(axis=-1).sum())
-        gaps = [np.abs(one[name] - other[name]) / np.maximum(1, np.abs(one[name])) for name in COLUMNS]
-        worst = max(float(np.nanmax(gap, initial=0.0)) for gap in gaps)
-        print(f"| {way} | {counts} | {kinds} | {worst:.1e} |")
+                    taken[which] = min(taken[which], asked(workers[which], question))
+            cells = [f"{1e6 * spent:,.0f}" if np.isfinite(spent) else "not there" for spent in taken]
+            share = taken[1] / taken[0] if np.isfinite(taken).all() else np.nan
+            ratio = f"{share:.2f}" + (", slower" if share > 1 + ALLOWED else "") if np.isfinite(share) else "-"
+            print(f"| {name} | {cells[0]} | {cells[1]} | {ratio} |", flush=True)
+        print("\n| question | other counts | other kinds | largest difference |\n|---|---|---|---|")
+        for name in ("equilibria, numpy", "equilibria, compiled"):
+            if name in chosen:
+                print(f"| {name} | {differences(workers, chosen[name], folder)} |")
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ import spragsym.generated as generated_package
 from spragsym.dynamics import integrators
 from spragsym.exact import intervals
 from spragsym.kang_nam.catastrophe import flutter_proofs
-from validation.folds import random_fixed
+from tests.oracles.families import random_fixed
 
 ROOT = Path(__file__).parents[1]
 

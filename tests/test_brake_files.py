@@ -9,7 +9,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.studies.brake_files import read_brake
-from validation import measurements as validate_measurements
+from tests.oracles import measurement_files
 
 GOOD = {
     "m": '"0.35 kg"', "k": '"180 N/mm ± 15 %"', "L_0": '"38 mm"', "theta0": '"52 deg ± 1 deg"', "k_x": '"9 N/mm ± 15 %"',
@@ -199,8 +199,8 @@ def test_a_wrong_measurement(name: str, tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 def test_measurements_are_read_as_they_are_meant_or_refused(tmp_path: Path) -> None:
-    assert len(validate_measurements.READ) + len(validate_measurements.REFUSED) >= 60
-    assert validate_measurements.wrong(tmp_path) == []
+    assert len(measurement_files.READ) + len(measurement_files.REFUSED) >= 60
+    assert measurement_files.wrong(tmp_path) == []
 
 
 def test_files_that_are_none(tmp_path: Path) -> None:

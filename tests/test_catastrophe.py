@@ -12,9 +12,10 @@ import pytest
 import spragsym as ss
 from spragsym.parameters import NAMES
 from tests.oracles import reference
+from tests.oracles.count_map import count_map_mismatches
+from tests.oracles.creeping_states import check, random_path
+from tests.oracles.families import random_fixed
 from tests.support import few
-from validation.folds import count_map_mismatches, random_fixed
-from validation.paths import check, random_path
 
 BASE = ss.Parameters.article()
 #: Left fold and cusp as AUTO-07p prints them, right fold by Newton's method at 40 digits (stated by peers, degrees).

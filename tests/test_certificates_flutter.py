@@ -14,8 +14,8 @@ from spragsym.exact.polynomials import Undecided, primitive
 from spragsym.generated import stability
 from spragsym.kang_nam.catastrophe import flutter_proofs
 from spragsym.kang_nam.statics import adaptive_precision
+from tests.oracles.families import random_fluttering
 from tests.support import exact_onsets, middle_of, with_roots
-from validation.flutter import random_set
 
 
 def test_multiple_roots_are_counted() -> None:
@@ -118,7 +118,7 @@ def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
     """Which are proved, with more digits, at a friction that is as exact as its onset's θ₀ is not: none is next to a fold."""
     rng, kinds, arith = np.random.default_rng(77), set(), intervals.arithmetic()
     for _ in range(40):
-        p = random_set(rng)
+        p = random_fluttering(rng)
         values = [Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")]
         for onset in exact_onsets(*values):
             states = adaptive_precision.equilibria(Fraction(middle_of(onset.theta0)), *values, arith=arith).states

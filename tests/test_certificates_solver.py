@@ -21,7 +21,7 @@ from spragsym.parameters import NAMES
 from spragsym.results import state_columns
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES
-from validation.equilibria import worst_errors
+from tests.oracles.true_errors import worst_errors
 
 
 @pytest.fixture(autouse=True)

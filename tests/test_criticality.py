@@ -18,9 +18,9 @@ import spragsym as ss
 from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.catastrophe.normal_forms import BALLS, _pair, _Side, normal_form
+from tests.oracles import hopf_points
 from tests.support import ROOT, model_of, needs_a_quick_integrator
 from tests.test_documents import DOCS, OPTIONS, assert_shown, commands, fenced, run
-from validation import criticality as validate_criticality
 
 
 def onsets_of(name: str, vary: str, **values: float) -> Any:
@@ -65,7 +65,7 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
     onsets = onsets_of(name, vary, **values)
     assert len(onsets)
     for row in range(len(onsets)):
-        exact = validate_criticality.reference_of(onsets, row)
+        exact = hopf_points.reference_of(onsets, row)
         for one in ("lyapunov", "crossing"):
             found, bound = mpmath.mpf(float(getattr(onsets, one)[row])), getattr(onsets, f"{one}_error")[row]
             assert abs(found - getattr(exact, one)) <= bound
@@ -77,7 +77,7 @@ def test_a_torsion_spring_against_equations_written_by_hand() -> None:
     pytest.importorskip("sympy")
     model = model_of((ROOT / "tests/soft_brake.py").read_text(encoding="utf-8"), "soft_brake")
     onsets = ss.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
-    exact = validate_criticality.reference_of(onsets, 0)
+    exact = hopf_points.reference_of(onsets, 0)
     assert abs(mpmath.mpf(float(onsets.lyapunov[0])) - exact.lyapunov) <= onsets.lyapunov_error[0] < 1e-9
     assert onsets.criticality.tolist() == ["gentle"]
 
@@ -264,7 +264,7 @@ def test_a_branch_goes_on_from_the_cycle_that_is_born(stick_slip: Any) -> None:
 @needs_a_quick_integrator
 @pytest.mark.parametrize("row", [0, 1])
 def test_signs_against_motions_on_both_sides(row: int, stick_slip: Any) -> None:
-    assert validate_criticality.against_motions(stick_slip, row) == stick_slip.criticality[row]
+    assert hopf_points.against_motions(stick_slip, row) == stick_slip.criticality[row]
 
 
 def test_commands_and_tables_say_how_dangerous_an_onset_is(stick_slip: Any) -> None:

@@ -33,12 +33,9 @@ from spragsym.exact.number_types import Functions
 from spragsym.generated import laws
 from spragsym.models.field import exact_field
 from tests.conftest import Run
+from tests.oracles import random_motions
+from tests.oracles.second_driver import differences
 from tests.support import few
-from validation import basins as validate_basins
-from validation import branches as validate_branches
-from validation import cycles as validate_cycles
-from validation import fates as validate_fates
-from validation import verdicts as validate_verdicts
 
 #: The article's model, as cycles take it.
 SPRAG = ss.load("kang_nam").field
@@ -63,7 +60,7 @@ def moving(p: ss.Parameters, state: Any, **options: Any) -> ss.Trajectory:
 
 def drawn(number: int) -> ss.Cycle:
     """The cycle that a branch of the campaign begins with."""
-    cycle, _ = validate_branches.begun(number)
+    cycle, _ = random_motions.cycle_of(number)
     assert cycle is not None
     return cycle
 
@@ -92,7 +89,7 @@ def branch(slow: ss.Cycle) -> ss.CycleBranch:
 
 
 def test_a_cycle_is_that_of_another_driver(slow: ss.Cycle) -> None:
-    assert max(validate_cycles.differences(slow)) < 1e-9
+    assert max(differences(slow)) < 1e-9
 
 
 def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
@@ -627,7 +624,7 @@ def test_a_cycle_of_another_model_is_refused(slow: ss.Cycle, branch: ss.CycleBra
 @pytest.mark.thorough
 def test_rounding_does_not_decide_between_a_cycle_and_itself() -> None:
     """It had two labels, since its fates were not known to be one yet."""
-    given = validate_fates.call(142)
+    given = random_motions.fate_of(142)
     p = ss.Parameters(**{name: value for name, value in given["values"].items() if name not in BELT})
     speeds = {name: given["values"][name] for name in BELT}
     with pytest.raises(ss.ConvergenceError, match="between those it is undecided") as told:
@@ -704,16 +701,9 @@ def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPa
         ss.fate_boundary(p, **settings, **BELT)
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("number", [1, 5, 8, 13])
-def test_random_fates_are_confirmed_by_another_integrator(number: int) -> None:
-    line = validate_fates.examined(number)
-    assert line["confirmed"], line
-
-
 def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     """The arguments of a random call of the campaign."""
-    given = validate_fates.call(number)
+    given = random_motions.fate_of(number)
     values = dict(given["values"])
     belt = {name: values.pop(name) for name in ("V", "d")}
     return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
@@ -742,8 +732,6 @@ def test_the_error_of_a_boundary_knows_how_it_moves_with_the_start() -> None:
     p, settings = of_call(104)
     found = ss.fate_boundary(p, **settings)
     assert 1e-12 < found.error < 1e-11
-    right, how = validate_fates.confirmed(validate_fates.call(104), found)
-    assert right, how
 
 
 @pytest.mark.thorough
@@ -752,7 +740,7 @@ def test_a_side_that_rounding_decides_is_undecided() -> None:
 
     What rounding makes of the motion depends on the processor: on some both sides come to nothing by the end.
     """
-    found = ss.basin_boundary(validate_basins.drawn(0), step=0.05, points=2)
+    found = ss.basin_boundary(random_motions.basin_of(0), step=0.05, points=2)
     assert all("as rounding decides" in told or told.startswith("nothing that is decided") for told in found.sides[3])
     assert not found.boundary[3]
 
@@ -860,14 +848,6 @@ def test_the_map_is_drawn_by_one_command(tmp_path: Path, run: Run) -> None:
     assert "a map over two parameters" in run("fates", "--theta0", "30,35", "--mu0", "0.4", *more, code=2)
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("number", [1, 2, 3])
-def test_random_verdicts_are_confirmed_by_another_driver(number: int) -> None:
-    line = validate_verdicts.examined(number)
-    assert line["confirmed"], line
-    assert line["kind"] != "undecided"
-
-
 @pytest.mark.parametrize("name", few(["damped", "kang_nam"], "damped"))
 def test_the_time_scale_is_that_on_which_motions_die_out(name: str) -> None:
     p = ss.load(name).Parameters(theta0=np.radians(30.0), d=2.0)
@@ -915,7 +895,7 @@ def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate(
 @pytest.mark.thorough
 def test_a_point_beside_which_basins_alternate_is_no_boundary() -> None:
     """By another integrator both sides come to one cycle there; a millionth aside one was seen to come to rest."""
-    found = ss.basin_boundary(validate_basins.drawn(16), step=0.05, points=2)
+    found = ss.basin_boundary(random_motions.basin_of(16), step=0.05, points=2)
     assert not found.boundary[4]
     assert ", and nearer by " in found.sides[4, 0]
 
@@ -1328,10 +1308,3 @@ def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
         )
         assert (late > 1.2 * early) == (side < 0)
         assert (late < 0.8 * early) == (side > 0)
-
-
-@pytest.mark.thorough
-def test_a_multiplier_that_jumps_past_its_value_is_no_zero_of_it() -> None:
-    """Beside a grazing one jumps past −1: the place was said to 1e-9, and was 1e-7 off when steps were others."""
-    for row in validate_branches.looked_at(282)["branches"]:
-        assert (row["missed"], row["invented"], row["doubtful"]) == ([], [], [])

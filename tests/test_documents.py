@@ -18,7 +18,6 @@ import numpy as np
 import pytest
 
 import spragsym
-from tests import absolute
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, needs_a_quick_integrator
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -237,13 +236,6 @@ def test_every_absolute_statement_names_its_proof_and_its_test() -> None:
     assert len(rows) > 15
     assert all(re.search(r"`test_\w+\.test_\w+` \|$", row) for row in rows)
     assert _named_in("statements") > 30
-
-
-def test_every_absolute_sentence_was_read() -> None:
-    """``python -m tests.absolute`` prints what is not in tests/absolute.txt yet: say what stands behind it, or reword it."""
-    known = absolute.read()
-    assert set(known.values()) == set(absolute.REASONS)
-    assert set(known) == set(absolute.sentences())
 
 
 def _named_in(page: str) -> int:

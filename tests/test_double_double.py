@@ -18,7 +18,7 @@ from spragsym.kang_nam.statics import adaptive_precision, block, compiled
 from spragsym.parameters import NAMES
 from spragsym.results import state_columns
 from tests.oracles.families import FAMILIES
-from validation.equilibria import worst_errors, wrong_counts
+from tests.oracles.true_errors import worst_errors, wrong_counts
 
 #: The unit in which the bounds of single operations are known.
 UNIT = Fraction(1, 2**106)

@@ -10,7 +10,7 @@ import pytest
 import spragsym as ss
 from spragsym.generated.equilibrium import f_coefficients
 from tests.oracles.families import FAMILIES
-from validation.equilibria import worst_errors, wrong_counts
+from tests.oracles.true_errors import worst_errors, wrong_counts
 
 # ------------------------------------------------------------------------------------------- counts and digits
 

@@ -27,8 +27,8 @@ from spragsym.errors import DamageWarning, StoreError, SweepError
 from spragsym.files import locks, storage
 from spragsym.files.journal import journal, path_of
 from spragsym.sweeps import rms_sweep
+from tests.oracles import sweep_attacks as attack
 from tests.support import needs_posix
-from validation import sweeps as attack
 
 pytest.importorskip("xarray")
 P, SHORT = attack.P, attack.SHORT
@@ -398,7 +398,7 @@ def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: 
     rms_sweep(P, **SHORT, store=whole, workers=recorded)
     code = (
         "import sys, resource; resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]),) * 2)\n"
-        "from validation.sweeps import *\n"
+        "from tests.oracles.sweep_attacks import *\n"
         "try: rms_sweep(P, **SHORT, store=sys.argv[2])\n"
         "except StoreError as error: sys.exit(str(error))"
     )

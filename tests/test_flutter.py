@@ -16,8 +16,9 @@ from spragsym.exact.intervals import Arithmetic
 from spragsym.generated import stability
 from spragsym.kang_nam.catastrophe import flutter_points
 from spragsym.kang_nam.statics import kernel
+from tests.oracles.families import random_fluttering
+from tests.oracles.flutter_map import compare
 from tests.support import exact_onsets, middle_of
-from validation.flutter import compare, random_set
 
 #: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.
 NEXT_TO_90 = ss.Parameters.article(mu0=1.3, alpha=1.3, sigma=0.32)
@@ -97,7 +98,7 @@ def test_random_sets_against_a_map_of_stability() -> None:
     rng = np.random.default_rng(20)
     listed = without_alpha = 0
     for _ in range(60):
-        p = random_set(rng)
+        p = random_fluttering(rng)
         onsets = ss.flutter_onsets(p, damping=False)
         missed, extra, seen = compare(p, onsets)
         assert (missed, extra) == (0, 0), p
@@ -194,7 +195,7 @@ def test_no_onset_is_a_fold() -> None:
     """f′ = L det K > 0, and the Jacobian J that side is taken from is f′."""
     rng = np.random.default_rng(3)
     for _ in range(20):
-        p = random_set(rng)
+        p = random_fluttering(rng)
         found = ss.flutter_onsets(p, damping=False)
         mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
         c, s, c0, s0 = np.cos(found.theta), np.sin(found.theta), np.cos(found.theta0), np.sin(found.theta0)

@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 
 from tests.test_documents import ROOT, assert_shown, commands, run
-from validation import __main__ as campaigns
 
 PAGE = ROOT / "CONTRIBUTING.md"
 #: Modules of spragsym that every room may use.
@@ -110,10 +109,6 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (copy / path).parent.mkdir()
     (copy / path).write_text(program + "\n", encoding="utf-8")
     return copy
-
-
-def test_every_campaign_is_among_those_that_are_run_together() -> None:
-    assert {campaign.split()[0] for campaign in campaigns.ALL} == campaigns.names()
 
 
 @pytest.mark.thorough

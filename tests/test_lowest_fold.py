@@ -14,8 +14,8 @@ import pytest
 import spragsym as ss
 from spragsym.derive.kang_nam import lowest_fold as derived
 from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
-from validation import lowest as validate_lowest
-from validation.folds import random_fixed
+from tests.oracles import lowest_fold
+from tests.oracles.families import random_fixed
 
 BASE = ss.Parameters.article(theta0=None, mu0=None)
 #: Found by a scan of random sets: the cusp lies 3.7 % above the lowest fold.
@@ -54,7 +54,7 @@ def test_nothing_jumps_below_it_and_something_at_it() -> None:
     rng = np.random.default_rng(26)
     kinds = set()
     for _ in range(12):
-        kind, outcome = validate_lowest.verdict(random_fixed(rng))
+        kind, outcome = lowest_fold.verdict(random_fixed(rng))
         kinds.add(kind)
         assert outcome == "right"
     assert {"cusp", "turn"} <= kinds
@@ -75,7 +75,7 @@ def test_turning_points_solve_the_balance_of_forces() -> None:
         near = int(np.argmin(np.abs(at.mu0 - float(found))))
         with mpmath.workdps(30):
             state = (float(value) for value in (at.x[near], at.y[near], found.theta0, found))
-            fx, fy, det, _, turned = validate_lowest.balance(*state, tuple(map(mpmath.mpf, p.scalars(*FIXED))))
+            fx, fy, det, _, turned = lowest_fold.balance(*state, tuple(map(mpmath.mpf, p.scalars(*FIXED))))
         assert max(map(abs, (fx, fy, det))) < 1e-12
         assert abs(turned) < 1e-10
 
@@ -89,7 +89,7 @@ def test_fifty_digits_by_another_way(seed: int) -> None:
         p = random_fixed(rng)
         found = ss.critical_friction(p)
         if found.kind:
-            right = validate_lowest.in_digits(p)
+            right = lowest_fold.in_digits(p)
             assert abs(right - found.mu0) <= found.error * max(1, abs(right))
             kinds.append(found.kind)
 
@@ -131,7 +131,7 @@ def test_alpha_goes_to_zero_continuously() -> None:
     {"alpha": 50.0, "sigma": 7.0}, {"kappa": 0.1, "sigma": 0.1}, {"kappa": 1.0, "sigma": 2.0},
 ])  # fmt: skip
 def test_borders_against_a_scan(changes: dict[str, float]) -> None:
-    assert validate_lowest.verdict(BASE.replace(**changes))[1] == "right"
+    assert lowest_fold.verdict(BASE.replace(**changes))[1] == "right"
 
 
 def test_no_fold_at_all() -> None:

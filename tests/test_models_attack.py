@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from tests.oracles.by_hand import equilibria, field, load
+from tests.oracles.emission import compare
 from tests.oracles.forces_by_hand import DRAWN
-from validation.by_hand import equilibria, load
-from validation.emission import compare
-from validation.motions_by_hand import field
 
 #: Springs as stiff as these left errors up to 7e-8 on states that were proved.
 STIFF = {

@@ -11,9 +11,8 @@ import spragsym as ss
 from spragsym.models.catastrophe import cusp_search, points
 from spragsym.models.catastrophe.bifurcation_conditions import Cusp
 from spragsym.models.mechanics.balance import Balance
-from tests.oracles import families
+from tests.oracles import families, model_references
 from tests.support import few
-from validation import models as validate_models
 
 STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
@@ -124,7 +123,7 @@ def test_what_can_not_be_asked_is_named(ask, name, words, options, named):
 @pytest.mark.parametrize("changes", [{"theta0": 0.6}, {"theta0": 1.3, "mu0": 0.22, "beta": 0.1}])
 @pytest.mark.parametrize("name", ["cubic_contact", "hertz_contact", "inclined_belt", "trolley", "two_springs"])
 def test_pages_against_other_formulations_in_50_digits(name, changes):
-    same, ratio = validate_models.compare(name, model(name).Parameters(**changes))
+    same, ratio = model_references.compare(name, model(name).Parameters(**changes))
     assert same
     assert ratio <= 1
     assert ss.equilibria(model(name).Parameters(**changes)).error.max() < 1e-12

@@ -14,8 +14,8 @@ import spragsym as ss
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics.stability import linearization
 from tests.conftest import Run
+from tests.oracles.hopf_points import accelerations
 from tests.support import few, model_of, shipped_page
-from validation.criticality import accelerations
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
 SETS = (

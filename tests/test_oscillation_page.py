@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import importlib.util
-from pathlib import Path
 
 import pytest
 
-from validation import oscillation as page
+from tests.oracles import oscillation_page as page
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
 
@@ -21,24 +20,6 @@ MARKED = [pytest.param(row, marks=() if page.is_quick(row) else pytest.mark.thor
 @pytest.mark.parametrize("row", MARKED, ids=[row.what for row in ROWS])
 def test_numbers_are_those_of_the_command(row: page.Row) -> None:
     assert page.differences(row) == []
-
-
-def test_every_number_of_the_text_is_in_a_table_or_an_argument() -> None:
-    assert page.loose() == []
-
-
-def test_the_tables_of_cycles_are_those_of_the_record() -> None:
-    assert page.unrecorded() == []
-
-
-def test_a_number_that_nothing_prints_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = page.PAGE.read_text(encoding="utf-8")
-    wrong = text.replace("## A proof", "There are 17.25 of them.\n\n## A proof").replace("| 42° | 34.27 |", "| 42° | 34.37 |")
-    assert wrong != text
-    monkeypatch.setattr(page, "PAGE", tmp_path / "page.md")
-    page.PAGE.write_text(wrong, encoding="utf-8")
-    assert page.loose() == ["17.25"]
-    assert page.unrecorded() == ["42°: 34.37"]
 
 
 def test_a_wrong_digit_is_noticed() -> None:

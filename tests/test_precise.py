@@ -19,7 +19,7 @@ from spragsym import precise
 from spragsym.cli import cli as command_line
 from spragsym.kang_nam.statics import compiled
 from tests.oracles.families import cusp_wedge
-from validation.precise import points, worst_shares
+from tests.oracles.true_errors import points, worst_shares
 
 # ------------------------------------------------------------------------------------------------------ bounds
 

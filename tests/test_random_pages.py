@@ -8,9 +8,9 @@ import pytest
 
 pytest.importorskip("sympy")
 
+from tests.oracles.page_mechanics import Reference, judge
 from tests.oracles.random_pages import draw
 from tests.support import few
-from validation.random_pages import Reference, judge
 
 #: Of the seed 2: one coordinate or more, gaps and slides that are expressions, angles, dampers.
 SEED, NUMBERS = 2, (0, 1, 2, 5, 6, 7, 8, 9)

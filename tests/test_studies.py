@@ -23,7 +23,6 @@ from spragsym.studies.jump_verdicts import Chance, certificate
 from tests.conftest import Run
 from tests.oracles import article_motion
 from tests.support import derived, few, model_of, shipped_page, written_brake
-from validation import reports as validate_reports
 
 #: A brake's file: quantity and value.
 BRAKE = {
@@ -887,38 +886,6 @@ def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> N
     assert of_y[0].lines[0].get_ydata()[-1] == pytest.approx(38.0 * motion.y[-1])
     assert len(of_y[1].lines) == 1  # the belt moves along x
     assert spectrum.lines[0].get_xdata()[1] == pytest.approx(1 / (150.0 * math.sqrt(0.35 / 1.5e6)), rel=1e-6)
-
-
-# ------------------------------------------------------------------------------------------------------- one set of facts
-
-
-@pytest.mark.parametrize("seed", few(list(range(7, 40)), 7, 8, 11))
-def test_no_two_statements_of_a_report_contradict_each_other(seed: int) -> None:
-    text = validate_reports.brake(1, seed).report(n=64, oscillation=seed % 4 == 0, redesign=False).text()
-    assert len(validate_reports.statements(text)) >= 5
-    assert validate_reports.contradictions(text) == []
-
-
-#: What used to stand in one report, and can't be true at once.
-CONTRADICTIONS = [
-    ("It sprags: at 52 deg the state of small deformation jumps at a friction of 0.37, within your range of friction 0.3 to 0.6.",
-     "Jump\n  margin to the largest friction  +39.0 %"),
-    ("State\n  the state it jumped to          unstable; spring at 124.4 deg, x = 44.15 mm",
-     "Oscillation\n  coexists with stable sliding    yes"),
-    ("Oscillation\n  from rest                       none: it decays to rest",
-     "Oscillation\n  amplitude along the belt        5.509 mm"),
-    ("Tolerances\n  no jump within all of them      proved",
-     "Tolerances\n  probability of a jump           0.3 %, 0.1 % to 0.5 %"),
-    ("Jump\n  jump at this angle              never", "Jump\n  tolerances to the nearest jump  0, it has jumped already"),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("pair", CONTRADICTIONS, ids=range(len(CONTRADICTIONS)))
-def test_contradictions_are_seen(pair: tuple[str, str]) -> None:
-    assert validate_reports.contradictions("\n\n".join(pair))
-    for one in pair:
-        assert not validate_reports.contradictions(one)
-        assert validate_reports.statements(one)
 
 
 @pytest.mark.thorough

@@ -1,87 +1,153 @@
-"""``python -m validation`` lists the campaigns, and what each holds against what; ``python -m validation NAME ...`` runs one.
+"""``python -m validation`` lists the campaigns; ``python -m validation NAME [NUMBER] [--first K] [--seed S] [--folder F]`` runs one.
 
-``python -m validation.NAME ...`` is the same; what follows the name are its arguments. ``python -m validation all FOLDER
-[SECONDS]`` runs every one after another, each with arguments for some minutes and cut after SECONDS (900); what it prints goes to
-a file of the folder. Interrupted, it goes on where it was.
+``python -m validation all --folder F [--seconds T]`` runs every one after another, each for its own number of cases and at most T
+seconds (900). A campaign is a module with ``judge(number, rng)``, which draws a case and gives what was found as a dictionary:
+``kind``, ``wrong`` (a list of contradictions), and numbers, of which integers are added up and the largest of floats is kept.
+With a folder every finished case stands in ``NAME-KEY.jsonl``, from which the same command goes on; the key is made of the campaign,
+the seed, and all the code that computes and judges, so that no result of another claim is counted.
 """
 
 from __future__ import annotations
 
+import argparse
 import ast
-import runpy
-import subprocess
+import hashlib
+import importlib
+import json
+import signal
 import sys
 import time
+from collections import Counter
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
+import numpy as np
 
-from . import parts
+HERE = Path(__file__).resolve().parent
+#: What a result depends on.
+CODE = ("derive", "generated", "spragsym", "tests/oracles", "validation", "constraints.txt")
+#: Seconds of processor time after which a case is given up, and counted as late.
+PATIENCE = 600.0
 
-HERE = Path(__file__).parent
+Judge = Callable[[int, np.random.Generator], dict[str, Any]]
 
-#: Exit code of a campaign that needs what this machine does not have.
-SKIPPED = 77
 
-#: Every campaign with arguments for some minutes; {folder} is where what it finds is kept.
-ALL = (
-    "basins {folder}/basins.jsonl 25", "branches {folder}/branches 6", "by_hand 10", "certificates 60", "certificates brackets",
-    "criticality 20", "cycle_search {folder}/search 4 20", "cycles", "digits 20", "emission", "equilibria 200000", "events",
-    "explorer 20", "extremes 20", "fates {folder}/fates.jsonl 10", "flutter 40 1 300", "folds 20 100", "gaps 2",
-    "jumps values 60", "jumps boxes 60", "lowest scan 4", "lowest digits", "measurements", "models 5000",
-    "oscillation {folder}/page --quick", "paths 100", "precise 200", "proofs {folder}/proofs.jsonl 60", "random_pages 10",
-    "regimes 100", "reports statements 20", "reports changes 20", "shapes 60", "sweeps 10 10 3000",
-    "verdicts {folder}/verdicts.jsonl 40",
-)  # fmt: skip
+class Late(BaseException):
+    """A case has had its time."""
+
+
+def names() -> list[str]:
+    """The modules that judge cases."""
+    return sorted(path.stem for path in HERE.glob("[a-z]*.py") if "\ndef judge(" in path.read_text(encoding="utf-8"))
+
+
+def code() -> str:
+    """A digest of all files that compute and judge."""
+    found = hashlib.sha256()
+    for part in CODE:
+        place = HERE.parent / part
+        for path in sorted(place.rglob("*")) if place.is_dir() else [place]:
+            if path.suffix in (".py", ".c", ".h", ".json", ".toml", ".txt") and "__pycache__" not in path.parts:
+                found.update(f"{path.relative_to(HERE.parent)}\n".encode() + path.read_bytes())
+    return found.hexdigest()
+
+
+def store_of(folder: Path, name: str, seed: int) -> Path:
+    """The file of a campaign's finished cases, for one seed, claim and code."""
+    key = hashlib.sha256(f"{name}\n{seed}\n{code()}".encode()).hexdigest()[:16]
+    return folder / f"{name.split()[0]}-{key}.jsonl"
+
+
+def finished(path: Path) -> dict[int, dict[str, Any]]:
+    """The finished cases of a file by number; a line that was cut short by a kill is dropped from it."""
+    if not path.is_file():
+        return {}
+    whole = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+    path.write_text("".join(whole), encoding="utf-8")
+    return {line["number"]: line for line in map(json.loads, whole)}
+
+
+def in_time(judge: Judge, number: int, seed: int) -> dict[str, Any]:
+    """What is found for a case; that it took too long, or that it ended with an error, which is wrong."""
+
+    def stop(*_: Any) -> None:
+        raise Late
+
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, PATIENCE)
+    begun = time.process_time()
+    try:
+        found = judge(number, np.random.default_rng([seed, number]))
+    except Late:
+        found = {"kind": "late", "wrong": []}
+    except Exception as error:  # whatever it is, it is a finding
+        found = {"kind": "error", "wrong": [f"{type(error).__name__}: {error}"[:500]]}
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
+    return {"number": number, **found, "seconds": time.process_time() - begun}
+
+
+def cases(judge: Judge, numbers: range, seed: int, path: Path | None, seconds: float) -> Iterator[dict[str, Any]]:
+    """All cases: those of the file, and the others until the time is over."""
+    done, end = {} if path is None else finished(path), time.monotonic() + seconds
+    for number in numbers:
+        if number not in done:
+            if time.monotonic() > end:
+                return
+            done[number] = in_time(judge, number, seed)
+            if path is not None:
+                with path.open("a", encoding="utf-8") as file:
+                    file.write(json.dumps(done[number], default=float) + "\n")
+        yield done[number]
+
+
+def run(name: str, numbers: range, seed: int, folder: Path | None, seconds: float) -> bool:
+    """Run a campaign, print each contradiction and what became of all cases; whether nothing contradicts."""
+    module = importlib.import_module(f"validation.{name}")
+    kinds: Counter[str] = Counter()
+    sums: dict[str, float] = {}
+    bad = count = 0
+    path = None if folder is None else store_of(folder, name, seed)
+    for found in cases(module.judge, numbers, seed, path, seconds):
+        count += 1
+        kinds[found["kind"]] += 1
+        bad += bool(found["wrong"])
+        for text in found["wrong"]:
+            print(f"  {name} {found['number']}: {text}", flush=True)
+        for key, value in found.items():
+            if isinstance(value, int | float) and key != "number":
+                sums[key] = sums.get(key, 0) + value if isinstance(value, int) else max(sums.get(key, -np.inf), value)
+    told = ", ".join(f"{key} {value:.3g}" if isinstance(value, float) else f"{key} {value}" for key, value in sums.items())
+    print(f"{name}: {count} of {len(numbers)} cases, {bad} contradicted; {dict(sorted(kinds.items()))}; {told}", flush=True)
+    return not bad
 
 
 def main() -> int:
-    """Run what is named, with the other words as its arguments."""
-    if len(sys.argv) == 1 or sys.argv[1] in ("-h", "--help"):
-        for name in sorted(names()):
+    """Exit code 1 if anything contradicts."""
+    parser = argparse.ArgumentParser(prog="python -m validation")
+    parser.add_argument("name", nargs="?", choices=[*names(), "all"], metavar="NAME")
+    parser.add_argument("number", nargs="?", type=int, help="how many cases")
+    parser.add_argument("--first", type=int, default=0, help="the first case")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--folder", type=Path, help="where finished cases are kept")
+    parser.add_argument("--seconds", type=float, help="when no further case is begun")
+    given = parser.parse_args()
+    if given.name is None:
+        for name in names():
             text = ast.get_docstring(ast.parse((HERE / f"{name}.py").read_text(encoding="utf-8"))) or ""
-            print(f"{name:14} {text.splitlines()[0]}")
+            print(f"{name:16} {text.splitlines()[0]}")
         return 0
-    if sys.argv[1] == "all" and len(sys.argv) in (3, 4):
-        return every(Path(sys.argv[2]), float((sys.argv[3:] or ["900"])[0]))
-    if sys.argv[1] not in names():
-        print(f"{sys.argv[1]} is no campaign; they are {', '.join(sorted(names()))}, and all FOLDER [SECONDS]", file=sys.stderr)
-        return 2
-    name = sys.argv.pop(1)
-    sys.argv[0] = f"python -m validation.{name}"
-    try:
-        runpy.run_module(f"validation.{name}", run_name="__main__")
-    except pytest.skip.Exception as missing:  # what tests skip without, a campaign that shares their helpers can't run without
-        print(f"skipped: {missing}")
-        return SKIPPED
-    return 0
-
-
-def names() -> set[str]:
-    """The modules that are campaigns."""
-    return {path.stem for path in HERE.glob("[a-z]*.py")} - {"parts", "motions_by_hand"}
-
-
-def every(folder: Path, limit: float) -> int:
-    """Run all campaigns, each in a process of its own, and print how each ended; 1 if one ended with an error, else 0."""
-    folder.mkdir(parents=True, exist_ok=True)
-
-    def ended(campaign: str) -> dict[str, Any]:
-        begin, words = time.monotonic(), campaign.format(folder=folder.resolve()).split()
-        with (folder / f"{'_'.join(campaign.split()[:2]).partition('_{')[0]}.txt").open("w", encoding="utf-8") as printed:
-            try:
-                command = [sys.executable, "-m", "validation", *words]
-                code = subprocess.run(command, stdout=printed, stderr=subprocess.STDOUT, timeout=limit).returncode
-                how = "skipped" if code == SKIPPED else f"exit {code}"
-            except subprocess.TimeoutExpired:
-                how = "cut"
-        return {"how": how, "seconds": round(time.monotonic() - begin)}
-
-    done = parts.run(ALL, ended, str(folder / "all.jsonl"))
-    for campaign, result in done.items():
-        print(f"{result['how']:8} {result['seconds']:5} s  {campaign}")
-    return int(any(result["how"] not in ("exit 0", "cut", "skipped") for result in done.values()))
+    chosen = names() if given.name == "all" else [given.name]
+    seconds = given.seconds or (900.0 if given.name == "all" else np.inf)
+    if given.folder is not None:
+        given.folder.mkdir(parents=True, exist_ok=True)
+    good = True
+    for name in chosen:
+        number = given.number or int(importlib.import_module(f"validation.{name}").CASES)
+        good &= run(name, range(given.first, given.first + number), given.seed, given.folder, seconds)
+    return 0 if good else 1
 
 
 if __name__ == "__main__":

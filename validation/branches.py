@@ -1,37 +1,23 @@
 """Branches of cycles at random parameters, each over two ranges and with two steps: the same ends and events whatever these are.
 
-``python -m validation.branches FOLDER [SEEDS [FIRST]]`` (100 seeds from 0 unless given). For each seed a cycle is looked for
-from a random start at random parameters; it is followed over a random range of a random parameter, and again over a part of that range
-with shorter steps; so is the doubled cycle at the first doubling. An event of one that is not on the other, although it lies on the
-piece that both have, is printed and counted, and so is an event whose multipliers are not what it says. It shows its progress, may be
-interrupted, and goes on where it was: results stand, one seed a line, in ``branches.jsonl`` of the folder.
+A cycle from a random start is followed over a random range of a random parameter, and again over a part of that range with shorter
+steps; so is the doubled cycle at the first doubling. An event of one that is not on the other, although it lies on the piece that
+both have, contradicts, and so does an event whose multipliers are not what it says.
+Last found: an event placed where a multiplier only jumps past its value beside a grazing (0f39328e).
 """
 
 from __future__ import annotations
 
-import json
-import signal
-import sys
-import time
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import spragsym as ss
-from validation.parts import journal
+from tests.oracles.random_motions import cycle_of
 
-#: Parameters and the ranges that they are drawn from.
-DRAWN = {
-    "theta0": (0.35, 2.6), "mu0": (0.2, 1.0), "kappa": (0.002, 0.012), "alpha": (0.0, 0.012), "sigma": (0.05, 0.3), "V": (0.1, 0.6),
-    "d": (4.0, 14.0),
-}  # fmt: skip
-
+CASES = 100
 #: Two events are one if their values are as close as this, in ranges, besides their errors.
 SAME = 1e-8
-
-#: Multipliers of this size are beside others that a plain product would have lost.
-LARGE = 1e6
 
 #: An event is in doubt where its multiplier is off by more than this share of what it changes to the next point.
 SHARE = 0.1
@@ -39,23 +25,8 @@ SHARE = 0.1
 #: Of so many points of a branch with the nearest value and period is the nearest state taken.
 NEAREST = 6
 
-#: Seconds of processor time after which a seed is given up, and counted as late.
-LATEST = 600.0
-
 #: What is known of an event: kind, value, period, error.
 Told = tuple[str, float, float, float]
-
-
-def begun(seed: int) -> tuple[ss.Cycle | None, np.random.Generator]:
-    """The cycle of a seed; None where the motion comes to none."""
-    rng = np.random.default_rng(seed)
-    drawn = {name: float(rng.uniform(*between)) for name, between in DRAWN.items()}
-    V, d = drawn.pop("V"), drawn.pop("d")
-    start = rng.uniform([-1.0, -0.5, -0.5, -0.5], [3.0, 3.0, 0.5, 0.5])
-    try:
-        return ss.cycle(ss.Parameters(beta=0.0, **drawn), V=V, d=d, near=start, patient=False), rng
-    except ss.ConvergenceError:
-        return None, rng
 
 
 def place(branch: ss.CycleBranch, cycle: ss.Cycle) -> int:
@@ -123,51 +94,24 @@ def _from_event(kind: str, values: Any) -> float:
 
 def compared(cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]) -> tuple[dict[str, Any], ss.CycleBranch]:
     """A cycle followed over a range, and over a part of it with shorter steps."""
-    begin = time.process_time()
     branches = [ss.cycle_branch(cycle, vary, to, points=120, longest=step) for to, step in zip(ranges, (0.08, 0.05), strict=True)]
-    spent = time.process_time() - begin
     (whole, part), inside = (told(branch, ranges[1], cycle) for branch in branches), ranges[1]
     width = inside[1] - inside[0]
     cut = any("could not" in event.how or "points were" in event.how for branch in branches for event in branch.of("end"))
-    sizes = [float(np.abs(each.multipliers).max()) for branch in branches for each in branch.cycles]
+    differ = [] if cut else [f"missed: {text}" for text in missing(whole, part, width)]
+    differ += [] if cut else [f"invented: {text}" for text in missing(part, whole, width)]
+    differ += [f"in doubt: {text}" for branch in branches for text in doubtful(branch)]
     return {
-        "vary": vary, "ranges": ranges, "points": [len(branch.values) for branch in branches], "seconds": spent,
-        "events": [event.kind for event in branches[0].events], "cut": cut, "largest": max(sizes),
-        "large": sum(size > LARGE for size in sizes),
-        "beside": [event.kind for branch in branches for event in branch.events if np.abs(event.cycle.multipliers).max() > LARGE],
-        "why": [event.how for branch in branches for event in branch.of("end") if "could not" in event.how],
-        "loose": sum(error > SAME * width for *_, error in (*whole, *part)), "compared": len(whole) + len(part),
-        "missed": missing(whole, part, width), "invented": missing(part, whole, width),
-        "doubtful": [text for branch in branches for text in doubtful(branch)],
+        "wrong": [f"along {vary}, {text}" for text in differ], "pairs": 1, "points": sum(len(branch.values) for branch in branches),
+        "in part": int(cut), "events": len(whole) + len(part), "loose": sum(error > SAME * width for *_, error in (*whole, *part)),
     }, branches[0]  # fmt: skip
 
 
-class Late(Exception):
-    """A seed has had its time."""
-
-
-def in_time(seed: int) -> dict[str, Any]:
-    """What is found for a seed, or that it took too long."""
-
-    def stop(*_: Any) -> None:
-        raise Late
-
-    before = signal.signal(signal.SIGPROF, stop)
-    signal.setitimer(signal.ITIMER_PROF, LATEST)
-    try:
-        return looked_at(seed)
-    except Late:
-        return {"seed": seed, "branches": [], "late": True}
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0.0)
-        signal.signal(signal.SIGPROF, before)
-
-
-def looked_at(seed: int) -> dict[str, Any]:
-    """What is found for a seed."""
-    cycle, rng = begun(seed)
+def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
+    """The branch of a cycle, and that of the cycle which it doubles into."""
+    cycle, rng = cycle_of(number)
     if cycle is None:
-        return {"seed": seed, "branches": []}
+        return {"kind": "no cycle", "wrong": []}
     vary = str(rng.choice(["theta0", "mu0", "V", "d"]))
     value = cycle.parameters[vary]
     wide = (value * (1 - rng.uniform(0.1, 0.5)), value * (1 + rng.uniform(0.1, 0.5)))
@@ -179,60 +123,16 @@ def looked_at(seed: int) -> dict[str, Any]:
     for event in branch.of("period_doubling")[:1]:
         try:
             doubled = branch.switch(event)
-        except ss.ConvergenceError as error:
-            rows.append({"switch": str(error)})
-            continue
+        except ss.ConvergenceError:
+            return summed(rows) | {"not switched": 1}
         there = doubled.parameters[vary]
         if wide[0] < there < wide[1]:
             inner = (there - rng.uniform(0.1, 1.0) * (there - wide[0]), there + rng.uniform(0.1, 1.0) * (wide[1] - there))
             rows.append(compared(doubled, vary, [wide, inner])[0])
-    return {"seed": seed, "branches": rows}
+    return summed(rows)
 
 
-def main() -> None:
-    """Go on where the last call ended, and print what differs; exit code 1 if anything does."""
-    if not 2 <= len(sys.argv) <= 4:
-        sys.exit(__doc__)
-    folder = Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    count, first = (int(text) for text in (*sys.argv[2:], *("100", "0")[len(sys.argv) - 2 :]))
-    path = folder / "branches.jsonl"
-    lines = journal(path)
-    done = {line["seed"] for line in lines}
-    for seed in range(first, first + count):
-        if seed in done:
-            continue
-        lines.append(in_time(seed))
-        with path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(lines[-1]) + "\n")
-        print(f"seed {seed}: {len(lines[-1]['branches'])} branches", file=sys.stderr, flush=True)
-    rows = [(line["seed"], row) for line in lines for row in line["branches"]]
-    both = [(seed, row) for seed, row in rows if "switch" not in row]
-    for seed, row in both:
-        for name in ("missed", "invented", "doubtful", "why"):
-            for text in row[name]:
-                print(f"seed {seed}, {row['vary']}, {name}{', followed in part' if row['cut'] else ''}: {text}")
-    for seed, row in rows:
-        if "switch" in row:
-            print(f"seed {seed}: {row['switch']}")
-    large = sorted(((row["largest"], seed) for seed, row in both), reverse=True)
-    print("largest multipliers by seed: " + ", ".join(f"{size:.1e} ({seed})" for size, seed in large[:10]))
-    print(
-        f"{sum(size > LARGE for size, _ in large)} of {len(large)} pairs of branches with multipliers above {LARGE:g}, at "
-        f"{sum(row.get('large', 0) for _, row in both)} points; events beside such: "
-        f"{sum(len(row.get('beside', ())) for _, row in both)}"
-    )
-    bad = [row for _, row in both if not row["cut"] and (row["missed"] or row["invented"])]
-    doubted = [row for _, row in both if row["doubtful"]]
-    spent, points = sum(row["seconds"] for _, row in both), sum(sum(row["points"]) for _, row in both)
-    print(
-        f"{2 * len(both)} branches with {points} points, {1e3 * spent / max(points, 1):.1f} ms each; {len(bad)} pairs differ, "
-        f"{len(doubted)} with events in doubt, {sum(row['loose'] for _, row in both)} of {sum(row['compared'] for _, row in both)} events "
-        f"not isolated, {sum(row['cut'] for _, row in both)} followed in part; multipliers up to "
-        f"{max((row['largest'] for _, row in both), default=0.0):.1e}; {sum('switch' in row for _, row in rows)} switches failed; {sum('late' in line for line in lines)} seeds given up after {LATEST:g} s"
-    )
-    sys.exit(bool(bad or doubted))
-
-
-if __name__ == "__main__":
-    main()
+def summed(rows: list[dict[str, Any]]) -> dict[str, Any]:
+    """All pairs of branches of a case; what differs counts where neither was followed in part."""
+    wrong = [text for row in rows for text in row.pop("wrong")]
+    return {"kind": "branches", "wrong": wrong, **{key: sum(row[key] for row in rows) for key in rows[0]}}

@@ -8,8 +8,7 @@
    most: a motion may come to it. Each time half as many points are followed.
 
 It shows its progress, may be interrupted, and goes on where it was when it is called again: motions stand in ``motions.nc`` and
-branches, one a line, in ``branches.jsonl`` of the folder. What it prints is the table of branches: where each is stable, and its
-events. What the figure ``cycles`` draws is written to ``cycles.json`` of the folder; it is committed as spragsym/figures/cycles.json.
+branches, one a line, beside them in a file whose name is a key of the code. What the figure ``cycles`` draws is written to ``cycles.json`` of the folder; it is committed as spragsym/figures/cycles.json.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.sweeps import Regime, rms_sweep
-from validation.parts import journal
+from validation.__main__ import store_of
 
 BELT = {"V": 0.5, "d": 10.0}
 
@@ -137,28 +136,16 @@ def _middle(line: dict[str, Any]) -> list[float]:
     return [float(f"{value:.12g}") for value in (line["theta0"][i], line["period"][i], *line["states"][i])]
 
 
-def stretches(line: dict[str, Any]) -> str:
-    """Where a branch is stable, in degrees."""
-    degrees, found, begin = np.degrees(line["theta0"]), [], None
-    for i, stable in enumerate([*line["stable"], False]):
-        if stable and begin is None:
-            begin = i
-        elif not stable and begin is not None:
-            found.append(f"{degrees[begin]:.2f}…{degrees[i - 1]:.2f}")
-            begin = None
-    return ", ".join(found) or "nowhere"
-
-
 def main() -> None:
-    """Search, and print what was found."""
+    """Search, and print how many motions there were."""
     if not 2 <= len(sys.argv) <= 4:
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     starts, points = (int(text) for text in (*sys.argv[2:], *("16", "70")[len(sys.argv) - 2 :]))
     sweep = motions(folder, starts)
-    path = folder / "branches.jsonl"
-    lines = journal(path)
+    path = store_of(folder, f"branches {starts} {points}", 15)
+    lines = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
     for degrees, state in cycles_of(sweep):
         try:
             cycle = ss.cycle(ss.Parameters.article(theta0=math.radians(degrees)), **BELT, near=state, patient=False)
@@ -170,17 +157,7 @@ def main() -> None:
     counts = np.bincount(sweep.regime.ravel(), minlength=len(Regime))
     print("Motions: " + ", ".join(f"{n} {Regime(i).name.lower()}" for i, n in enumerate(counts.tolist()) if n))
     near = counts[[Regime.LIMIT_CYCLE, Regime.APPROACHES_CYCLE]].sum()
-    print(f"{len(sweep.regime)} inclinations, {counts.sum()} motions: {near} to a cycle or nearing one\n")
-    print("| branch | inclinations | periods | stable | events |\n|---|---|---|---|---|")
-    for line in lines:
-        degrees = np.degrees(line["theta0"])
-        events = "; ".join(
-            f"{kind} {math.degrees(value):.4f}" + (f" ({how})" if kind in ("end", "homoclinic") else "")
-            for kind, value, _, _, how in line["events"]
-            if kind != "grazing"
-        )
-        periods = f"{min(line['period']):.2f}…{max(line['period']):.2f}"
-        print(f"| {line['name']} | {degrees.min():.2f}…{degrees.max():.2f} | {periods} | {stretches(line)} | {events} |")
+    print(f"{len(sweep.regime)} inclinations, {counts.sum()} motions: {near} to a cycle or nearing one")
 
 
 if __name__ == "__main__":

@@ -1,209 +1,26 @@
-"""The numbers of docs/oscillation.md, each by the command that stands beside it.
+"""The numbers of docs/oscillation.md by the commands that stand beside them, those that take long and proofs included.
 
-``python -m validation.oscillation FOLDER [--quick]`` runs the commands of the page's table and compares what they print, or give in
-Python, with the number to the last digit that the page shows; the lines of its proofs must be printed as they stand; the tables of
-cycles are held against the record of the search. Files of commands go to FOLDER, from which those that can go on do: the search for
-cycles and the map of fates take hours. ``--quick`` leaves out what takes more than seconds. A number of the text that is neither in
-a table nor an argument of a command is named too. Exit code 1 if anything differs.
+Last found: a row whose command did not print its number (013b47dd).
 """
 
 from __future__ import annotations
 
-import functools
-import json
-import re
-import subprocess
-import sys
 import tempfile
-from collections.abc import Iterator
-from decimal import Decimal
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from click.testing import CliRunner
 
-import spragsym as ss
-from spragsym.cli import cli
+from tests.oracles import oscillation_page
 
-ROOT = Path(__file__).parents[1]
-PAGE = ROOT / "docs" / "oscillation.md"
-
-#: What finds one cycle, or less, and what takes minutes all the same.
-QUICK, SLOW = ("spragsym cycles", "ss.", "abs("), ("--vary", "t_end=", "fate")
-
-#: Of the text: a sign or a size that defines something, the share of intervals that hold, and names.
-DEFINED, NAMES = {"0", "1", "95"}, r"Figure \d\w?|AUTO-07p|\]\([^)]*\)|https?://\S+"
-
-NUMBER = r"(?<![\w.₀-₉])\d+(?:\.\d+)?(?:e-?\d+)?(?![\d₀-₉])"
+ASKED = [("row", row) for row in oscillation_page.rows() if not row.command.startswith("python")]
+ASKED += [("proof", pair) for pair in oscillation_page.proofs().items()]  # type: ignore[misc]  # a row, or a command and its lines
+CASES = len(ASKED)
 
 
-class Row(NamedTuple):
-    """Numbers of the page, as they are written, and the command beside them."""
-
-    what: str
-    numbers: tuple[str, ...]
-    command: str
-
-
-def cells() -> Iterator[list[str]]:
-    """The rows of all tables, their heads included."""
-    for line in PAGE.read_text(encoding="utf-8").splitlines():
-        if line.startswith("|"):
-            yield [cell.strip() for cell in line.strip("|").split("|")]
-
-
-def rows() -> Iterator[Row]:
-    """The rows of the table of commands; seconds are those of a machine, and bounds are for the command itself to keep."""
-    before = ""
-    for what, numbers, command in (row for row in cells() if len(row) == 3 and row[2].startswith(("`", "the same"))):
-        before = before if command == "the same" else command.strip("`")
-        yield Row(
-            what, () if what.startswith("seconds") else tuple(re.findall(NUMBER, re.sub(r"below \S+", "", numbers))), before
-        )
-
-
-def proofs() -> dict[str, list[str]]:
-    """Each command with ``--prove`` of a console block, and the lines that it prints there."""
-    found: dict[str, list[str]] = {}
-    for block in re.findall(r"```console\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL):
-        command, *lines = block.splitlines()
-        if "--prove" in command:
-            found[command.removeprefix("$ ").partition(" | ")[0]] = lines
-    return found
-
-
-def is_quick(row: Row) -> bool:
-    """Whether a command takes no time."""
-    return row.command.startswith(QUICK) and not any(word in row.command for word in SLOW)
-
-
-@functools.cache
-def printed(command: str, folder: Path = Path()) -> str:
-    """What a command prints, and writes as tables below ``FOLDER``."""
-    words = command.replace("FOLDER", str(folder)).split()
-    if words[0] == "spragsym":
-        text = CliRunner().invoke(cli, words[1:], catch_exceptions=False).stdout
-    else:
-        done = subprocess.run([sys.executable, *words[1:]], capture_output=True, text=True, cwd=ROOT, check=False)
-        text = done.stdout
-        if done.returncode:
-            raise RuntimeError(f"{command} ends with {done.returncode}: {(done.stdout + done.stderr).strip()[-500:]}")
-    out = Path(words[words.index("--out") + 1]) if "--out" in words else None
-    return text + "".join(file.read_text(encoding="utf-8") for file in (sorted(out.rglob("*.csv")) if out else ()))
-
-
-def numbers_of(thing: Any) -> Iterator[float]:
-    """All numbers of JSON, or of a result and what it holds."""
-    if isinstance(thing, dict | list | tuple):
-        for part in thing.values() if isinstance(thing, dict) else thing:
-            yield from numbers_of(part)
-    elif isinstance(thing, np.ndarray):
-        yield from (float(number) for number in thing.real.ravel() if thing.dtype.kind in "iufc")
-    elif isinstance(thing, int | float):
-        yield float(thing)
-    elif hasattr(thing, "__dict__"):
-        yield from numbers_of(vars(thing))
-
-
-def told(row: Row, folder: Path) -> list[float]:
-    """The numbers that the command of a row gives, angles of Python in degrees as well."""
-    if row.command.startswith("spragsym cycles"):
-        return list(numbers_of(json.loads(printed(f"{row.command} --json"))))
-    if not row.command.startswith(("ss.", "abs(")):
-        return [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", printed(row.command, folder))]
-    found = list(numbers_of(eval(row.command, {"ss": ss, "np": np})))  # noqa: S307  # the page is ours
-    return [*found, *np.degrees(found).tolist()]
-
-
-def off(written: str, told: list[float]) -> float:
-    """How far the nearest number that was printed is from one of the page in size, in units of its last digit."""
-    mantissa, _, power = written.partition("e")
-    unit = Decimal(1).scaleb(int(power or 0) - len(mantissa.partition(".")[2]))
-    return min(float(abs(abs(Decimal(repr(float(number)))) - Decimal(written)) / unit) for number in told if np.isfinite(number))
-
-
-def differences(row: Row, folder: Path = Path()) -> list[str]:
-    """Numbers of a row that its command does not print."""
-    found = told(row, folder)
-    return [f"{row.what}: {number}, {far:.3g} units off" for number in row.numbers if (far := off(number, found)) > 0.5]
-
-
-def loose() -> list[str]:
-    """Numbers of the text that are in no table, and no argument of a command."""
-    text = PAGE.read_text(encoding="utf-8")
-    alt = re.findall(r":alt: .*", text)
-    code = re.findall(r"```.*?```|`[^`]*`", text, re.DOTALL)
-    arguments = set(re.findall(NUMBER, " ".join(code).replace("-", " ")))
-    tables = [float(number) for row in cells() for cell in row if not cell.startswith("`") for number in re.findall(NUMBER, cell)]
-    lines = [line for line in re.sub(r"```.*?```|`[^`]*`", " ", text, flags=re.DOTALL).splitlines() if not line.startswith("|")]
-    prose = re.sub(NAMES, " ", "\n".join([*lines, *alt]))
-    return [
-        number
-        for number in re.findall(NUMBER, prose)
-        if number not in arguments | DEFINED and float(number) not in map(float, arguments) and off(number, tables) > 0.5
-    ]
-
-
-def unrecorded() -> list[str]:
-    """Numbers of the tables of cycles that are not in the record of the search: periods where stable, and ends of stable pieces."""
-    branches = json.loads((ROOT / "spragsym" / "figures" / "cycles.json").read_text(encoding="utf-8"))["branches"]
-    wrong = []
-    ends = [np.degrees(event[1]) for branch in branches for event in branch["events"]]
-    for branch in branches:
-        degrees, stable = np.degrees(branch["theta0"]), np.array([0, *branch["stable"], 0])
-        changes = np.flatnonzero(np.diff(stable))
-        ends += [float(degrees[min(max(i + j, 0), len(degrees) - 1)]) for i in changes for j in (-1, 0)]
-    for row in (row for row in cells() if row[0].endswith("°") or (row[-1].endswith("°") and len(row) == 2)):
-        if len(row) == 4:
-            for angle, periods in (row[:2], row[2:]):
-                near = [period for branch in branches for period in _at(branch, float(angle.strip("°")))]
-                wrong += [
-                    f"{angle}: {text}" for text in periods.split(", ") if min(abs(float(text) - each) for each in near) > 0.02
-                ]
-        else:
-            wrong += [text for text in re.findall(r"[\d.]+(?=°)", row[1]) if off(text, ends) > 0.6]
-    return wrong
-
-
-def _at(branch: dict[str, Any], angle: float) -> Iterator[float]:
-    """The periods of a branch at an inclination, between its points."""
-    degrees = np.degrees(branch["theta0"])
-    for i in np.flatnonzero((degrees[:-1] - angle) * (degrees[1:] - angle) <= 0):
-        share = (angle - degrees[i]) / (degrees[i + 1] - degrees[i] or 1.0)
-        yield branch["period"][i] + share * (branch["period"][i + 1] - branch["period"][i])
-
-
-def unproved(command: str, lines: list[str]) -> list[str]:
-    """Lines of a proof that its command does not print."""
-    told = [" ".join(line.split()) for line in printed(command).splitlines()]
-    return [f"{command}: {line}" for line in lines if " ".join(line.split()) not in told]
-
-
-def main() -> None:
-    """Run the commands, and print what differs."""
-    given = [word for word in sys.argv[1:] if word != "--quick"]
-    quick, bad = "--quick" in sys.argv[1:], 0
-    with tempfile.TemporaryDirectory() as aside:
-        folder = Path(given[0] if given else aside)
-        folder.mkdir(parents=True, exist_ok=True)
-        checks = [(row.what + ", " + row.command, row) for row in rows() if is_quick(row) or not quick]
-        for name, row in checks:
-            try:
-                wrong = differences(row, folder)
-            except RuntimeError as error:
-                wrong = [str(error)]
-            bad += len(wrong)
-            print(f"{'; '.join(wrong) or 'as printed'}: {name}", flush=True)
-    for command, lines in {} if quick else proofs().items():
-        wrong = unproved(command, lines)
-        bad += len(wrong)
-        print(f"{'; '.join(wrong) or 'as printed'}: {command}", flush=True)
-    for name, wrong in (("in no table, and no argument", loose()), ("not in the record of the search", unrecorded())):
-        bad += len(wrong)
-        print(f"{len(wrong)} numbers {name}: {', '.join(wrong)}")
-    sys.exit(bool(bad))
-
-
-if __name__ == "__main__":
-    main()
+def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
+    """One row of the table, or one proof."""
+    kind, asked = ASKED[number]
+    with tempfile.TemporaryDirectory() as folder:
+        wrong = oscillation_page.differences(asked, Path(folder)) if kind == "row" else oscillation_page.unproved(*asked)  # type: ignore[misc]
+    return {"kind": kind, "wrong": wrong}

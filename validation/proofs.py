@@ -1,15 +1,11 @@
 """Proofs of cycles at 10, 25, 60 and 200 digits, and claims of cycles that are none.
 
-``python -m validation.proofs STORE [PATIENCE]``. Each proof prints whether it came, its time, and whether its decimals, as
-rational intervals, hold the ball that was proved and meet those of all other numbers of digits. A claim of no cycle is refused, and
-the reason and the time are printed. PATIENCE is that of a proof, in seconds; finished ones stand in STORE, and the same command goes on
-from there.
+Decimals, as rational intervals, hold the ball that was proved and meet those of all other numbers of digits. It guards the claim
+that no cycle is proved that is none, for as long as a proof may take.
 """
 
 from __future__ import annotations
 
-import sys
-import time
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
@@ -18,8 +14,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.cycles import proofs
-from spragsym.exact.decimals import Decimal, exactly
-from validation.parts import run
+from spragsym.exact.decimals import exactly
 
 #: Digits of the proofs.
 DIGITS = (10, 25, 60, 200)
@@ -61,70 +56,38 @@ NONE: dict[str, Callable[[Claim], Claim]] = {
 }  # fmt: skip
 
 
-def proof(name: str, digits: int, patience: float) -> dict[str, Any]:
-    """One proof: its time, and its decimals."""
+#: Seconds that a proof may take, and what is proved or refused.
+PATIENCE = 3600.0
+ASKED = [("no cycle", name) for name in NONE] + [("proof", name) for name in PROVED]
+CASES = len(ASKED)
+
+
+def judge(number: int, _: np.random.Generator) -> dict[str, Any]:
+    """A claim that must be refused, or the proofs of a cycle, whose decimals hold what is proved and meet each other."""
+    kind, name = ASKED[number]
+    if kind == "no cycle":
+        found = proofs._run(NONE[name](proofs.claim_of(base(), 25)), PATIENCE)
+        return {"kind": kind, "wrong": [f"{name}: proved"] * bool(found["proved"])}
     degrees, state = PROVED[name]
     cycle = ss.cycle(ss.Parameters.article(theta0=np.radians(degrees)), near=state, patient=False)
-    begun = time.perf_counter()
-    found = ss.precise.prove_cycle(cycle, digits=digits, patience=patience)
-    told = {key: list(decimal) for key, decimal in found.decimals().items()} if found.proved else {}
-    held = all(_holds(decimal, ball) for decimal, ball in _balls(found)) if found.proved else None
-    return {
-        "proved": found.proved, "reason": found.reason, "seconds": time.perf_counter() - begun, "decimals": told, "held": held,
-    }  # fmt: skip
-
-
-def _balls(found: Any) -> list[tuple[Decimal, tuple[Fraction, Fraction]]]:
-    """Each decimal of state and period beside the ball that is proved, in rational arithmetic."""
-    told = found.decimals()
-    numbers = {**{f"state_{i + 1}": value for i, value in enumerate(found.state)}, "period": found.period}
-    radius = Fraction(found.error)
-    exact = {name: exactly(value) for name, value in numbers.items() if value}
-    return [(told[name], (value - radius, value + radius)) for name, value in exact.items()]
-
-
-def _holds(decimal: Any, ball: tuple[Fraction, Fraction]) -> bool:
-    low, high = interval(decimal)
-    return low <= ball[0] and ball[1] <= high
+    wrong, told = [], []
+    for digits in DIGITS:
+        proved = ss.precise.prove_cycle(cycle, digits=digits, patience=PATIENCE)
+        if not proved.proved:
+            continue
+        decimals = {key: interval(decimal) for key, decimal in proved.decimals().items()}
+        numbers = {**{f"state_{i + 1}": value for i, value in enumerate(proved.state)}, "period": proved.period}
+        radius = Fraction(proved.error)
+        for key, value in ((key, exactly(value)) for key, value in numbers.items() if value):
+            if not (decimals[key][0] <= value - radius and value + radius <= decimals[key][1]):
+                wrong.append(f"{name} to {digits} digits: {key} does not hold the ball")
+        told.append(decimals)
+    wrong += [f"{name}: {key} of two proofs do not meet" for key in set(told[0] if told else ()).intersection(*told)
+              if max(one[key][0] for one in told) > min(one[key][1] for one in told)]  # fmt: skip
+    return {"kind": kind, "wrong": wrong, "proved": len(told)}
 
 
 def interval(decimal: Any) -> tuple[Fraction, Fraction]:
     """What a decimal with its bound says, in rational arithmetic."""
     value, error = map(Fraction, decimal)
     return value - error, value + error
-
-
-def refusal(name: str, patience: float) -> dict[str, Any]:
-    """What is said of a claim that is none."""
-    claim = NONE[name](proofs.claim_of(base(), 25))
-    begun = time.perf_counter()
-    found = proofs._run(claim, patience)
-    return {"proved": found["proved"], "reason": found.get("reason", ""), "seconds": time.perf_counter() - begun}
-
-
-def main() -> None:
-    """Run what is not yet in the store, and print all."""
-    store, patience = sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 3600.0
-    parts = [f"no cycle: {name}" for name in NONE]
-    parts += [f"{name}: {digits}" for digits in DIGITS for name in PROVED]
-
-    def work(part: str) -> dict[str, Any]:
-        kind, _, rest = part.partition(": ")
-        return refusal(rest, patience) if kind == "no cycle" else proof(kind, int(rest), patience)
-
-    done = run(parts, work, store)
-    for part, line in done.items():
-        said = "proved" if line["proved"] else line["reason"]
-        held = "" if line.get("held") is None else f", decimals hold what is proved: {line['held']}"
-        print(f"{part:55}{line['seconds']:8.1f} s  {said}{held}")
-    for name in PROVED:
-        told = [done[f"{name}: {digits}"]["decimals"] for digits in DIGITS if done[f"{name}: {digits}"]["proved"]]
-        meet = all(
-            max(interval(one[key])[0] for one in told) <= min(interval(one[key])[1] for one in told)
-            for key in set(told[0] if told else ()).intersection(*told)
-        )
-        print(f"{name}: {len(told)} proofs, all intervals meet: {meet}")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,7 +1,6 @@
 """Reports of random brakes: all pairs of their statements for contradictions, and every change against corners and samples.
 
-Run ``python -m validation.reports [what] [number] [seed] [store] [seconds]``, with ``what`` one of statements, changes.
-Finished parts go to the file ``store``, and a second call goes on from there.
+It guards the claim that no two statements of a report contradict each other, beyond the brakes that tests ask for.
 """
 
 from __future__ import annotations
@@ -9,9 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
-import sys
-from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -20,8 +17,8 @@ import spragsym as ss
 from spragsym.studies.jump_verdicts import jumping
 from spragsym.studies.redesigns import changes
 from spragsym.studies.tolerances import varied
-from validation import parts
 
+CASES = 300
 #: A proposition → what follows from it; both with their truth values.
 IMPLIES: dict[tuple[str, bool], list[tuple[str, bool]]] = {
     ("it has jumped", True): [("it jumps at the largest friction", True)],
@@ -197,72 +194,30 @@ def brake(seed: int, i: int) -> ss.Study:
     return ss.Study(ss.PhysicalParameters(**values), tolerance=off)
 
 
-def stated(part: str) -> dict[str, Any]:
-    """The contradictions of one report, which is asked for an oscillation and for changes now and then."""
-    seed, i = map(int, part.split())
-    text = brake(seed, i).report(n=256, oscillation=i % 4 == 0, redesign=i % 25 == 0).text()
-    bad = contradictions(text)
-    for one in bad:
-        print(f"brake {part}: {one}", flush=True)
-    return {"statements": len(statements(text)), "begins": " ".join(text.split()[:3]), "bad": bad}
+def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
+    """One report, which is asked for an oscillation now and then; or, of every sixth brake, its changes."""
+    if number % 6 == 5:
+        return changed(number, rng)
+    text = brake(1, number).report(n=256, oscillation=number % 4 == 0, redesign=number % 25 == 0).text()
+    found = statements(text)
+    wrong = [f"brake {number}: {one}" for one in contradictions(text)]
+    return {"kind": "statements", "wrong": wrong, "pairs": len(found) * (len(found) - 1) // 2}
 
 
-def validate_statements(number: int, seed: int = 1, store: str = "", seconds: float = np.inf) -> int:
-    """How many reports contradict themselves."""
-    done = list(parts.run([f"{seed} {i}" for i in range(number)], stated, store, seconds).values())
-    pairs = sum(row["statements"] * (row["statements"] - 1) // 2 for row in done)
-    bad = sum(bool(row["bad"]) for row in done)
-    print(f"{len(done)} brakes of {number}, {pairs} pairs of statements: {bad} contradict themselves")
-    print(dict(sorted(Counter(row["begins"] for row in done).items())))
-    return bad
-
-
-# ------------------------------------------------------------------------------------------------------------ changes
-
-
-def changed(part: str) -> dict[str, Any]:
-    """The changes of one brake: their outcomes, and how many brakes within their tolerances jump, of all corners and samples."""
-    seed, i, samples = map(int, part.split())
-    rng = np.random.default_rng([seed, i])
-    study = brake(seed, i)
+def changed(number: int, rng: np.random.Generator) -> dict[str, Any]:
+    """The changes of one brake: how many within their tolerances jump, of all corners and samples."""
+    study = brake(1, number)
     names = ["k", "k_x", "k_c", "F_L", "L_0"]
     off = {name: f"{rng.choice([2, 5]):g} %" for name in rng.choice(names, rng.integers(1, 6), replace=False).tolist()}
     study = ss.Study(study.values, tolerance=off | {"theta0": "0.5 deg"})
     jump = float(ss.jump_value(study.dimensionless))
     if not jump < 2:
-        return {"changes": 0, "outcomes": {}, "jumping": 0}
-    found = changes(study.at_full_slip(), jump * rng.uniform(1.05, 1.3))
-    bad, outcomes = 0, Counter(one.outcome for one in found)
+        return {"kind": "no jump", "wrong": []}
+    found, wrong = changes(study.at_full_slip(), jump * rng.uniform(1.05, 1.3)), []
     for one in found:
         new = study.at_full_slip().changed(one.after)
-        corners = np.array(list(itertools.product((0.0, 1.0), repeat=len(varied(new)))))
-        bad += int((jumping(new, corners) == 1).any() or (jumping(new, rng.random((samples, len(varied(new))))) == 1).any())
-    return {"changes": len(found), "outcomes": dict(outcomes), "jumping": bad}
-
-
-def validate_changes(number: int, seed: int = 2, store: str = "", seconds: float = np.inf, samples: int = 100_000) -> int:
-    """How many changes of random brakes have a corner or one of 10⁵ samples within their tolerances that jumps."""
-    done = list(parts.run([f"{seed} {i} {samples}" for i in range(number)], changed, store, seconds).values())
-    outcomes: Counter[str] = sum((Counter(row["outcomes"]) for row in done), Counter())
-    bad = sum(row["jumping"] for row in done)
-    many = sum(row["changes"] > 0 for row in done)
-    print(f"{len(done)} brakes of {number}, {many} with changes, {sum(row['changes'] for row in done)}: {dict(outcomes)}")
-    print(f"all corners and {samples} samples about each: {bad} with a brake that jumps")
-    return bad
-
-
-CHECKS: dict[str, tuple[Callable[..., int], int]] = {
-    "statements": (validate_statements, 1000),
-    "changes": (validate_changes, 200),
-}
-
-
-def main(what: str = "statements", number: str = "", seed: str = "", store: str = "", seconds: str = "inf") -> int:
-    """Run one check; 1 if it fails."""
-    check, size = CHECKS[what]
-    more = {"seed": int(seed)} if seed else {}
-    return int(check(int(number or size), store=store, seconds=float(seconds), **more) > 0)
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:6]))
+        size = len(varied(new))
+        corners = np.array(list(itertools.product((0.0, 1.0), repeat=size)))
+        if any((jumping(new, shares) == 1).any() for shares in (corners, rng.random((100_000, size)))):
+            wrong.append(f"brake {number}, changed to {one.after}: one within its tolerances jumps")
+    return {"kind": "changes", "wrong": wrong, "changes": len(found)}

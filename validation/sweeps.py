@@ -1,289 +1,34 @@
-"""Attack on sweeps: workers killed, disks filled, journals and files damaged.
+"""Sweeps under attack: journals and result files damaged, disks filled, workers and their parents killed.
 
-``python -m validation.sweeps [KILLS DISKS DAMAGES]``, by default 50, 20 and 10000. A wrong number, a wait
-without end, or an error that is not spragsym's own ends it with that error; else it prints what became of each.
-Filled disks are small file systems in memory, which take root; without, a limit on the size of files stands for them.
+It guards the claim that no kill, full disk or damaged byte makes a wrong number.
 """
 
 from __future__ import annotations
 
-import os
-import shutil
-import signal
-import subprocess
-import sys
 import tempfile
-import time
-import warnings
-from collections import Counter
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-import spragsym as ss
-from spragsym.errors import DamageWarning, StoreError
-from spragsym.files import storage
-from spragsym.files.journal import path_of
-from spragsym.sweeps import Sweep, rms_sweep
+from tests.oracles import sweep_attacks
 
-P = ss.Parameters.article(theta0=np.radians(np.linspace(30.0, 60.0, 12)))
-SHORT = {"V": 0.5, "d": 10.0, "t_end": 30.0, "transient": 10.0}
+CASES = 40
 
 
-class Recorded:
-    """A map that computes every point once, and gives it from memory later: the attack is on what is stored."""
-
-    def __init__(self) -> None:
-        self.answers: dict[Any, Any] = {}
-        self.limit = -1
-        self.at_limit: Any = None
-
-    def __call__(self, function: Any, tasks: Iterable[Any]) -> Iterator[Any]:
-        for number, task in enumerate(tasks):
-            if number == self.limit:
-                self.at_limit()
-            if task not in self.answers:
-                self.answers[task] = function(task)
-            yield self.answers[task]
-        if self.limit >= len(P.theta0):
-            self.at_limit()
-
-
-def same(one: Sweep, other: Sweep) -> bool:
-    """To the last bit."""
-    names = (*one.measured, "regime", "equilibrium", "reason")
-    return all(np.array_equal(getattr(one, n), getattr(other, n), equal_nan=getattr(one, n).dtype.kind == "f") for n in names)
-
-
-def damaged(rng: np.random.Generator, data: bytes) -> tuple[str, bytes]:
-    """One of the ways in which disks, transfers and people change a file, and the file after it."""
-    kind = rng.choice(["bit", "byte", "digit", "cut", "lost", "added", "zeros", "twice", "swapped", "half a line", "another's"])
-    at = int(rng.integers(len(data)))
-    end = min(len(data), at + int(rng.integers(1, 200)))
-    lines = data.splitlines(keepends=True)
-    i, j = (int(k) for k in rng.integers(len(lines), size=2))
-    if kind == "bit":
-        return kind, data[:at] + bytes([data[at] ^ (1 << int(rng.integers(8)))]) + data[at + 1 :]
-    if kind == "byte":
-        return kind, data[:at] + bytes([int(rng.integers(256))]) + data[at + 1 :]
-    if kind == "digit":
-        digits = [k for k in range(len(data)) if data[k : k + 1].isdigit()] or [at]
-        k = int(rng.choice(digits))
-        return kind, data[:k] + b"%d" % rng.integers(10) + data[k + 1 :]
-    if kind == "twice":
-        return kind, b"".join([*lines[: i + 1], *lines[i:]])
-    if kind == "swapped":
-        lines[i], lines[j] = lines[j], lines[i]
-        return kind, b"".join(lines)
-    if kind == "half a line":
-        return kind, b"".join([*lines[:i], lines[i][: len(lines[i]) // 2], *lines[i + 1 :]])
-    if kind == "another's":
-        return kind, b"".join([*lines[:i], b'[6, [], ""]\n', *lines[i:]])
-    new = {
-        "cut": data[:at],
-        "lost": data[:at] + data[end:],
-        "added": data[:end] + data[at:],
-        "zeros": data[:at] + bytes(end - at) + data[end:],
-    }
-    return kind, new[kind]
-
-
-def journal_bytes(path: Path, recorded: Recorded, points: int) -> bytes:
-    """The journal that a kill leaves after some points."""
-
-    def kill() -> None:
-        raise KeyboardInterrupt
-
-    recorded.limit, recorded.at_limit = points, kill
-    with suppress(KeyboardInterrupt):
-        rms_sweep(P, **SHORT, store=path, workers=recorded)
-    recorded.limit = -1
-    return path_of(path).read_bytes()
-
-
-def _named(error: Exception, *words: object) -> None:
-    """An error says which file it is about, and more."""
-    assert all(str(word) in str(error) for word in words), error
-
-
-def attack_journals(rng: np.random.Generator, folder: Path, count: int) -> Counter[str]:
-    """Resume from damaged journals: the right numbers, or a refusal that names the file."""
-    recorded, outcomes = Recorded(), Counter[str]()
-    expected = rms_sweep(P, **SHORT, workers=recorded)
-    path = folder / "rms.csv"
-    whole = journal_bytes(path, recorded, 8)
-    for _ in range(count):
-        kind, data = damaged(rng, whole)
-        path_of(path).write_bytes(data)
-        path.unlink(missing_ok=True)
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            try:
-                found = rms_sweep(P, **SHORT, store=path, workers=recorded)
-            except (StoreError, ss.ParameterError) as error:
-                _named(error, path_of(path))
-                outcomes["refused, and named"] += 1
-                continue
-        assert same(found, expected), kind
-        for warning in caught:
-            assert warning.category is DamageWarning, warning
-            assert str(path_of(path)) in str(warning.message)
-            assert "line" in str(warning.message)
-        changed = data != whole
-        outcomes["healed, and named" if caught else "healed: a line was cut, doubled or missing" if changed else "as it was"] += 1
-    path_of(path).unlink(missing_ok=True)
-    return outcomes
-
-
-def attack_files(rng: np.random.Generator, folder: Path, count: int) -> Counter[str]:
-    """Load damaged results: an error that names the file, or not a bit has changed."""
-    recorded, outcomes = Recorded(), Counter[str]()
-    wholes = {}
-    for ending in ("nc", "csv"):
-        path = folder / f"damaged.{ending}"
-        expected = rms_sweep(P, **SHORT, store=path, workers=recorded)
-        wholes[path] = path.read_bytes()
-    for k in range(count):
-        path = list(wholes)[k % 2]
-        kind, data = damaged(rng, wholes[path])
-        path.write_bytes(data)
-        try:
-            found = rms_sweep(P, **SHORT, store=path, workers=recorded)
-        except StoreError as error:
-            _named(error, path)
-            outcomes[f"{path.suffix}: refused, and named"] += 1
-            continue
-        assert data == wholes[path], f"{kind} was not noticed"
-        assert same(found, expected), kind
-        outcomes[f"{path.suffix}: as it was"] += 1
-    return outcomes
-
-
-@contextmanager
-def small_disk(kilobytes: int) -> Iterator[Path]:
-    """A file system of its own, in memory; PermissionError without the right to mount one."""
-    with tempfile.TemporaryDirectory() as folder:
-        call = ["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", folder]
-        here = sys.platform == "linux" and shutil.which("mount")
-        if not here or subprocess.run(call, capture_output=True, timeout=10).returncode:
-            raise PermissionError("no file system can be mounted here")
-        try:
-            yield Path(folder)
-        finally:
-            subprocess.run(["umount", folder], check=True, timeout=10)
-
-
-def attack_disks(rng: np.random.Generator, count: int) -> Counter[str]:
-    """Fill the disk after any number of points, but for a few bytes, and go on when there is room again."""
-    recorded, outcomes = Recorded(), Counter[str]()
-    expected = rms_sweep(P, **SHORT, workers=recorded)
-    for k in range(count):
-        with small_disk(400) as folder:
-            path = folder / f"rms.{('nc', 'csv')[k % 2]}"
-            ballast = folder / "ballast"
-
-            def fill(ballast: Path = ballast, spare: int = int(rng.integers(0, 3)) * 4096) -> None:
-                with open(ballast, "wb", buffering=0) as file:
-                    try:
-                        while file.write(bytes(4096)) == 4096:
-                            pass
-                    except OSError:
-                        file.truncate(max(0, file.tell() - spare))
-
-            recorded.limit, recorded.at_limit = int(rng.integers(len(P.theta0) + 1)), fill
-            try:
-                rms_sweep(P, **SHORT, store=path, workers=recorded)
-                outcomes["room enough"] += 1
-            except StoreError as error:
-                _named(error, path, "points are kept")
-                outcomes["said so"] += 1
-            recorded.limit = -1
-            ballast.unlink(missing_ok=True)
-            assert same(rms_sweep(P, **SHORT, store=path, workers=recorded), expected)
-            assert same(rms_sweep(P, **SHORT, store=path, workers=recorded), expected)  # as loaded
-            assert [file.name for file in folder.iterdir()] == [path.name]
-    return outcomes
-
-
-def children(pid: int) -> list[int]:
-    """Processes that one has started, on Linux."""
-    try:
-        return [
-            int(number)
-            for file in Path(f"/proc/{pid}/task").glob("*/children")
-            for number in file.read_text(encoding="utf-8").split()
-        ]
-    except OSError:  # it has just ended
-        return []
-
-
-def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counter[str]:
-    """Kill one of two workers, or every fourth time their parent, at a random moment: one line, at once, and the same
-    command finishes the same file."""
-    outcomes = Counter[str]()
-    grid = ["--theta0", "20:160:21", "--t-end", "1000", "--transient", "500", "-q", "-j", "2"]
-    command = [sys.executable, "-m", "spragsym", "sweep", *grid, "-o"]
-    _finish([*command, folder / "whole.nc"])
-    for k in range(count):
-        path = folder / f"killed{k}.nc"
-        process = subprocess.Popen([*command, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        try:
-            wanted, pause = int(rng.integers(21)), rng.uniform(0.0, 0.02)
-            while process.poll() is None and (_finished_points(path) < wanted or not children(process.pid)):
-                time.sleep(0.001)
-            time.sleep(pause)
-            for victim in [process.pid] if k % 4 == 3 else children(process.pid)[:1]:
-                with suppress(ProcessLookupError):  # it has just ended
-                    os.kill(victim, signal.SIGKILL)
-            killed = time.perf_counter()
-            _, said = process.communicate(timeout=60)
-        finally:
-            process.kill()
-        if process.returncode == -signal.SIGKILL:
-            outcomes["parent killed"] += 1
-        elif process.returncode:
-            assert process.returncode == 1, said
-            assert said.startswith("spragsym: "), said
-            assert said.count("\n") == 1, said
-            assert "worker process" in said, said
-            outcomes["said so"] += 1
-            outcomes["slowest answer, ms"] = max(outcomes["slowest answer, ms"], round(1e3 * (time.perf_counter() - killed)))
-        else:
-            outcomes["had finished"] += 1
-        _finish([*command, path])
-        assert path.read_bytes() == (folder / "whole.nc").read_bytes()
-    return outcomes
-
-
-def _finished_points(path: Path) -> int:
-    try:
-        return path_of(path).read_bytes().count(b"\n") - 2
-    except FileNotFoundError:
-        return -1
-
-
-def _finish(command: list[Any]) -> None:
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stderr
-
-
-def main(kills: int = 50, disks: int = 20, damages: int = 10_000) -> None:
-    """Print the counts."""
-    rng = np.random.default_rng(12)
-    storage.xarray()
+def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
+    """Some attacks of one kind; what contradicts ends with an error."""
+    kind = ("journals", "files", "disks", "workers")[number % 4]
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        print(f"{damages // 2} damaged journals: {dict(attack_journals(rng, folder, damages // 2))}", flush=True)
-        print(f"{damages // 2} damaged files: {dict(attack_files(rng, folder, damages // 2))}", flush=True)
         try:
-            print(f"{disks} filled disks: {dict(attack_disks(rng, disks))}", flush=True)
+            if kind == "disks":
+                outcomes = sweep_attacks.attack_disks(rng, 4)
+            else:
+                attack, count = {
+                    "journals": (sweep_attacks.attack_journals, 100), "files": (sweep_attacks.attack_files, 200),
+                    "workers": (sweep_attacks.attack_workers, 4),
+                }[kind]  # fmt: skip
+                outcomes = attack(rng, Path(name), count)
         except PermissionError as error:
-            print(f"no filled disks: {error}", flush=True)
-        print(f"{kills} killed workers: {dict(attack_workers(rng, folder, kills))}", flush=True)
-
-
-if __name__ == "__main__":
-    main(*map(int, sys.argv[1:4]))
+            return {"kind": f"{kind}: {error}", "wrong": []}
+    return {"kind": kind, "wrong": [], **{f"{kind} {key}": value for key, value in outcomes.items()}}

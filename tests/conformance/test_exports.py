@@ -22,9 +22,9 @@ pytest.importorskip("sympy")
 from spragsym.cli import main
 from spragsym.cli.export import languages
 from tests.conformance.models import MODELS, MOVING, a_set, load, place
+from tests.oracles.emission import arguments, flat, functions
 from tests.oracles.languages import NODE, OCTAVE, octave
 from tests.support import few, results_of_c, with_angles
-from validation.emission import arguments, flat, functions
 
 CC = shutil.which("cc")
 

@@ -190,3 +190,23 @@ EXTREMES: tuple[tuple[float, ...], ...] = tuple(
         "0x0.000000000019cp-1022 0x1.371568c560d7ep+1017 0x0.0000001c31e2fp-1022 0x0p+0 0x1.121a257825d72p-32 0x0p+0",
     )
 )
+
+
+def random_fixed(rng: np.random.Generator) -> Parameters:
+    """κ, α, σ, β over several decades, β = 0 in half of the cases."""
+    return Parameters(
+        kappa=10 ** rng.uniform(-3, -0.5), alpha=10 ** rng.uniform(-3, 0), sigma=10 ** rng.uniform(-2, 0.5),
+        beta=rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)]),
+    )  # fmt: skip
+
+
+def random_fluttering(rng: np.random.Generator) -> Parameters:
+    """Parameters over several decades, half of them where flutter is common: α near 1 + β, σ of its order."""
+    beta = rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)])
+    if rng.random() < 0.5:
+        alpha, sigma = (1 + beta) * rng.uniform(0.1, 1.5), 10 ** rng.uniform(-1, 0.5)
+    else:
+        alpha, sigma = 10 ** rng.uniform(-4, 0.5), 10 ** rng.uniform(-2, 1)
+    return Parameters(
+        mu0=10 ** rng.uniform(-1, 1), kappa=10 ** rng.uniform(-5, 0), alpha=alpha * (rng.random() > 0.25), sigma=sigma, beta=beta
+    )

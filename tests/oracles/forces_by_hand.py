@@ -1,4 +1,4 @@
-"""Forces of every attacked model, written by hand from its drawing: the reference of :mod:`validation.by_hand`.
+"""Forces of every attacked model, written by hand from its drawing: the reference of :mod:`tests.oracles.by_hand`.
 
 Nothing of ``derive/`` or ``generated/`` is used. Numbers are floats, arrays or mpmath's, as ``xp`` has the functions for.
 """
@@ -158,7 +158,7 @@ def _cubic(depth: Any, p: Values, xp: Any) -> Any:
     return depth + p["gamma"] * depth * depth * depth
 
 
-#: By name: the shipped models, then those of ``validation/pages``.
+#: By name: the shipped models, then those of ``tests/oracles/pages``.
 DRAWN = {
     "kang_nam": Drawn(_article, linear, creep),
     "damped": Drawn(_article, linear, creep),

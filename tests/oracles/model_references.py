@@ -9,6 +9,8 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
+import spragsym as ss
+
 #: Parts of the half circle between which a change of sign is looked for.
 PARTS = 400
 
@@ -183,3 +185,35 @@ def _turned(phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: 
     x, y = X - length * c, Y - length * s
     n = (gamma * y**2 - y) * contact
     return x, y, length * ((kappa - n) * c - (alpha * x - mu * n) * s) - tau * phi, length
+
+
+def loads(p: Any) -> tuple[Any, Any]:
+    """Weight on an inclined belt."""
+    weight, psi = mp.mpf(float(p.gamma_g)), mp.mpf(float(p.psi))
+    return weight * mp.sin(psi), weight * mp.cos(psi)
+
+
+#: For each page its states in 50 digits.
+PAGES: dict[str, Callable[[Any], list[tuple[Any, ...]]]] = {
+    "cubic_contact": lambda p: one_spring(p, cubic(float(p.gamma))),
+    "hertz_contact": lambda p: one_spring(p, hertz),
+    "inclined_belt": lambda p: one_spring(p, linear, loads(p)),
+    "trolley": lambda p: one_spring(p, linear, anchor=mp.mpf(float(p.alpha_a))),
+    "two_springs": two_springs,
+}
+
+
+def compare(name: str, p: Any) -> tuple[bool, float]:
+    """Whether the number of states is the same, and the largest error over its bound."""
+    eq = ss.equilibria(p, method="search")
+    with mp.workdps(50):
+        want = PAGES[name](p)
+        if not eq.complete or int(eq.count) != len(want):
+            return False, np.inf
+        got = [eq.coordinates[key] for key in eq.coordinates]
+        ratios = [
+            float(abs(mp.mpf(float(column[slot])) - value) / max(1, abs(value)) / mp.mpf(float(eq.error[slot])))
+            for slot, state in enumerate(want)
+            for column, value in zip(got, state, strict=True)
+        ]
+    return True, max(ratios, default=0.0)

@@ -1,51 +1,25 @@
-"""First Lyapunov coefficients against 50 digits of the same formula from equations written by hand, and against motions.
+"""First Lyapunov coefficients to 50 digits from equations written by hand, and their signs by motions.
 
-``python -m validation.criticality [POINTS] [SEED] [MOTIONS]``: every Hopf point of some searches on each shipped page, then of
-random damped sets until so many points are compared; a Markdown table. Nothing generated stands behind the reference: the
-accelerations below are written down from the mechanisms, the point is found again by Newton's method, and derivatives are mpmath's.
-Then the sign against motions on both sides of the cycle that is born, for so many points. Exit code 1 if anything contradicts.
+Nothing generated stands behind the reference: the accelerations below are written down from the mechanisms, the point is found again
+by Newton's method, and derivatives are mpmath's.
 """
 
 from __future__ import annotations
 
 import math
-import sys
-import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import mpmath
 import numpy as np
 from scipy import optimize
 
-import spragsym as ss
 from spragsym.errors import ConvergenceError
 
 DIGITS = 50
 #: Digits of Newton's method, and those of differences, whose steps are STEP: they are right to some 2 · 40 digits.
 WORKING, FINE = 90, 210
 STEP = mpmath.mpf("1e-40")
-
-#: Page, parameter, other parameters, range.
-SHIPPED: tuple[tuple[str, str, dict[str, float], tuple[float, float] | None], ...] = (
-    ("stick_slip", "V", {}, None),
-    ("stick_slip", "zeta", {}, None),
-    ("stick_slip", "mu_s", {"V": 0.3}, None),
-    ("damped", "mu0", {"theta0": 0.7}, None),
-    ("damped", "mu0", {"theta0": 2.2}, None),
-    ("damped", "zeta_x", {"theta0": 0.7, "mu0": 2.5}, None),
-    ("kang_nam", "mu0", {"theta0": 0.7}, None),
-    ("kang_nam", "sigma", {"theta0": 0.7}, (0.01, 2.0)),
-    ("cubic_contact", "mu0", {"theta0": 0.7}, None),
-    ("hertz_contact", "mu0", {"theta0": 0.7}, None),
-    ("inclined_belt", "mu0", {"theta0": 0.7}, None),
-    ("mode_coupling", "mu0", {}, None),
-    ("two_springs", "theta0", {}, None),
-    ("two_springs", "mu0", {"theta0": 1.0}, None),
-    ("stribeck", "V", {"theta0": 0.7}, None),
-    ("stribeck", "theta0", {"V": 0.02}, None),
-    ("trolley", "theta0", {}, None),
-)
 
 
 # ------------------------------------------------------------------------------------------- equations by hand
@@ -195,86 +169,6 @@ def reference_of(onsets: Any, row: int) -> Reference:
     )  # fmt: skip
 
 
-# ------------------------------------------------------------------------------------------------- the campaign
-
-
-def shipped() -> Iterator[Any]:
-    """The onsets of the searches on shipped pages."""
-    for name, vary, others, span in SHIPPED:
-        model = ss.load(name)
-        yield ss.flutter_onsets(model.Parameters(**others), vary=vary, **({"between": {vary: span}} if span else {}))
-
-
-def random_onsets(rng: np.random.Generator) -> Iterator[Any]:
-    """Onsets of random damped sets over several decades."""
-    model = ss.load("damped")
-    while True:
-        values = {
-            "theta0": rng.uniform(0.15, 3.0), "kappa": 10 ** rng.uniform(-3, 0), "alpha": 10 ** rng.uniform(-3, 0.2),
-            "sigma": 10 ** rng.uniform(-1.5, 0.7), "beta": rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)]),
-            "V": rng.uniform(0.05, 1.0), "d": 10 ** rng.uniform(0.3, 1.5), "mu0": 10 ** rng.uniform(-1, 0.7),
-        }  # fmt: skip
-        values |= {name: 10 ** rng.uniform(-3, -0.5) for name in ("zeta_x", "zeta_y", "zeta_s")}
-        vary = str(rng.choice(["mu0", "theta0", "sigma", "alpha"]))
-        span = {"mu0": (0.0, 8.0), "theta0": (0.1, 3.04), "sigma": (0.02, 6.0), "alpha": (0.0, 3.0)}[vary]
-        yield ss.flutter_onsets(model.Parameters(**values), vary=vary, between={vary: span})
-
-
-def main(points: int = 300, seed: int = 30, motions: int = 12) -> int:
-    """Print the table; exit code 1 if a bound does not hold or a motion contradicts."""
-    rng = np.random.default_rng(seed)
-    print(
-        "| | onsets | gentle | dangerous | undecided | bounds hold | largest bound / size | largest distance / bound | ms each |"
-    )
-    print("|---|---|---|---|---|---|---|---|---|")
-    wrong, seen = 0, []
-    for title, many, enough in (("shipped pages", shipped(), 10**9), ("random damped sets", random_onsets(rng), points)):
-        count, held, sharp, far, spent, told = 0, 0, 0.0, 0.0, 0.0, dict.fromkeys(("gentle", "dangerous", "undecided"), 0)
-        for onsets in many:
-            begin = time.process_time()
-            known = np.isfinite(onsets.lyapunov)
-            spent += time.process_time() - begin
-            for row in range(len(onsets)):
-                count, told[onsets.criticality[row]] = count + 1, told[onsets.criticality[row]] + 1
-                if not known[row]:
-                    continue
-                exact, bound = reference_of(onsets, row), float(onsets.lyapunov_error[row])
-                off = abs(float(exact.lyapunov - mpmath.mpf(float(onsets.lyapunov[row]))))
-                aside = abs(float(exact.crossing - mpmath.mpf(float(onsets.crossing[row]))))
-                fine = off <= bound and aside <= onsets.crossing_error[row]
-                held, wrong = held + fine, wrong + (not fine)
-                far = max(far, off / bound)
-                if onsets.criticality[row] != "undecided":
-                    sharp = max(sharp, bound / abs(float(exact.lyapunov)))
-                    seen.append((onsets, row))
-                if not fine:
-                    print(f"{onsets.parameters.model.name} {onsets.vary} {row}: {off:.2e} of {bound:.2e}", file=sys.stderr)
-            if count >= enough:
-                break
-        kinds = " | ".join(str(told[name]) for name in ("gentle", "dangerous", "undecided"))
-        print(
-            f"| {title} | {count} | {kinds} | {held} | {sharp:.1e} | {far:.2g} | {1e3 * spent / max(count, 1):.1f} |", flush=True
-        )
-    wrong += _by_motions(seen, motions)
-    return int(wrong > 0)
-
-
-def _by_motions(seen: Sequence[tuple[Any, int]], motions: int) -> int:
-    """How many signs are contradicted by motions from inside and outside of the cycle that is born; prints a table."""
-    rows, wrong = [], 0
-    for onsets, row in reversed(seen):
-        if len(rows) >= motions:
-            break
-        told = against_motions(onsets, row)
-        if told is None:
-            continue
-        wrong += told != onsets.criticality[row]
-        rows.append((onsets.parameters.model.name, onsets.vary[0], onsets.criticality[row], told))
-    gentle = sum(row[2] == "gentle" for row in rows)
-    print(f"\n{len(rows)} against motions, {gentle} of them gentle: {wrong} contradict.")
-    return wrong
-
-
 def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | None:
     """``"gentle"`` where motions from inside and outside come towards the cycle that is born, ``"dangerous"`` where both leave it;
     None where that takes too long, or where another pair of the state grows."""
@@ -308,7 +202,3 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
         size = [np.abs(form.p.conjugate() @ (part - rest[:, None])).mean() for part in (early, late)]
         ends.append(size[1] - size[0])
     return "gentle" if ends[0] > 0 > ends[1] else "dangerous" if ends[0] < 0 < ends[1] else "neither"
-
-
-if __name__ == "__main__":
-    sys.exit(main(*map(int, sys.argv[1:])))

@@ -1,8 +1,6 @@
-"""Flutter onsets against a map of stability refined near 0, π/2 and π; a Markdown table.
+"""Onsets of undamped flutter held against a map of stability over the angle.
 
-``python -m validation.flutter [SETS] [SEED] [SECONDS]``: random parameter sets over several decades, α = 0 in a
-quarter of them, until one of the two limits is reached.
-The states on a grid of θ₀ and their stability are those of :func:`spragsym.equilibria`, which knows nothing of onsets. Between two
+The states on a grid and their stability are those of :func:`spragsym.equilibria`, which knows nothing of onsets. Between two
 neighbours a state that changes between flutter and no flutter must have its onset listed, with the right side, and a state that does
 not must have none. The grid is finer near 0, π/2 and π, about all that is listed, where a discriminant comes close to 0, and about
 folds, where states change places and nothing can be said of a cell.
@@ -10,8 +8,6 @@ folds, where states change places and nothing can be said of a cell.
 
 from __future__ import annotations
 
-import sys
-import time
 from collections import Counter
 
 import numpy as np
@@ -24,45 +20,6 @@ Array = np.ndarray
 EVEN, TOWARDS, NEAREST = 160, 40, 1e-9
 #: How often the grid is made finer where something comes close.
 ZOOMS = 4
-
-
-def main(sets: int = 10_000, seed: int = 12, seconds: float = 3600) -> int:
-    """Print the table; exit code 1 if an onset is missed or invented."""
-    rng = np.random.default_rng(seed)
-    rows: dict[str, list[int]] = {"alpha > 0": [0] * 5, "alpha = 0": [0] * 5}
-    slowest = spent = 0.0
-    done, end = 0, time.monotonic() + seconds
-    while done < sets and time.monotonic() < end:
-        done += 1
-        p = random_set(rng)
-        begin = time.perf_counter()
-        onsets = ss.flutter_onsets(p, damping=False)
-        elapsed = time.perf_counter() - begin
-        slowest, spent = max(slowest, elapsed), spent + elapsed
-        missed, extra, seen = compare(p, onsets)
-        row = rows["alpha > 0" if p.alpha > 0 else "alpha = 0"]
-        for place, value in enumerate((1, len(onsets), seen, missed, extra)):
-            row[place] += value
-        if missed or extra:
-            print(f"{p!r}: {missed} missed, {extra} extra", file=sys.stderr, flush=True)
-    print("| | sets | onsets listed | seen on the map | missed | extra |")
-    print("|---|---|---|---|---|---|")
-    for name, row in rows.items():
-        print(f"| {name} | {' | '.join(map(str, row))} |")
-    print(f"\n{1e3 * spent / max(done, 1):.1f} ms a call, {1e3 * slowest:.0f} ms at most.")
-    return int(any(row[3] or row[4] for row in rows.values()))
-
-
-def random_set(rng: np.random.Generator) -> ss.Parameters:
-    """Parameters over several decades, half of them where flutter is common: α near 1 + β, σ of its order."""
-    beta = rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)])
-    if rng.random() < 0.5:
-        alpha, sigma = (1 + beta) * rng.uniform(0.1, 1.5), 10 ** rng.uniform(-1, 0.5)
-    else:
-        alpha, sigma = 10 ** rng.uniform(-4, 0.5), 10 ** rng.uniform(-2, 1)
-    return ss.Parameters(
-        mu0=10 ** rng.uniform(-1, 1), kappa=10 ** rng.uniform(-5, 0), alpha=alpha * (rng.random() > 0.25), sigma=sigma, beta=beta
-    )
 
 
 def grid() -> Array:
@@ -120,7 +77,3 @@ def dips(p: ss.Parameters, eq: ss.Equilibria) -> Array:
     close = np.abs(here) < 0.1 * size[1:-1]
     found = same & close & (np.abs(here) <= np.abs(left)) & (np.abs(here) <= np.abs(right))
     return np.unique(np.nonzero(found)[0]) + 1
-
-
-if __name__ == "__main__":
-    sys.exit(main(*(int(argument) for argument in sys.argv[1:4])))

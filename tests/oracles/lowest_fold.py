@@ -1,14 +1,7 @@
-"""The lowest fold against scans of ``jump_value`` over the inclination, and against the balance of forces in 50 digits.
-
-Run ``python -m validation.lowest [what] [sets] [seed] [store] [seconds]``, with ``what`` one of scan, digits, speed. Finished
-parts go to the file ``store``, and a second call goes on from there.
-"""
+"""The friction of the lowest fold of all angles by a scan of first jumps, and to 50 digits by the balance of forces."""
 
 from __future__ import annotations
 
-import sys
-import time
-from collections import Counter
 from typing import Any
 
 import mpmath
@@ -16,8 +9,6 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
-from validation import parts
-from validation.folds import random_fixed
 
 #: Angles of the first scan, of each refinement about its least value, and how many of those there are.
 COARSE, FINE, TIMES = 160, 13, 3
@@ -57,32 +48,6 @@ def verdict(p: ss.Parameters) -> tuple[str, str]:
     # A window of angles between those of the scan, or a cusp, which is the end of the angles that jump: beside it.
     beside = found.theta0 * (1 + np.array([0.0, *(side * 10.0**-k for k in range(4, 12, 2) for side in (-1, 1))]))
     return found.kind, "right" if first_jumps(p, beside[beside > 0]).min() <= float(found) * (1 + BESIDE) + BESIDE**2 else "below"
-
-
-def compared(part: str) -> dict[str, Any]:
-    """A hundred sets: how many of each kind, and those that are wrong."""
-    seed, number = map(int, part.split())
-    rng = np.random.default_rng(seed)
-    kinds: Counter[str] = Counter()
-    wrong = []
-    for _ in range(number):
-        p = random_fixed(rng)
-        kind, outcome = verdict(p)
-        kinds[kind or "none"] += 1
-        if outcome != "right":
-            wrong.append([outcome, kind, *(float(getattr(p, name)) for name in FIXED)])
-            print("wrong:", wrong[-1])
-    return {"kinds": dict(kinds), "wrong": wrong}
-
-
-def scan(number: int, seed: int = 1, store: str = "", seconds: float = np.inf) -> int:
-    """How many of ``number`` random sets have a lowest fold that a scan contradicts."""
-    names = [f"{1000 * seed + i} {min(100, number - 100 * i)}" for i in range(-(-number // 100))]
-    done = parts.run(names, compared, store, seconds).values()
-    kinds = sum((Counter(row["kinds"]) for row in done), Counter[str]())
-    wrong = Counter(one[0] for row in done for one in row["wrong"])
-    print(f"{kinds.total()} sets of {number}: {dict(kinds)}; {wrong['above']} above, {wrong['below']} below")
-    return wrong.total()
 
 
 # ------------------------------------------------------------------------------------------ the balance of forces, (14) and (15)
@@ -126,54 +91,3 @@ def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> Any
             if times > 4 * TIMES:
                 raise
     return in_digits(p, digits, 2 * times)
-
-
-def digits(number: int, seed: int = 1, store: str = "", seconds: float = np.inf) -> int:
-    """How many of ``number`` random sets with a lowest fold differ from 50 digits by more than their error."""
-    rng = np.random.default_rng(seed)
-    sets: list[ss.Parameters] = []
-    while len(sets) < number:
-        p = random_fixed(rng)
-        if ss.critical_friction(p).kind in ("cusp", "turn"):
-            sets.append(p)
-
-    def one(part: str) -> list[Any]:
-        p = sets[int(part)]
-        found, right = ss.critical_friction(p), in_digits(p)
-        off = float(abs(right - found.mu0) / max(1, abs(right)))
-        return [found.kind, off, bool(off <= found.error)]
-
-    done = parts.run(map(str, range(number)), one, store, seconds).values()
-    kinds, bad = Counter(row[0] for row in done), sum(not row[2] for row in done)
-    print(
-        f"{len(done)} sets of {number}: {dict(kinds)}; largest difference {max(row[1] for row in done):.2g}, {bad} beyond the error"
-    )
-    return bad
-
-
-def speed(number: int, seed: int = 1, store: str = "", seconds: float = np.inf) -> int:
-    """Milliseconds of the processor's time a set."""
-    rng = np.random.default_rng(seed)
-    spent = []
-    for _ in range(number):
-        p = random_fixed(rng)
-        begin = time.process_time()
-        ss.critical_friction(p)
-        spent.append(1e3 * (time.process_time() - begin))
-    print(
-        f"{number} sets: {np.median(spent):.2g} ms in the middle, {max(spent):.2g} ms at most, {np.mean(spent):.2g} ms on average"
-    )
-    return 0
-
-
-CHECKS = {"scan": (scan, 10_000), "digits": (digits, 100), "speed": (speed, 500)}
-
-
-def main(what: str = "scan", number: str = "", seed: str = "1", store: str = "", seconds: str = "inf") -> int:
-    """Run one check; 1 if it fails."""
-    check, size = CHECKS[what]
-    return int(check(int(number or size), int(seed), store, float(seconds)) > 0)
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:6]))

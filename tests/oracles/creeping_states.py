@@ -1,9 +1,7 @@
-"""Quasi-static paths against a particle that creeps down the force, without folds or ranks; a Markdown table.
+"""Quasi-static paths held against a state that creeps down the force, without folds or ranks.
 
-``python -m validation.paths [PATHS]``: random parameters, each of the six as the one that varies, up and down, with folds, and
-floats next to folds, among the values.
-
-The reference knows f only, written out here: at each small step of the parameter θ moves to the next root in the direction of −f.
+The reference knows the force only, written out here: at each small step of the parameter the state moves to the next root in the
+direction of the force. Values lie on folds, and beside them by one float, too.
 """
 
 from __future__ import annotations
@@ -16,26 +14,11 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.parameters import NAMES
-from validation.folds import random_fixed
+from tests.oracles.families import random_fixed
 
 Array = np.ndarray
 #: How far beside a value, relatively, the reference looks where the value is a fold; θ moves by its square root there.
 BESIDE = 1e-9
-
-
-def main(paths: int = 1000, seed: int = 11) -> int:
-    """Print the table; exit code 1 for a wrong state, a wrong jump or an error."""
-    rng = np.random.default_rng(seed)
-    print("| vary | paths | values | on folds or next to one | jumps | wrong |")
-    print("|---|---|---|---|---|---|")
-    bad = 0
-    for vary in NAMES:
-        totals = np.zeros(5, dtype=int)
-        for _ in range(-(-paths // len(NAMES))):
-            totals += check(*random_path(rng, vary))
-        bad += totals[-1]
-        print(f"| {vary} | {' | '.join(map(str, totals))} |", flush=True)
-    return int(bad > 0)
 
 
 def random_path(rng: np.random.Generator, vary: str) -> tuple[ss.Parameters, str, Array]:
@@ -161,7 +144,3 @@ def _jumps(p: ss.Parameters, vary: str, jump: ss.Jump, values: Array) -> bool:
         and (np.abs(after - jump.before["theta"]).min() > 0.5 * gap)
         and np.abs(after - jump.after["theta"]).min() < 1e-4
     )
-
-
-if __name__ == "__main__":
-    sys.exit(main(*(int(argument) for argument in sys.argv[1:2])))

@@ -1,12 +1,7 @@
-"""Measured friction curves in every dialect that programs write: each file is read as it is meant, or refused.
-
-Run ``python -m validation.measurements``.
-"""
+"""Files of measured friction as instruments and spreadsheets write them: what each means, or that it may mean something else."""
 
 from __future__ import annotations
 
-import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -118,19 +113,3 @@ def wrong(folder: Path) -> list[str]:
             if not meant or not (np.allclose(speed, SPEED, rtol=1e-12) and np.allclose(friction, FRICTION, rtol=1e-12)):
                 found.append(f"{name}: read as {speed.tolist()}, {friction.tolist()}")
     return found
-
-
-def main() -> int:
-    """1 if a file is misread."""
-    with tempfile.TemporaryDirectory() as folder:
-        bad = wrong(Path(folder))
-    print(
-        f"{len(READ) + len(REFUSED)} files: {len(READ)} to be read, {len(REFUSED)} to be refused, {len(bad)} wrong",
-        *bad,
-        sep="\n",
-    )
-    return int(bool(bad))
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -14,6 +14,7 @@ import mpmath
 import numpy as np
 from scipy import optimize
 
+import spragsym as ss
 from spragsym.errors import ConvergenceError
 
 DIGITS = 50

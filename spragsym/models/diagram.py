@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -20,7 +21,7 @@ from ..cycles import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
 from ..cycles.finding import cycle_near
 from ..cycles.saddles import equilibrium_near
 from ..display import Result
-from ..dynamics.field import Field, Mode
+from ..dynamics.field import GAP, Field, Mode, apart
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
 from ..questions import model_of
@@ -182,7 +183,11 @@ def diagram(
     onsets = _onsets(model, p, vary, (low, high), remarks)
     for born in _cycles(model, motion, p, vary, onsets, starts, remarks):
         if not _known(branches, born):
-            branches.append(cycle_branch(born, vary, (low, high), points=points))
+            try:
+                branches.append(cycle_branch(born, vary, (low, high), points=points))
+            except SpragsymError as error:
+                at = f"{vary} = {born.parameters[vary]:.10g}"
+                remarks.append(f"the cycle of period {born.period:.6g} at {at} was not followed: {error}")
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*_of_equilibria(motion, p, vary, rests), *_of_cycles(branches)]
     remarks += _left_alone(vary, labels, onsets)
@@ -221,20 +226,27 @@ def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str
 
 @dataclass(frozen=True)
 class _Rest:
-    """Equilibria of a field in one mode, with one parameter free."""
+    """Equilibria of a field between its kinks, with one parameter free."""
 
     field: Field
     values: tuple[float, ...]
     index: int
-    mode: Mode
+    state: list[float]
     to: tuple[float, float]
     contact: bool = True
 
-    def at(self, point: FloatArray) -> tuple[tuple[float, ...], list[float]]:
-        """Constants and state of a point: coordinates, then the parameter in halves of the range."""
+    @cached_property
+    def mode(self) -> Mode:
+        """That of the state, with all that is left out of motions where it is below rounding."""
+        return self.field.exact(self.field.initial_mode(self.state, self.field.constants(self.values)))
+
+    def at(self, point: FloatArray) -> tuple[tuple[float, ...], list[float], Mode]:
+        """Constants, state and mode of a point: coordinates, then the parameter in halves of the range."""
         values = list(self.values)
         values[self.index] = self.value(point)
-        return tuple(self.field.constants(values)), [*point[:-1].tolist(), *[0.0] * (len(point) - 1)]
+        constants, state = tuple(self.field.constants(values)), [*point[:-1].tolist(), *[0.0] * (len(point) - 1)]
+        ways = len(self.mode) - self.field.ways
+        return constants, state, self.mode[:ways] + self.field.initial_mode(state, constants)[ways:]
 
     def value(self, point: FloatArray) -> float:
         """The parameter."""
@@ -242,18 +254,18 @@ class _Rest:
 
     def slopes(self, point: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Accelerations, and their derivatives by the point."""
-        constants, state = self.at(point)
+        constants, state, mode = self.at(point)
         n = len(point) - 1
-        force = np.array(self.field.acceleration(state, constants, self.mode, math), dtype=float)
-        by_state = np.array(self.field.jacobian(state, constants, self.mode, math), dtype=float)[:, :n]
-        by_value = np.array(self.field.by_parameters(state, constants, self.mode, math), dtype=float)[:, self.index]
+        force = np.array(self.field.acceleration(state, constants, mode, math), dtype=float)
+        by_state = np.array(self.field.jacobian(state, constants, mode, math), dtype=float)[:, :n]
+        by_value = np.array(self.field.by_parameters(state, constants, mode, math), dtype=float)[:, self.index]
         return force, np.column_stack([by_state, by_value * (self.to[1] - self.to[0]) / 2])
 
     def eigenvalues(self, point: FloatArray) -> NDArray[np.complex128]:
         """Of the linearized motion."""
-        constants, state = self.at(point)
+        constants, state, mode = self.at(point)
         n = len(point) - 1
-        rows = np.array(self.field.jacobian(state, constants, self.mode, math), dtype=float)
+        rows = np.array(self.field.jacobian(state, constants, mode, math), dtype=float)
         upper = np.hstack([np.zeros((n, n)), np.eye(n)])
         return np.asarray(np.linalg.eigvals(np.vstack([upper, rows])), dtype=complex)
 
@@ -279,9 +291,10 @@ class _Rest:
         return None
 
     def inside(self, point: FloatArray) -> bool:
-        """Whether a state is in the mode."""
-        constants, state = self.at(point)
-        return bool(self.field.is_inside(state, constants, self.mode))
+        """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
+        constants, state, mode = self.at(point)
+        kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
+        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
 
     def follow(self, begin: FloatArray, sign: float) -> Iterator[FloatArray]:
         """Points in one direction, to the end of the range, of the mode, or of the steps."""
@@ -333,8 +346,7 @@ def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tup
                 state = equilibrium_near(motion, values, places[i, j])
             except ConvergenceError:
                 continue
-            mode = motion.initial_mode(state, motion.constants(values))
-            rest = _Rest(motion, values, index, mode, to, contact)
+            rest = _Rest(motion, values, index, state.tolist(), to, contact)
             point = np.append(state[: len(model.coordinates)], grid[i] / half)
             if not any(other.contact == contact and _passes(other, line, point) for other, line in found):
                 back, forth = (list(rest.follow(point, sign)) for sign in (-1.0, 1.0))
@@ -352,6 +364,7 @@ def _passes(rest: _Rest, line: FloatArray, point: FloatArray) -> bool:
     """Whether a branch passes through a point."""
     row = np.append(np.zeros(len(point) - 1), 1.0)
     for one, other in pairwise(line):
+        point = one + apart(point, one, rest.field.around)
         if min(one[-1], other[-1]) - 1e-12 <= point[-1] <= max(one[-1], other[-1]) + 1e-12 and one[-1] != other[-1]:
             guess = one + (point[-1] - one[-1]) / (other[-1] - one[-1]) * (other - one)
             if np.abs(guess - point).max() < LONGEST:
@@ -369,10 +382,8 @@ def _of_equilibria(motion: Field, p: ParameterSet, vary: str, rests: Sequence[Eq
         to = (0.0, 2 * half)
         for i in range(len(branch.values) - 1):
             one, other = (np.append(branch.states[j], branch.values[j] / half) for j in (i, i + 1))
-            values = list(p.replace(**{vary: float(branch.values[i])}).scalars(*motion.parameters))
-            constants = motion.constants(values)
-            mode = motion.initial_mode([*branch.states[i], *[0.0] * branch.states.shape[1]], constants)
-            rest = _Rest(motion, tuple(values), index, mode, to)
+            values = p.replace(**{vary: float(branch.values[i])}).scalars(*motion.parameters)
+            rest = _Rest(motion, values, index, [*branch.states[i].tolist(), *[0.0] * branch.states.shape[1]], to)
             chord = (other - one) / np.linalg.norm(other - one)
             for label, test in (("LP", _turning(rest, chord)), ("H", _pairs(rest))):
                 place = _located(rest, one, other, chord, test)
@@ -470,7 +481,7 @@ def _doubled(
                     doubled = branch.switch(event)
                     if to[0] <= doubled.parameters[vary] <= to[1]:
                         branches.append(cycle_branch(doubled, vary, to, points=points))
-                except ConvergenceError as error:
+                except SpragsymError as error:
                     remarks.append(f"the doubled cycle at {vary} = {event.value:.10g} was not found: {error}")
 
 

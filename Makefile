@@ -111,6 +111,8 @@ lint: $(TEST)
 	$(BIN)/clang-format --dry-run --Werror $(C_FILES)
 	@if command -v cppcheck >/dev/null; then $(CPPCHECK) $(filter %.c,$(C_FILES)); \
 	else echo "cppcheck is not installed: skipped, C is checked for its layout only"; fi
+	@if command -v check-jsonschema >/dev/null; then check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml; \
+	else echo "check-jsonschema is not installed: skipped, the workflow is not checked"; fi
 
 thorough: $(TEST)
 	HYPOTHESIS_PROFILE=all $(TESTS) --durations=20 -m "not validate"

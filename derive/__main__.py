@@ -12,7 +12,7 @@ from typing import TypeVar
 try:
     import sympy  # noqa: F401  # here only to be missed early, with a remedy
 except ModuleNotFoundError:
-    sys.exit("derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'")
+    sys.exit("derive: SymPy is missing; in the source folder: pip install '.[derive]'")
 
 from . import export, folder, pages
 from .emit import write

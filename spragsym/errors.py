@@ -38,9 +38,7 @@ class MissingExtraError(SpragsymError, ImportError):
     """A feature needs a package that is not installed."""
 
     def __init__(self, feature: str, module: str, extra: str) -> None:
-        super().__init__(
-            f"{feature} needs {module}, which is not installed; install the extra that brings it: pip install 'spragsym[{extra}]'"
-        )
+        super().__init__(f"{feature} needs {module}, which is not installed; in the source folder: pip install '.[{extra}]'")
 
 
 class BackendError(SpragsymError, ImportError):

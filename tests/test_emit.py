@@ -260,7 +260,7 @@ def test_missing_sympy_names_the_extra(tmp_path: Path) -> None:
         cwd=ROOT, capture_output=True, text=True, timeout=60, check=False,
     )  # fmt: skip
     assert outcome.returncode == 1
-    assert outcome.stderr.strip() == "derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'"
+    assert outcome.stderr.strip() == "derive: SymPy is missing; in the source folder: pip install '.[derive]'"
     assert not (tmp_path / "out").exists()
 
 

@@ -361,7 +361,7 @@ def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.startswith("spragsym: ")
     assert done.stderr.count("\n") == 1
-    assert f"pip install 'spragsym[{extra}]'" in done.stderr
+    assert f"pip install '.[{extra}]'" in done.stderr
 
 
 # --------------------------------------------------------------------------------------------------- a clone in use

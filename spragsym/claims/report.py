@@ -177,7 +177,7 @@ def _rerun() -> list[str]:
     return [
         "## How to run it again",
         "",
-        "`make` sets up a virtual environment by itself; with `pip install 'spragsym[all]'` the commands work as they are.",
+        "`make` sets up a virtual environment by itself; with `pip install '.[all]'` the commands work as they are.",
         "",
         "| command | does |",
         "|---|---|",

@@ -8,6 +8,7 @@ their elementary symmetric functions is. Signs come from intervals around the st
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from ...exact.ball_functions import XP as BALLS
 from ...exact.determinants import Polynomial, determinant, hurwitz, of_pencil
 from ...exact.interval_arrays import FloatArray, Intervals, stacked
 from ...exact.intervals import Balls
-from ...exact.krawczyk import as_balls, narrowed
+from ...exact.krawczyk import as_balls, ball, narrowed
 from ...exact.polynomials import Undecided
 from ...results.equilibria import Stability
 from ..mechanics.balance import NOTHING, Balance, matrix
@@ -81,13 +82,15 @@ def _over(
 
 
 def decay(
-    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8], growth: FloatArray
 ) -> NDArray[np.int8]:
     """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
 
     All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
-    negative some λ has a positive real part, since without such all would be limits of positive ones. Arguments as for
-    :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there every second coefficient is 0.
+    negative some λ has a positive real part, since without such all would be limits of positive ones. Where these are not told
+    from 0, as of damping that is next to nothing, the same test right of half the ``growth`` of floats tells that one grows.
+    Arguments as for :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there every second
+    coefficient is 0.
     """
     shape = ends.shape[2:]
     with np.errstate(all="ignore"):
@@ -96,19 +99,41 @@ def decay(
         K = matrix(balance.by_coordinate("forces_jacobian", q, directions, values), shape)
         C = matrix(balance.damping(q, directions, values), shape)
         M = matrix(balance.mass(q, values), shape)
-        signs = _signs(_routh(*(list(map(list, part)) for part in (M, C, K))), shape)
+        signs = _signs(_routh(*map(_rows, (M, C, K))), shape)
         without = C.magnitude.max(axis=(0, 1)) <= NOTHING
-    found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
+        found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
+        half = np.where(growth > 0, 0.5 * growth, 0.0)
+        open_ = np.flatnonzero((found == 0) & (half > 0))
+        if open_.size:
+            parts = (_rows(part[:, :, open_]) for part in (M, C, K))
+            beyond = _signs(_routh(*parts, Intervals.point(half[open_])), open_.shape)
+            found[open_] = np.minimum(_told_to_decay(beyond), 0)
     for row in np.flatnonzero(found == 0).tolist():
         again = _with_digits(
-            balance, given[:, row], ends[:, :, row], alone[:, :, row], lambda M, K, damping: [_routh(M, damping(), K)]
+            balance, given[:, row], ends[:, :, row], alone[:, :, row], partial(_routh_twice, shift=ball(float(half[row]), BITS))
         )
-        found[row] = 0 if again is None else _told_to_decay(again[0])[0]
+        if again is not None:
+            found[row] = _told_to_decay(again[0])[0] or min(_told_to_decay(again[1])[0], 0)
     return found
 
 
-def _routh(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]]) -> list[Any]:
-    """The coefficients, and all determinants of Hurwitz but the first and the last, which add nothing."""
+def _rows(part: Intervals) -> list[list[Any]]:
+    return list(map(list, part))
+
+
+def _routh_twice(M: Any, K: Any, damping: Callable[[], Any], shift: Any) -> list[list[Any]]:
+    """For the imaginary axis, and for the line right of it by ``shift``."""
+    C = damping()
+    return [_routh(M, C, K), _routh(M, C, K, shift)]
+
+
+def _routh(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]], shift: Any = None) -> list[Any]:
+    """The coefficients, and all determinants of Hurwitz but the first and the last, which add nothing; of λ − ``shift``."""
+    if shift is not None:
+        K = [
+            [k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)] for rows in zip(M, C, K, strict=True)
+        ]  # fmt: skip
+        C = [[c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)]
     a = of_pencil(M, C, K)
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
 

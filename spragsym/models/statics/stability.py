@@ -69,7 +69,7 @@ def _linearized(
     balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
 ) -> tuple[FloatArray, NDArray[np.str_]]:
     fastest = _fastest(balance, q, given)
-    decay = spectrum.decay(balance, given, ends, alone, undamped)
+    decay = spectrum.decay(balance, given, ends, alone, undamped, fastest.real)
     real = fastest.imag <= REAL * np.abs(fastest)
     grows = np.where(real, "divergent", "flutter")
     # What rounding leaves is on the side that is proved.

@@ -19,8 +19,14 @@ UNDAMPED = (
     "without damping two frequencies meet there, and all eigenvalues stay on the imaginary axis up to it: no generic Hopf point; "
     "ask for the onsets of the damped model, damping=True"
 )
-#: Why one has that is not told from 0.
+#: Why one has that is not told from 0, and one that is smaller than what its law can mean.
 NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
+BELOW_THE_LAW = (
+    "the first Lyapunov coefficient is below the smoothing of the friction law: up to amplitudes at which sliding stops it changes "
+    "the growth rate by less than {:.0e} ω; what happens there decides"
+)
+#: Change of the growth rate over ω below which a coefficient is the tail of a smoothed law.
+MEANT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,7 +40,7 @@ class Onsets(Points):
     criticality : ndarray of str
         ``"gentle"`` where l₁ < 0 is proved (supercritical: the cycle that is born attracts within the plane of the pair, and
         grows from nothing), ``"dangerous"`` where l₁ > 0 is (subcritical: an unstable cycle shrinks onto the state, and beyond
-        the onset motions go far), else ``"undecided"``.
+        the onset motions go far), else ``"undecided"``, also where l₁ comes from the tail of a law smoothed at rest alone.
     lyapunov, lyapunov_error : ndarray
         The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where ``why`` says that there is
         none. The state is coordinates, then rates, in the units of the page, and ⟨q, q⟩ = ⟨p, q⟩ = 1.
@@ -87,15 +93,12 @@ class Onsets(Points):
     @cached_property
     def criticality(self) -> NDArray[np.str_]:
         """gentle, dangerous or undecided."""
-        return criticality(self.lyapunov, self.lyapunov_error)
+        return np.array([told(form)[0] for form in self.normal_forms], dtype=np.str_)
 
     @cached_property
     def why(self) -> tuple[str, ...]:
         """Why an onset is undecided."""
-        return tuple(
-            each if isinstance(each, str) else "" if abs(each.lyapunov) > each.lyapunov_error else NEAR_ZERO
-            for each in self.normal_forms
-        )
+        return tuple(told(form)[1] for form in self.normal_forms)
 
     def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Any:
         """The cycle that is born at one of the onsets: see :func:`spragsym.models.catastrophe.births.born`."""
@@ -132,10 +135,15 @@ class Onsets(Points):
         return np.array([missing if isinstance(each, str) else getattr(each, name) for each in self.normal_forms])
 
 
-def criticality(lyapunov: Any, error: Any) -> NDArray[np.str_]:
-    """What the sign of coefficients says, where their bounds leave it."""
-    known = np.abs(lyapunov) > error
-    return np.where(known, np.where(lyapunov < 0, "gentle", "dangerous"), "undecided")
+def told(form: Any) -> tuple[str, str]:
+    """What the sign of the coefficient says, and why nothing where it does not; of a normal form, or of why there is none."""
+    if isinstance(form, str):
+        return "undecided", form
+    if not abs(form.lyapunov) > form.lyapunov_error:
+        return "undecided", NEAR_ZERO
+    if abs(form.lyapunov) * form.reach**2 < MEANT:
+        return "undecided", BELOW_THE_LAW.format(MEANT)
+    return "gentle" if form.lyapunov < 0 else "dangerous", ""
 
 
 def onsets_of(found: Points) -> Onsets:

@@ -18,7 +18,7 @@ from ...exact.polynomials import Undecided
 from ...parameters import ParameterSet, as_count
 from ...questions import model_of
 from ...results.named_columns import Columns
-from ...results.onsets import criticality
+from ...results.onsets import told
 from ...results.points import Points
 from ..mechanics.balance import Balance
 from ..statics import stability
@@ -44,6 +44,8 @@ if TYPE_CHECKING:
 
 #: Points of the plane that are nearer than this share of its scales are one.
 SAME = 1e-9
+#: Why a point has no normal form that is not proved to be a generic Hopf point.
+UNPROVED = "no generic Hopf point is proved there"
 #: Halvings by which a point with l₁ = 0 is enclosed.
 HALVINGS = 30
 #: C over K below which a state is as good as undamped.
@@ -56,16 +58,11 @@ KINDS: Mapping[str, type[Damped]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "HH":
 class OnsetCurve(Columns, held_in="values"):
     """Hopf points in order along a curve, their columns attributes under their names.
 
-    Those are the parameters that vary, the coordinates, ``omega``, and ``lyapunov`` with its bound ``lyapunov_error``, NaN and
-    inf where there is no coefficient.
+    Those are the parameters that vary, the coordinates, ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf
+    where there is no coefficient, and ``criticality``, as of :class:`spragsym.Onsets`.
     """
 
-    values: Mapping[str, FloatArray] = field(repr=False)
-
-    @property
-    def criticality(self) -> NDArray[np.str_]:
-        """As of :class:`spragsym.Onsets`, of every point."""
-        return criticality(self.lyapunov, self.lyapunov_error)
+    values: Mapping[str, NDArray[Any]] = field(repr=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -287,7 +284,7 @@ class _Lines:
         modes = [frequencies(_roots(self.balance, self.given, self.vary, state)) for state in chain.T]
         cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
         return [
-            self.curve(chain[:, part], np.array([modes[row][mode] for row in part]), [None] * len(part))
+            self.curve(chain[:, part], np.array([modes[row][mode] for row in part]), [UNPROVED] * len(part))
             for part in np.split(np.arange(len(modes)), cuts)
             for mode in range(len(modes[part[0]]) if len(part) else 0)
         ]
@@ -300,42 +297,46 @@ class _Lines:
         """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
         return stability.frequency(_roots(self.balance, self.given, self.vary, state))
 
-    def forms(self, states: FloatArray) -> list[NormalForm | None]:
-        """The normal form at each point, over a box that is proved to hold one."""
+    def forms(self, states: FloatArray) -> list[NormalForm | str]:
+        """The normal form at each point, over a box that is proved to hold one, or why there is none."""
         if not states.shape[1]:
             return []
         ends, good = self.curves.enclosed(states, np.abs(self.curves.tangents(states)).argmax(axis=0))
         middle = Intervals(ends).middle
         radii = contractors.distance(ends, middle)
         return [
-            self._form(state, radius) if known else None for state, radius, known in zip(middle.T, radii.T, good, strict=True)
+            self._form(state, radius) if known else UNPROVED for state, radius, known in zip(middle.T, radii.T, good, strict=True)
         ]
 
-    def _form(self, state: FloatArray, radii: FloatArray) -> NormalForm | None:
+    def _form(self, state: FloatArray, radii: FloatArray) -> NormalForm | str:
         n, point = self.balance.n, self.given[:, 0].copy()
         point[[self.balance.parameters.index(name) for name in self.vary]] = state[n:]
         try:
             return normal_form(self.model, point, state[:n], self.vary, radii)
-        except Undecided:
-            return None
+        except Undecided as reason:
+            return str(reason)
 
-    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | None]) -> OnsetCurve:
+    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]) -> OnsetCurve:
         """The points with what is known of them."""
         n = self.balance.n
-        values = dict(zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True))
+        values: dict[str, NDArray[Any]] = dict(
+            zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True)
+        )
         values["omega"] = omega
-        values["lyapunov"] = np.array([np.nan if form is None else form.lyapunov for form in forms])
-        values["lyapunov_error"] = np.array([np.inf if form is None else form.lyapunov_error for form in forms])
+        values["lyapunov"] = np.array([np.nan if isinstance(form, str) else form.lyapunov for form in forms])
+        values["lyapunov_error"] = np.array([np.inf if isinstance(form, str) else form.lyapunov_error for form in forms])
+        values["criticality"] = np.array([told(form)[0] for form in forms], dtype=np.str_)
         return OnsetCurve(values)
 
-    def changes(self, states: FloatArray, forms: Sequence[NormalForm | None]) -> list[list[float]]:
+    def changes(self, states: FloatArray, forms: Sequence[NormalForm | str]) -> list[list[float]]:
         """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""
-        known = [k for k, form in enumerate(forms) if told(form) != "undecided"]
+        kinds = [told(form)[0] for form in forms]
+        known = [k for k, kind in enumerate(kinds) if kind != "undecided"]
         rows = []
         for one, two in itertools.pairwise(known):
             # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
-            if told(forms[one]) != told(forms[two]) and self._side(states[:, one]) == self._side(states[:, two]):
-                rows.append(self._between(states[:, one], states[:, two], told(forms[one])))
+            if kinds[one] != kinds[two] and self._side(states[:, one]) == self._side(states[:, two]):
+                rows.append(self._between(states[:, one], states[:, two], kinds[one]))
         return rows
 
     def _side(self, state: FloatArray) -> bool:
@@ -346,14 +347,9 @@ class _Lines:
             chord = (two - one) / self.curves.scale
             length = float(np.linalg.norm(chord))
             found, good = self.curves.on_curve((0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length]))
-            kind = told(self.forms(found)[0]) if good[0] else "undecided"
+            kind = told(self.forms(found)[0])[0] if good[0] else "undecided"
             if kind == "undecided":
                 break
             one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])
         middle, n = 0.5 * (one + two), self.balance.n
         return [*middle[n:], *middle[:n], float(np.abs(two - one).max())]
-
-
-def told(form: NormalForm | None) -> str:
-    """gentle, dangerous or undecided."""
-    return "undecided" if form is None else str(criticality(form.lyapunov, form.lyapunov_error))

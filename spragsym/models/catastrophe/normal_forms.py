@@ -59,6 +59,8 @@ class NormalForm:
         d Re λ / d parameter of the pair, along the equilibrium: it crosses the imaginary axis if that is not 0.
     q, p : ndarray of complex
         The eigenvector of i ω, of length 1, and that of Aᵀ for −i ω, with ⟨p, q⟩ = p̄ᵀ q = 1.
+    reach : float
+        |z| of u = z q + z̄ q̄ at which the sliding speed would come to 0, to first order, in floats; infinite without friction.
     along, square, mean : ndarray
         Of floats: ∂u/∂parameter of the equilibrium, g and h of the module's first lines.
     """
@@ -71,6 +73,7 @@ class NormalForm:
     crossing_error: float
     q: NDArray[np.complex128]
     p: NDArray[np.complex128]
+    reach: float
     along: FloatArray
     square: NDArray[np.complex128]
     mean: FloatArray
@@ -143,7 +146,7 @@ def normal_form(
     lyapunov = (_product(left, cubic) / scale).re / omega
     return NormalForm(
         *_float(omega), *_float(lyapunov), *_float(crossing), _floats(q), _floats([entry / scale for entry in left]).conjugate(),
-        _floats(along).real, _floats(square), _floats(mean).real,
+        point.reach(path), _floats(along).real, _floats(square), _floats(mean).real,
     )  # fmt: skip
 
 
@@ -181,6 +184,16 @@ class _Point:
         values = self._values(parameter)
         accelerations = self.motion.acceleration(u, self._constants(values), mode or self.mode, XP)
         return [*u[self.n :], *(a + s for a, s in zip(accelerations, self._shift(u[: self.n], values), strict=True))]
+
+    def reach(self, path: Sequence[Jet]) -> float:
+        """Size of a and b, along a path in them, at which the sliding speed would come to 0."""
+        if self.model.about["friction"] is None:
+            return math.inf
+        _, slip = undecorated(self.model.algebra.borders)(*path, *self._constants(self.values), xp=XP)
+        terms = slip.terms if isinstance(slip, Jet) else {}
+        rest, one, other = (_float(terms.get(key, 0))[0] for key in ((), (0,), (1,)))
+        change = math.hypot(one, other)
+        return abs(rest) / change if change else math.inf
 
     def linear(self) -> tuple[list[list[Ball]], list[Ball]]:
         """A, and ∂F/∂parameter."""

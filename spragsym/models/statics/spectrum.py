@@ -106,7 +106,7 @@ def decay(
         open_ = np.flatnonzero((found == 0) & (half > 0))
         if open_.size:
             parts = (_rows(part[:, :, open_]) for part in (M, C, K))
-            beyond = _signs(_routh(*parts, Intervals.point(half[open_])), open_.shape)
+            beyond = _signs(_routh(*parts, shift=Intervals.point(half[open_])), open_.shape)
             found[open_] = np.minimum(_told_to_decay(beyond), 0)
     for row in np.flatnonzero(found == 0).tolist():
         again = _with_digits(

@@ -22,8 +22,8 @@ UNDAMPED = (
 #: Why one has that is not told from 0, and one that is smaller than what its law can mean.
 NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
 BELOW_THE_LAW = (
-    "the first Lyapunov coefficient is below the smoothing of the friction law: up to amplitudes at which sliding stops it changes "
-    "the growth rate by less than {:.0e} ω; what happens there decides"
+    "the first Lyapunov coefficient is below the smoothing of the friction law: up to amplitudes at which sliding stops it "
+    "changes the growth rate by less than {:.0e} ω; what happens there decides"
 )
 #: Change of the growth rate over ω below which a coefficient is the tail of a smoothed law.
 MEANT = 1e-9

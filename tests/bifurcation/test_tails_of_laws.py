@@ -12,7 +12,9 @@ from tests.support import model_of, shipped_page
 CHANGES = (
     ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", "mu0 * tanh(d * v)"), ("Abs, Page, exp, sgn", "Page, tanh"),
     ("page.spring(k_x, along=x)\n", "page.spring(k_x, along=x)\npage.damper(c_x, along=x)\npage.damper(c_y, along=y)\n"),
-    ("V = page", 'c_x = page.parameter("c_x", "N s/m", "d", ">= 0", 0.05)\nc_y = page.parameter("c_y", "N s/m", "d", ">= 0", 0.02)\nV = page'),
+    ("V = page", """c_x = page.parameter("c_x", "N s/m", "damper", ">= 0", 0.05)
+c_y = page.parameter("c_y", "N s/m", "damper", ">= 0", 0.02)
+V = page"""),
 )  # fmt: skip
 
 

@@ -105,8 +105,8 @@ def decay(
         half = np.where(growth > 0, 0.5 * growth, 0.0)
         open_ = np.flatnonzero((found == 0) & (half > 0))
         if open_.size:
-            parts = (_rows(part[:, :, open_]) for part in (M, C, K))
-            beyond = _signs(_routh(*parts, shift=Intervals.point(half[open_])), open_.shape)
+            some = [_rows(part[:, :, open_]) for part in (M, C, K)]
+            beyond = _signs(_routh(some[0], some[1], some[2], Intervals.point(half[open_])), open_.shape)
             found[open_] = np.minimum(_told_to_decay(beyond), 0)
     for row in np.flatnonzero(found == 0).tolist():
         again = _with_digits(

@@ -38,19 +38,20 @@ WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1
 # Files go to workers in the order that tests/conftest.py gives them: the longest first.
 TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
-.PHONY: help install derive test poor check lint thorough coverage regenerate installs package explorer bench figures docs check-claims clean
+.PHONY: help install derive test poor check lint thorough validate coverage regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make install       set up .venv with all extras, for use without the tests"
 	@echo "make derive        derive, check against the article, write generated/"
-	@echo "make test          run the tests, without those marked thorough"
+	@echo "make test          run the quick tests, those marked neither thorough nor validate; a minute"
 	@echo "make poor          run them as on a machine without compiler, heyoka, symbolic links and UTF-8, set up for it"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
-	@echo "make thorough      all tests, with ten times as many random cases"
-	@echo "make coverage      the same, and the lines and branches that they reach; twice the time"
+	@echo "make thorough      quick and thorough tests, with more random cases: what CI runs; some minutes"
+	@echo "make validate      tests marked validate and all campaigns, by hand; hours, goes on where it was"
+	@echo "make coverage      as make thorough, and the lines and branches that they reach; twice the time"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
-	@echo "make check         what CI runs: lint, types, all tests, generated/ as committed"
+	@echo "make check         what CI runs: lint, types, generated/ as committed, quick and thorough tests; and installs"
 	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, if a registry can be reached"
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
@@ -117,9 +118,13 @@ lint: $(TEST)
 thorough: $(TEST)
 	HYPOTHESIS_PROFILE=all $(TESTS) --durations=20 -m "not validate"
 
+# By hand: too long for CI. WORKERS for the tests, campaigns use all cores by themselves.
+validate: $(TEST)
+	.ci/validate .validate -n $(WORKERS) --dist load
+
 # What they reach of spragsym decides nothing, and to count it doubles the time: CI does not.
 coverage: $(TEST)
-	HYPOTHESIS_PROFILE=all $(TESTS) --cov --cov-branch --cov-report=term
+	HYPOTHESIS_PROFILE=all $(TESTS) --cov --cov-branch --cov-report=term -m "not validate"
 
 # The derivation, then the committed bytes: what went wrong is the last line.
 regenerate: $(DERIVE)
@@ -127,7 +132,7 @@ regenerate: $(DERIVE)
 	git diff --exit-code -- generated/
 	@test -z "$$(git status --porcelain -- generated/)" || { git status --short -- generated/; exit 1; }
 
-check: lint thorough regenerate installs
+check: lint regenerate thorough installs
 
 # Every extra from wheels alone, on each machine and Python: where a registry can be reached.
 installs: $(TEST)

@@ -128,7 +128,7 @@ def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
                     assert all(low <= value <= high for value, (low, high) in zip(map(float, state), eq.region, strict=True))
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open() -> None:
     line = "page.torsion(k_t, mass, anchor, rest=theta0)\n"
     more = "page.torsion(k_t, mass, (-anchor[0], anchor[1]), rest=theta0)\n"

@@ -222,6 +222,7 @@ def nonsense() -> Any:
 # ------------------------------------------------------------------------------------------------------ tests
 
 
+@pytest.mark.by_hand("-O3-gcc")
 @pytest.mark.thorough
 @pytest.mark.parametrize("compiler", EACH_COMPILER)
 @pytest.mark.parametrize("level", EACH_LEVEL, ids=["-O0", "-O3"])

@@ -279,6 +279,7 @@ def large_are_thorough(ids: Iterable[str]) -> list[Any]:
     return [pytest.param(id, marks=pytest.mark.thorough) if id in LARGE else id for id in ids]
 
 
+@pytest.mark.by_hand("A3", "A2")
 @pytest.mark.parametrize("id", large_are_thorough(MUTATED))
 @pytest.mark.usefixtures("plain_differences")
 def test_every_mutation_is_caught_and_located(id: str) -> None:

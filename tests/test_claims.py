@@ -478,7 +478,7 @@ def test_statuses() -> None:
 LONG_MOTIONS = ("fig-7b", "fig-7b-fate")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_nothing_has_drifted() -> None:
     left_out = LONG_MOTIONS if LONG_MOTIONS_TAKE_MINUTES else ()
     recorded = [row for row in claims.recorded() if row["id"] not in left_out]

@@ -90,7 +90,7 @@ def test_the_friction_of_the_jump_is_told_where_the_angle_is_given(asked: list[s
     assert ("mu0_jump: mu0 of the jump at this angle" in run("critical", *asked)) == at_this_angle
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_what_is_undecided_is_not_called_none(run: Run) -> None:
     text = run("critical", "--model", "trolley", "--theta0", "40")
     for line in ("mu0_lowest: no jump below this mu0", "mu0_cusp: mu0 of the lowest cusp"):
@@ -222,6 +222,7 @@ def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, caps
     assert [path.name for path in tmp_path.iterdir()] == [target.name]
 
 
+@pytest.mark.by_hand("report")
 @pytest.mark.thorough
 @pytest.mark.parametrize("command", WRITING)
 @pytest.mark.usefixtures("checked")
@@ -280,6 +281,7 @@ def test_no_processes_is_an_error_that_leaves_nothing(command: str, count: str, 
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.by_hand("3000")
 @pytest.mark.parametrize("t_end", ["100", "0.5", pytest.param("3000", marks=pytest.mark.thorough)])
 def test_the_window_follows_the_end(t_end: str, tmp_path: Path, run: Run) -> None:
     """The last quarter is what is measured, where nothing else is said: of 2000 that which the article shows."""

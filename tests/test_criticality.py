@@ -52,6 +52,7 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
     assert stick_slip.when.tolist() == ["up", "down"]  # it swings at speeds between the two
 
 
+@pytest.mark.by_hand("trolley")
 @pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "vary", "values"),
@@ -72,7 +73,7 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
             assert bound < 1e-5 * max(abs(found), 1e-3)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_torsion_spring_against_equations_written_by_hand() -> None:
     pytest.importorskip("sympy")
     model = model_of((ROOT / "tests/soft_brake.py").read_text(encoding="utf-8"), "soft_brake")

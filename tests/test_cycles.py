@@ -428,7 +428,7 @@ def test_the_branches_that_the_diagram_draws_are_of_cycles(every: int) -> None:
         assert {event[0] for event in line["events"]} <= kinds
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_end_of_a_range_is_reached_along_the_branch() -> None:
     """At 44 degrees the branch has another sheet, behind two folds and a doubling, which a step to the end must not skip."""
     start = ss.cycle(at(49.0), **BELT, near=(3.178893595172, 2.120311377456, 0.0, 0.035253616447), patient=False)
@@ -508,7 +508,7 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     assert not bifurcation_functions.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_nothing_is_invented_beside_large_multipliers() -> None:
     """Cycles doubled twice, followed to where a multiplier has grown to 1e8: beside it there is neither a fold nor a torus."""
     branch = ss.cycle_branch(drawn(77), "V", (0.29, 0.367), points=120)
@@ -532,7 +532,7 @@ def next_to_a_grazing() -> ss.CycleBranch:
     return ss.cycle_branch(begun, "theta0", (1.0564, 1.0567))
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_branch_of_doubled_cycles_ends_where_its_halves_are_hardly_apart(next_to_a_grazing: ss.CycleBranch) -> None:
     """It went on over its end, and back to where it began, with the end as a fold."""
     assert [event.kind for event in next_to_a_grazing.events].count("period_doubling") == 1
@@ -552,7 +552,7 @@ def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: 
     assert abs(doubling.value - 1.0566308519693666) < doubling.error < 1e-10
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_closed_branch_is_walked_once() -> None:
     """On the way round the states go on along the orbit: it was walked on and on, with the same folds again and again."""
     branch = ss.cycle_branch(drawn(0), "V", (0.31, 0.62), points=150)
@@ -560,7 +560,7 @@ def test_a_closed_branch_is_walked_once() -> None:
     assert [round(event.value, 4) for event in branch.of("fold")] == [0.5662, 0.3448]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_as_many_points_are_followed_as_is_said(next_to_a_grazing: ss.CycleBranch) -> None:
     """Steps that fail are no points."""
     begun = next_to_a_grazing.cycles[0]
@@ -583,7 +583,7 @@ def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
         assert sorted(event.value for event in each.of("grazing")) == pytest.approx([0.2758161630417, 0.2759937273693], abs=1e-11)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_each_half_of_a_doubled_cycle_touches_where_it_does() -> None:
     """Both turns, half a period apart, are nearly one: Newton's method went from the one to where the other touches."""
     begun = drawn(1460)
@@ -621,7 +621,7 @@ def test_a_cycle_of_another_model_is_refused(slow: ss.Cycle, branch: ss.CycleBra
 # --------------------------------------------------------------------------------------------- fates and exponents
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_rounding_does_not_decide_between_a_cycle_and_itself() -> None:
     """It had two labels, since its fates were not known to be one yet."""
     given = random_motions.fate_of(142)
@@ -648,7 +648,7 @@ def test_the_time_scale_is_that_of_a_state_that_is_named() -> None:
     assert "at steady sliding, x = 0.135231, y = -0.0134205, deviations die out" in why
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
     found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **BELT)
     assert found.saddle == "equilibrium"
@@ -709,7 +709,7 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 @pytest.mark.parametrize("number", few([56, 174], 174))
 def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
     """Irregular transients at the ends: by another tolerance, or begun 1e-12 beside, they come to something else."""
@@ -718,7 +718,7 @@ def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
         ss.fate_boundary(p, **settings)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_motion_that_takes_longer_has_no_other_fate() -> None:
     """One of four that begin within rounding settles after t = 40 000 only; that rounding decides was said of it."""
     p, settings = of_call(189)
@@ -726,7 +726,7 @@ def test_a_motion_that_takes_longer_has_no_other_fate() -> None:
         ss.fate_boundary(p, **settings)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_error_of_a_boundary_knows_how_it_moves_with_the_start() -> None:
     """Motions stay irregular for long before they settle: by another integrator it lies 2e-12 off, and 1.6e-13 was said."""
     p, settings = of_call(104)
@@ -734,7 +734,7 @@ def test_the_error_of_a_boundary_knows_how_it_moves_with_the_start() -> None:
     assert 1e-12 < found.error < 1e-11
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_side_that_rounding_decides_is_undecided() -> None:
     """Both sides were said to come to the cycle of period 35.9; by another integrator they do not.
 
@@ -874,7 +874,7 @@ def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:
     assert saddles.growth_of_cycle(doubled) == pytest.approx(np.log(abs(doubled.multipliers[1])) / doubled.period, rel=1e-9)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate() -> None:
     """One is found over the parameter by verdicts and bisection, the other over starts by the saddle's manifold."""
     p = ss.Parameters.article(theta0=FATE)
@@ -892,7 +892,7 @@ def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate(
         ss.basin_boundary(at(60.0), **BELT)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_point_beside_which_basins_alternate_is_no_boundary() -> None:
     """By another integrator both sides come to one cycle there; a millionth aside one was seen to come to rest."""
     found = ss.basin_boundary(random_motions.basin_of(16), step=0.05, points=2)
@@ -983,7 +983,7 @@ def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
         ss.fate_boundary(p, vary="theta0", bracket=(1.04, 1.05), **BELT, start=start)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_where_the_belt_stands_still() -> None:
     still = {"V": 0.0, "d": 10.0}
     with pytest.raises(ss.ConvergenceError, match="decays to rest"):
@@ -998,7 +998,7 @@ def test_where_the_belt_stands_still() -> None:
     assert np.abs(springs.x - edge.saddle[0]).min() < 1e-9
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
     """Deviations shrink by e^−300 and more where the mass sticks: what rounding loses is not told as an exponent."""
     steep = {"V": 0.5, "d": 1e4}
@@ -1058,6 +1058,7 @@ def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -
     assert proved["stable"] is True
 
 
+@pytest.mark.by_hand("200", "60")
 @pytest.mark.thorough
 @pytest.mark.parametrize("digits", few([10, 25, 60, 200], 10))
 def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, proving: types.SimpleNamespace) -> None:
@@ -1243,7 +1244,7 @@ def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamesp
     assert not abs(field.jacobian(wide, constants, (1, 1), Functions)[0][1]) < 1e3
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_loaded_model_is_proved() -> None:
     """The article's cycle by its page, whose algebra is emitted apart: the same digits, with proof."""
     pytest.importorskip("flint")

@@ -144,6 +144,7 @@ def test_every_result_is_known_here() -> None:
     assert kinds <= set(RESULTS)
 
 
+@pytest.mark.by_hand("BasinBoundary", "FateBoundary")
 @pytest.mark.parametrize(
     "kind",
     few(RESULTS, "Equilibria", "Points", "BifurcationSet", "Jump", "Trajectory", "Sweep", "JumpProbability"),
@@ -224,7 +225,7 @@ def test_the_model_says_which_columns_are_angles() -> None:
 
 
 @needs_a_quick_integrator
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_what_varies_has_its_name_and_unit_where_a_result_is_printed_alone() -> None:
     """A branch's event, a change of fate and a diagram hold ``value``, ``values`` and ``to`` in radians where an angle varies."""
     event = _doubling()

@@ -55,7 +55,7 @@ def test_the_digest_is_that_of_what_is_committed() -> None:
     assert {name: text.encode() for name, text in sealed.items()} == files_of(COMMITTED)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_regeneration_is_byte_identical(tmp_path: Path) -> None:
     """From another working directory; it prints what the README shows, but for its times."""
     elsewhere = tmp_path / "elsewhere"
@@ -68,7 +68,7 @@ def test_regeneration_is_byte_identical(tmp_path: Path) -> None:
     assert_shown(times.sub("s", shown), times.sub("s", printed))
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_regeneration_does_not_depend_on_the_order_of_sets(tmp_path: Path) -> None:
     derive("1", ROOT, tmp_path / "generated")
     assert_as_committed(tmp_path / "generated")

@@ -139,7 +139,7 @@ page.potential(k * (b * x**4 / (4 * l**2) - x**2 / 2))
 '''
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_page_with_the_map_of_stability(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     for options in ([], ["--model", "stick_slip"]):

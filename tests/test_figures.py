@@ -80,6 +80,7 @@ def sheets() -> dict[str, Sheet]:
     return Sheets()
 
 
+@pytest.mark.by_hand("cycles")
 @pytest.mark.parametrize("name", few(FIGURES, *QUICKLY_DRAWN))
 def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
     figure = sheets[name]

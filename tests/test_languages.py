@@ -111,7 +111,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return copy
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
     """The steps as CONTRIBUTING shows them: the language is found, generated, offered, exported and packed."""
     pytest.importorskip("sympy")

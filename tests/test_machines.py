@@ -43,6 +43,7 @@ def expected(tmp_path_factory: pytest.TempPathFactory) -> str:
     return found
 
 
+@pytest.mark.by_hand("x86_64, gcc with extensions")
 @pytest.mark.thorough
 @pytest.mark.parametrize("machine", MACHINES[1:], ids=lambda machine: machine.name)
 def test_the_same_bits(machine: Machine, expected: str, tmp_path: Path) -> None:

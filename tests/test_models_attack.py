@@ -56,6 +56,7 @@ SHALLOW = {
 }  # fmt: skip
 
 
+@pytest.mark.by_hand("True")
 @pytest.mark.thorough
 @pytest.mark.parametrize("contact", [pytest.param(True, marks=pytest.mark.thorough), False])
 def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool) -> None:
@@ -156,6 +157,7 @@ def test_a_ball_that_comes_back_to_touch_goes_down_again(backend: str) -> None:
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-14
 
 
+@pytest.mark.by_hand("rail")
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", ["hertz_contact", "stribeck", "rail"])
 def test_functions_in_floats_intervals_digits_and_c(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -57,7 +57,7 @@ def by_hand(q: Any, mu: float) -> Any:
     return [mu * N - 0.02 * x + pull * dx, N - 0.01 + pull * dy, lever * N + mu * N * arm - 0.05 * phi]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_pair_that_is_born_far_away_does_not_stop_a_path(pad: Any) -> None:
     folds = ss.folds(pad.Parameters(), vary="mu0", between={"mu0": (0.0, 1.0)})
     born, ends = folds.mu0.tolist()

@@ -107,7 +107,7 @@ def test_pieces_lie_about_the_folds_of_all_their_points() -> None:
     assert np.median(np.divide(told, spread)) < 4
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 @pytest.mark.parametrize(("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)])
 def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
     found = SEARCH.jump_probability(sets(SEARCH, BOX), n=256, rng=1, replicates=2, max_boxes=boxes)
@@ -148,7 +148,7 @@ page.friction(x, V, lambda v: mu0 * (1 - exp(-d * v)), at_rest=mu0)
 '''
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_probability_bracket_and_shares_are_those_of_a_closed_form() -> None:
     """mu0 and kappa uniform in [0, 1]: P = 1 − A + A ln A, and the variance of P given one of them is 1 − A² + 2 A ln A − P²."""
     pytest.importorskip("sympy")

@@ -96,7 +96,7 @@ def test_a_box_that_makes_no_sense(within: Any, error: type[Exception]) -> None:
         ss.equilibria(model.Parameters(theta0=1.0), within=within)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_range_that_was_cut_is_not_complete() -> None:
     model = ss.load("kang_nam").search
     p = model.Parameters(theta0=1.0)
@@ -117,6 +117,7 @@ def test_commands_say_what_was_searched(run: Run) -> None:
     assert "none" not in run("folds", "--model", "stick_slip", "--vary", "V")
 
 
+@pytest.mark.by_hand("trolley", "stribeck", "hertz_contact")
 @pytest.mark.parametrize(
     "name",
     few(

@@ -181,6 +181,7 @@ def assert_alike(one, other):
         assert (other is None) or one == (pytest.approx(other, abs=1e-7) if isinstance(other, float) else other)
 
 
+@pytest.mark.by_hand("critical")
 @pytest.mark.thorough
 @pytest.mark.parametrize("words", ["folds --vary theta0", "critical --theta0 40", "path --theta0 40 --vary mu0=0:0.9:3"])
 def test_commands_say_by_search_what_closed_forms_say(words, run):

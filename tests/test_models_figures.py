@@ -42,6 +42,7 @@ def test_the_bifurcation_set_on_given_axes(ax, found):
     assert np.allclose(lines[-1].get_ydata(), found.cusps.mu0)
 
 
+@pytest.mark.by_hand("trolley", "pad_on_disc", "two_springs", "sprag_rod", "stribeck")
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(shipped(), "mode_coupling"))
 def test_curves_pass_through_all_equilibria(name, ax):
@@ -195,7 +196,7 @@ def test_what_can_not_be_drawn_is_named(options, told, ax):
         figures.plot_equilibria(ss.Parameters(theta0=0.9), **options, ax=ax)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_marginal_state_keeps_its_type_without_dampers():
     p = ss.load("pad_on_disc").Parameters(theta0=1.53)
     found = figures.branches(p, "kappa", 0.001, 0.017, contact=False, damping=True, n=20)

@@ -126,7 +126,7 @@ def _stiffness_of_trolley(q, at):
     return K
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_fold_next_to_the_end_of_an_angle_is_not_stepped_over():
     told = ["--mu0", "500", "--kappa", "1e-4", "--sigma", "0.1"]
     result = CliRunner().invoke(cli, ["critical", "--method", "search", *told, "--vary", "theta0", "--json"])
@@ -136,7 +136,7 @@ def test_a_fold_next_to_the_end_of_an_angle_is_not_stepped_over():
     assert abs(found["jumps"][0]["theta0_deg"] - np.degrees(known.min())) < 1e-12
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_curves_of_folds_are_smooth_to_their_cusps_and_the_ends_of_the_ranges():
     # The closed forms of the article's model give folds as near to its cusp as we like: none is farther from the drawn line than
     # a printed line is wide.
@@ -196,7 +196,7 @@ def test_an_onset_that_more_digits_do_not_prove_is_kept():
     _crosses(model, p, found, "zeta_s")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_what_is_open_at_an_end_without_friction_is_said():
     # At mu0 = 0 the spring stands upright, and K₁₂ K₂₁ vanishes with the square of mu0.
     model = ss.load("inclined_belt")

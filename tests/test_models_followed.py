@@ -88,7 +88,7 @@ def test_a_stable_state_between_two_that_are_not_ends_where_they_meet(load: list
     assert path.phi[np.array(load) <= 1] == pytest.approx(0.0, abs=1e-12)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 @pytest.mark.parametrize("start", ["small", "large", 0])
 def test_a_value_may_be_the_very_float_of_a_pitchfork(start: int | str, rod: Any) -> None:
     """There the state in which three meet is known: F = sin φ (cos φ − P) = −φ³/2 at P = 1, and φ = π."""
@@ -121,7 +121,7 @@ def fading() -> Any:
     return model_of(FADING, "fading")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_value_may_be_the_very_float_of_a_fold(fading: Any) -> None:
     """And another state may leave the region that is searched, without a fold, while the one that is followed goes on."""
     force = np.array([0.0, 0.25, 0.5])
@@ -159,7 +159,7 @@ def test_a_state_that_becomes_stable_between_two_others_is_followed(rod: Any) ->
     assert path.jumps == ()
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_of_two_states_that_are_equally_small_the_one_of_larger_coordinates_is_followed() -> None:
     """Not the one that rounding makes smaller; the fold is that of two bars, 2 (L^(2/3) − 1)^(3/2) with L² = 1 + h²."""
     arch = model_of(ARCH, "arch")
@@ -182,7 +182,7 @@ def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same
         assert (after["x"], after["y"]) == pytest.approx((np.sqrt(-y), y), abs=1e-12)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_mirror_may_exchange_two_springs() -> None:
     """A steep arch buckles sideways where 1 − L/l + L/l³ = 0, with l² = 1 + y² and L² = 1 + h², and comes to rest upside down.
 
@@ -205,7 +205,7 @@ def test_a_mirror_may_exchange_two_springs() -> None:
     assert path.stability.tolist() == [ss.Stability.STABLE] * 2
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_margin_asks_of_designs_below_where_the_parameter_begins(rod: Any) -> None:
     p, scale = rod.Parameters(e=0.02, P=0.7), {"e": 0.01, "P": 0.05}
     e = np.linspace(-0.3, 0.3, 20001)
@@ -217,7 +217,7 @@ def test_a_margin_asks_of_designs_below_where_the_parameter_begins(rod: Any) -> 
     assert begun == pytest.approx(cubic.jump_margin(p, {"mu0": 0.05}).distance, rel=1e-9)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_path_asks_nothing_of_what_lies_outside_of_its_values() -> None:
     cubic, pivoted = ss.load("cubic_contact"), ss.load("sprag_rod")
     path = cubic.quasi_static_path(cubic.Parameters(theta0=0.7), "kappa", [0.001, 0.1, 0.3])

@@ -24,6 +24,7 @@ def random_sets(seed: int, number: int) -> Any:
     return SEARCH.Parameters(theta0=rng.uniform(0.3, 1.4, number), beta=rng.uniform(0.0, 0.01, number), **some)
 
 
+@pytest.mark.by_hand("3000")
 @pytest.mark.thorough
 @pytest.mark.parametrize("number", [60, pytest.param(3000, marks=pytest.mark.thorough)])
 def test_they_are_those_of_closed_forms(number: int) -> None:
@@ -75,6 +76,7 @@ def test_other_parameters(vary: str) -> None:
         np.testing.assert_allclose(ss.jump_value(p, vary, direction=direction, method="search", until=until), theirs, rtol=1e-10)
 
 
+@pytest.mark.by_hand("cubic_contact", "pad_on_disc", "inclined_belt", "hertz_contact")
 @pytest.mark.parametrize("name", few(["two_springs", "cubic_contact", "inclined_belt", "hertz_contact", "pad_on_disc"]))
 def test_they_are_those_of_states_followed_one_by_one(name: str) -> None:
     model = ss.load(name)
@@ -92,7 +94,7 @@ def test_a_set_is_not_answered_for_another_model() -> None:
     assert ss.jump_value(p) == pytest.approx(0.5997681643, abs=1e-9)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_gradients_are_differences() -> None:
     model, h = ss.load("two_springs"), 1e-6
     p = model.Parameters(theta0=0.6)
@@ -152,7 +154,7 @@ def test_redesigns_are_those_of_closed_forms() -> None:
     assert 0.7 <= found.jump["mu0"] < 0.7 + 1e-8
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_nothing_ends_nearer_than_the_margin() -> None:
     """Of another model, where the nearest point lies on an end of a range."""
     model = ss.load("two_springs")
@@ -168,7 +170,7 @@ def test_nothing_ends_nearer_than_the_margin() -> None:
     assert not (model.jump_value(around) <= around.mu0).any()
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_new_design_of_another_model_keeps_its_target() -> None:
     model = ss.load("cubic_contact")
     p = model.Parameters(theta0=0.7, gamma=3000.0)
@@ -180,7 +182,7 @@ def test_a_new_design_of_another_model_keeps_its_target() -> None:
             model.redesign(p, *arguments)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_new_design_has_no_end_below_a_target_of_any_name() -> None:
     """Of a set at whose own mu_k the state has ended before."""
     model = ss.load("stribeck")

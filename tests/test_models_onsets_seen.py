@@ -90,7 +90,7 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 @pytest.mark.parametrize(("damping", "kind"), [(None, "hopf"), (False, "flutter")])
 def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
     chain: Any, monkeypatch: pytest.MonkeyPatch, damping: bool | None, kind: str
@@ -111,7 +111,7 @@ def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
         assert beside.stability[:, 0].tolist() == [ss.Stability.STABLE, ss.Stability.FLUTTER]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_what_is_not_decided_is_not_called_none(pad: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(points, "COSTLY_BUDGET", 40)
     told = CliRunner().invoke(cli, ["bifurcation", "--model", pad.where, "--vary", "mu_s=0.1:1.3"]).output

@@ -107,6 +107,7 @@ def states(model: Any, found: Any) -> np.ndarray:
     return np.array([found.coordinates[name][: int(found.count)] for name in model.coordinates]).T
 
 
+@pytest.mark.by_hand("1e-13")
 @pytest.mark.thorough
 @pytest.mark.parametrize("off", [1e-13, 1e-11, 1e-9, 1e-6, -1e-12])
 def test_equilibria_close_together_where_a_turn_ends_are_there_once(models: dict[str, Any], off: float) -> None:
@@ -292,7 +293,7 @@ def test_a_law_whose_slope_is_a_quotient_of_an_angle(models: dict[str, Any]) -> 
         assert np.allclose(slopes, want, rtol=1e-9)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_curves_of_folds_of_different_turns_are_not_joined(models: dict[str, Any]) -> None:
     """An arm that turns around many times has a curve of folds in each turn; they end at the borders of the plane."""
     model = models["rubbing_arm"]

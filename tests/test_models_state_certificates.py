@@ -54,6 +54,7 @@ def test_nothing_is_said_that_closed_forms_contradict(number: int, claim: str) -
         assert fails(ss.equilibria(found.counterexample, method="closed"), claim)
 
 
+@pytest.mark.by_hand("sprag_rod")
 @pytest.mark.thorough
 @pytest.mark.parametrize("claim", CLAIMS)
 @pytest.mark.parametrize("name", few(MODELS, "mode_coupling"))

@@ -213,6 +213,7 @@ def test_hopf_points_with_dampers_are_where_a_pair_crosses():
     assert np.abs(growth).max() < 1e-5
 
 
+@pytest.mark.by_hand("two_springs", "trolley")
 @pytest.mark.thorough
 @pytest.mark.parametrize("to", few([1.5, np.pi], 1.5))  # each takes seconds, and the first lies before 1.5
 @pytest.mark.parametrize(
@@ -340,6 +341,7 @@ def test_a_value_on_a_fold_is_the_fold_not_passed_yet(start, beside):
     same_path("theta0", [fold + off for off in beside], start, mu0=0.7)
 
 
+@pytest.mark.by_hand("large", "small-beside3", "small-beside2")
 @pytest.mark.thorough
 @pytest.mark.parametrize("way", [1, -1])
 @pytest.mark.parametrize(("start", "beside"), [

@@ -63,7 +63,7 @@ def test_a_border_that_nothing_improves_is_come_to_along_a_ray() -> None:
     assert nearest(lambda z: np.zeros(z.shape[:-1], dtype=bool), LIMITS, lambda _: None) is None
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_report_has_the_nearest_jump_of_every_model(tmp_path: Path) -> None:
     """A cubic contact without its cubic part is the article's, by search where that one has closed forms."""
     found = []

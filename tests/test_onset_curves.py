@@ -67,6 +67,7 @@ def test_stick_slip_in_closed_form() -> None:
     assert found.changes["error"].max() < 1e-6
 
 
+@pytest.mark.validate
 def test_other_lines_cross_the_curves_as_often_as_they_have_onsets(found: tuple[Any, Any]) -> None:
     p, curves = found
     for theta0 in (0.23, 0.61, 1.117, 1.9, 2.71):
@@ -186,7 +187,7 @@ def test_bogdanov_takens_points() -> None:
         assert min(np.hypot(theta0 - P["theta0"], mu0 - P["mu0"]) for theta0, mu0 in ends) < 0.05
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_zero_hopf_points(with_folds: Any) -> None:
     """One eigenvalue 0 and a pair on the axis, of equations written by hand; l₁ has a pole there, and no change is claimed."""
     points = with_folds.points
@@ -240,7 +241,7 @@ def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
     assert ends[0][1] == ends[1][0]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_command_lists_the_curves_and_the_points_on_them(run: Run, tmp_path: Path) -> None:
     asked = ["onsets", "--model", "stick_slip", "--vary", "V=0:1", "--vary", "zeta=0:2", "--n", "8"]
     told = json.loads(run(*asked, "--json"))
@@ -282,7 +283,7 @@ def falling() -> Any:
     return model_of(shipped_page("stribeck", *more), "falling")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses() -> None:
     """The trace of A is 0 there, by hand. Each pair has a curve: of three states two have two, the one that diverges one."""
     pytest.importorskip("sympy")

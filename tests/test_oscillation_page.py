@@ -17,6 +17,9 @@ ROWS = [row for row in page.rows() if row.command.startswith(page.QUICK)]
 MARKED = [pytest.param(row, marks=() if page.is_quick(row) else pytest.mark.thorough) for row in ROWS]
 
 
+@pytest.mark.by_hand(
+    "exponents of an irregular motion", "fate of rest, and x of the saddle", "those of its multipliers", "its Lyapunov"
+)
 @pytest.mark.parametrize("row", MARKED, ids=[row.what for row in ROWS])
 def test_numbers_are_those_of_the_command(row: page.Row) -> None:
     assert page.differences(row) == []
@@ -28,7 +31,7 @@ def test_a_wrong_digit_is_noticed() -> None:
     assert len(ROWS) > 8
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 @pytest.mark.parametrize("command", page.proofs())
 def test_proofs_are_printed_as_they_stand(command: str) -> None:
     pytest.importorskip("flint")

@@ -91,6 +91,7 @@ def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
     return along, tension * dy / length - mpmath.mpf(KAPPA) + n
 
 
+@pytest.mark.by_hand("waves")
 @pytest.mark.thorough
 def test_states_are_those_of_the_equations(model: Any) -> None:
     case, it = model
@@ -130,6 +131,7 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
                     assert float(H[i][j][k]) == pytest.approx(float(mpmath.diff(row, (x, y), both)), rel=1e-11, abs=1e-13)
 
 
+@pytest.mark.by_hand("waves")
 @pytest.mark.thorough
 def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     """Over a box of parameters the laws are asked for in affine arithmetic."""
@@ -163,6 +165,7 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     assert ends == pytest.approx(want.y[:, -1], abs=2e-7)
 
 
+@pytest.mark.by_hand("waves")
 @pytest.mark.thorough
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 def test_c_gives_the_numbers_of_python(model: Any, tmp_path: Path) -> None:

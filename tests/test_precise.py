@@ -134,7 +134,7 @@ def _run_threads(number: int, seconds: float) -> None:
     assert not faults, faults[:5]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_eight_threads() -> None:
     """``SPRAGSYM_SECONDS=300`` for five minutes of them."""
     _run_threads(8, float(os.environ.get("SPRAGSYM_SECONDS", "5")))

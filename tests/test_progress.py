@@ -25,6 +25,7 @@ def said_by(ask: Callable[[], Any]) -> list[str]:
     return told
 
 
+@pytest.mark.by_hand("<lambda>-whether the state", "<lambda>-3 lines")
 @pytest.mark.parametrize(
     ("ask", "expected"),
     [

@@ -16,6 +16,7 @@ from tests.support import few
 SEED, NUMBERS = 2, (0, 1, 2, 5, 6, 7, 8, 9)
 
 
+@pytest.mark.by_hand("1", "9", "0")
 @pytest.mark.thorough
 @pytest.mark.parametrize("number", few(NUMBERS, 2))
 def test_a_page_at_random_is_as_it_is_written(number: int) -> None:
@@ -48,7 +49,7 @@ def test_pages_are_the_same_wherever_they_are_drawn() -> None:
         assert sum(bool(getattr(page, part)) for page in drawn) > 10, part
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_reference_can_find_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     """With the gap's force turned round nothing is as it is written."""
     right = Reference.gap

@@ -71,7 +71,7 @@ def test_a_load_rises_to_where_the_truss_snaps(tmp_path: Path) -> None:
     assert "friction" not in found.text()
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_changes_keep_the_load_at_its_target(tmp_path: Path) -> None:
     study = truss(tmp_path, P="[230, 270] N", h="11.4 mm ± 1 %")
     found = study.report(oscillation=False, n=256)
@@ -147,6 +147,7 @@ def test_in_python_it_is_an_argument() -> None:
         ss.Study(values, model=str(derived(PAGE, "snapping_truss")), vary="P", begin=300.0)
 
 
+@pytest.mark.by_hand("283")
 @pytest.mark.thorough
 @pytest.mark.parametrize("load", [0.0, LOAD])
 def test_a_load_of_nothing_and_one_at_the_fold_have_their_page(load: float, tmp_path: Path) -> None:
@@ -186,6 +187,7 @@ def test_where_nothing_is_applied_it_may_have_jumped_already(tmp_path: Path) -> 
     assert any("1.2 times P = 0 N" in one for one in found.warnings)
 
 
+@pytest.mark.by_hand("900000")
 @pytest.mark.thorough
 @pytest.mark.parametrize("k", [0.9e6, 3e6])
 def test_every_brake_begins_at_the_same_load(k: float, tmp_path: Path) -> None:
@@ -198,7 +200,7 @@ def test_every_brake_begins_at_the_same_load(k: float, tmp_path: Path) -> None:
     assert ending(study, {**values, "k": np.full(2, k), "P": beside}).tolist() == [0, 1]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_brakes_below_where_it_begins_have_not_jumped(tmp_path: Path) -> None:
     found = truss(tmp_path, P="[180, 300] N", begin="190 N").report(**QUICKLY, n=256)
     assert found.probability is not None
@@ -228,7 +230,7 @@ def test_a_sentence_tells_a_load_from_where_it_jumps(share: float, tmp_path: Pat
     assert (yours < jump) == (share < 1)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Path) -> None:
     """A bar that is 12 % softer has snapped at 250 N, and would end nowhere above that."""
     study = truss(tmp_path, P="260 N", begin="250 N")
@@ -239,7 +241,7 @@ def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Pa
         assert one.jump_at == pytest.approx(snaps(values["k"], values["b"], values["h"]), rel=1e-9)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_friction_coefficient_by_another_name_counts_among_the_tolerances(tmp_path: Path) -> None:
     """The nearest jump is that of it alone, where nothing else has a tolerance."""
     model = derived(shipped_page("kang_nam").replace("mu0", "f"), "renamed").as_posix()

@@ -109,6 +109,7 @@ def test_the_text_has_the_forces_and_frequencies_of_the_state(report: ss.Report)
     assert f"force of the contact {here.contact_force_N:.5g} N" in said
 
 
+@pytest.mark.by_hand("True")
 @pytest.mark.parametrize("tolerances", few([True, False], False))
 def test_json_has_the_keys_of_the_contract(tolerances: bool, tmp_path: Path, run: Run) -> None:
     found = json.loads(run("report", str(written(tmp_path, {} if tolerances else EXACT | {"mu0": "0.45"})), "--json"))
@@ -137,7 +138,7 @@ def test_a_study_from_numbers_is_the_study_of_the_file(report: ss.Report) -> Non
     assert found.verdict == report.verdict
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_changes_keep_the_target_as_they_are_printed(study: ss.Study, redesigned: ss.Report) -> None:
     assert redesigned.target == pytest.approx(1.2 * study.friction[2])
     assert len(redesigned.redesign) >= 5
@@ -236,7 +237,7 @@ def test_mu0_and_d_of_one_fit_are_correlated(tmp_path: Path) -> None:
     assert together == pytest.approx(study.fit.correlation, abs=0.1)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_design_that_sprags_within_its_tolerances_only_is_called_so_and_gets_changes() -> None:
     found = ss.Study(brake(mu0=0.34), tolerance={"k": "15 %", "k_c": "15 %", "theta0": "2 deg"}).report(n=1024, oscillation=False)
     assert found.mu_jump > 0.34
@@ -336,7 +337,7 @@ def a_whole_page(study: ss.Study, report: ss.Report, file: Path, pictures: int) 
     return text
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: ss.Report, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     assert a_whole_page(study, report, tmp_path / "a.html", 4) == a_whole_page(study, report, tmp_path / "b.html", 4)
@@ -481,7 +482,7 @@ def test_a_cycle_in_seconds_millimetres_and_newtons(tmp_path: Path, run: Run) ->
     assert again["period_s"] == pytest.approx(found["period_s"], rel=1e-9)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_another_model_answers_what_the_article_s_answers_where_it_is_the_same(tmp_path: Path, run: Run) -> None:
     """Paths and forces of the page against the closed forms."""
     file = written(tmp_path, EXACT | CUBIC | {"mu0": "0.3"})
@@ -565,7 +566,7 @@ def test_quantities_with_which_friction_rises(model: str, more: dict[str, float]
         assert (more_of_it >= less * (1 - 1e-14)).all() == (name in found)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_with_another_model_the_same_brakes_jump(tmp_path: Path) -> None:
     """At the same corners and points of the tolerances as by closed forms, with the belt's speed among them."""
     other = studied(tmp_path, CUBIC | {"mu0": "[0.3, 0.4]", "V": "[0.1, 0.4] m/s"})
@@ -581,7 +582,7 @@ def test_with_another_model_the_same_brakes_jump(tmp_path: Path) -> None:
     assert odds.low < jumps.mean() < odds.high
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_with_another_model_tolerances_are_proved(tmp_path: Path) -> None:
     """Also those of the contact's stiffness, on which all parameters depend."""
     study = studied(tmp_path, CUBIC | {"mu0": "[0.25, 0.28]", "k_c": "1.5 kN/mm ± 5 %"})
@@ -618,7 +619,7 @@ def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tm
     assert ss.quasi_static_path(corner, "mu0", [0.0, 0.35]).jumps
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) -> None:
     """The cycle's forces are those of the article's."""
     study = studied(tmp_path, CUBIC)
@@ -665,7 +666,7 @@ def test_bounds_of_the_probability_hold_what_closed_forms_give(tmp_path: Path, r
     assert high - low < (0.5 if varies else 0.02)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_another_model_is_told_what_to_change(tmp_path: Path) -> None:
     """Tubes and closed forms propose the same changes, nearly."""
     rows = {"k_c": "1500 N/mm", "k_x": "9 N/mm", "mu0": "[0.3, 0.35]"}
@@ -699,7 +700,7 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert all(state.contact_force_N is not None and math.isfinite(state.contact_force_N) for state in found.states)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
     """A law may say more at the belt's speed than μ₀, up to which the state was followed."""
     law = "mu0 * (1 - exp(-d * Abs(v))) * (1 + 2 * exp(-d * Abs(v))) * sgn(v)"
@@ -745,7 +746,7 @@ def told(tmp_path: Path, model: str, rows: dict[str, str | None], **options: Any
 FALL = 'v_s = page.parameter("v_s", "m/s", "fall speed", "> 0", 0.5)\n'
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_on_a_slow_belt_another_model_is_proved_as_the_articles_is(tmp_path: Path) -> None:
     rows = {"V": "0.6 m/s", "mu0": "[0.65, 0.7]"}
     dampers = dict.fromkeys(("c_x", "c_y", "c_s"), "0 N*s/m")
@@ -778,7 +779,7 @@ def test_a_motion_falls_only_where_steady_sliding_holds_it(tmp_path: Path) -> No
     assert found.verdict.endswith("Steady sliding is unstable: small disturbances grow.")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_without_at_rest_the_friction_is_that_at_the_belts_speed(tmp_path: Path) -> None:
     model = with_law("mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
     works = -math.expm1(-0.7)
@@ -792,7 +793,7 @@ def test_without_at_rest_the_friction_is_that_at_the_belts_speed(tmp_path: Path)
     assert low < (1.3 - JUMPS / works) / 0.3 < high < low + 0.01
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_key_of_critical_and_report_means_one_thing(tmp_path: Path, run: Run) -> None:
     """Where a part of mu0 works, mu0 at the jump and the friction there are two numbers."""
     model = with_law("mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "")
@@ -806,7 +807,7 @@ def test_a_key_of_critical_and_report_means_one_thing(tmp_path: Path, run: Run) 
         assert critical[key] == pytest.approx(report[key], rel=1e-9), key
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_law_may_say_more_than_at_full_slip(tmp_path: Path) -> None:
     law = "mu0 * (1 + exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v)"
     model = with_law(law, ", at_rest=mu0", FALL)
@@ -822,7 +823,7 @@ def test_a_law_may_say_more_than_at_full_slip(tmp_path: Path) -> None:
     assert "at lower speeds, from V = 0.378 m/s on" in found.verdict
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_worst_of_the_tolerances_may_change_with_the_speed(tmp_path: Path) -> None:
     law = "mu0 * (1 + 2 * Abs(v) / v_s * exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v)"
     model = with_law(law, ", at_rest=mu0", FALL)
@@ -833,7 +834,7 @@ def test_the_worst_of_the_tolerances_may_change_with_the_speed(tmp_path: Path) -
     assert 0.99 * right < found.facts.speed < right + 1e-4
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_law_that_mu0_does_not_scale_is_taken_at_full_slip(tmp_path: Path) -> None:
     more = 'mu_1 = page.parameter("mu_1", "1", "more friction", ">= 0", 0.1)\n'
     model = with_law("(mu_1 + mu0) * (1 - exp(-d * Abs(v))) * sgn(v)", ", at_rest=mu0 + mu_1", more)
@@ -888,7 +889,7 @@ def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> N
     assert spectrum.lines[0].get_xdata()[1] == pytest.approx(1 / (150.0 * math.sqrt(0.35 / 1.5e6)), rel=1e-6)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_slow_belt_is_judged_up_to_full_slip() -> None:
     """d V = 0.3: 26 % of the friction works. The speed by hand: mu0 (1 − exp(−d V)) = the friction of the jump."""
     found = ss.Study(brake(mu0=0.5, V=0.03)).report(redesign=False)
@@ -1023,7 +1024,7 @@ def test_a_remark_names_places_in_the_units_of_the_file(study: ss.Study) -> None
     assert Units(study.dimensionless.model).said(["x in [0, 1]"]) == ["x in [0, 1]"]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_path: Path) -> None:
     """What is stable is so with the law's own damping, and an oscillation is looked for, by any name."""
     pytest.importorskip("sympy")
@@ -1043,7 +1044,7 @@ def test_a_report_is_the_same_whatever_the_page_calls_the_speed_of_its_belt(tmp_
     assert '"oscillation": null' not in told["U"]
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_what_the_friction_law_alone_takes_may_be_left_out_whatever_it_is_called(tmp_path: Path) -> None:
     """Friction is μ₀ then, as for changes where a faster belt makes it jump; of another law nothing may be missing."""
     pytest.importorskip("sympy")

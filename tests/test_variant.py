@@ -39,6 +39,7 @@ def edit(path: Path, diff: str) -> None:
     path.write_text(text, encoding="utf-8")
 
 
+@pytest.mark.by_hand("Add a viscous")
 @pytest.mark.thorough
 @pytest.mark.parametrize("title", ["Add a viscous damper along the belt", "Change the friction law"])
 def test_the_page_does_what_it_says(title: str, tmp_path: Path) -> None:
@@ -77,7 +78,7 @@ def _variant(tmp_path: Path, *changes: tuple[str, str]) -> subprocess.CompletedP
 LAW = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_number_that_is_new_is_an_argument_where_it_appears(tmp_path: Path) -> None:
     """As CONTRIBUTING says: a second friction coefficient, which friction itself takes as an argument."""
     done = _variant(

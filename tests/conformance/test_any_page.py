@@ -11,7 +11,7 @@ import pytest
 from tests.conformance.models import PAGES, TESTS
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_command_shows_its_table_and_runs_what_is_about_one_model(tmp_path: Path) -> None:
     pytest.importorskip("sympy")
     page = tmp_path / "mine.py"

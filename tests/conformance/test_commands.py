@@ -110,6 +110,7 @@ def test_a_second_witness_is_an_option(run: Run) -> None:
 # ----------------------------------------------------------------------------------------------- points and paths
 
 
+@pytest.mark.by_hand("soft_brake", "trolley")
 @pytest.mark.parametrize("name", few(MODELS, "kang_nam"))
 def test_folds_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     told = json.loads(run("folds", *of(name), "--json"))
@@ -135,6 +136,7 @@ def _degrees(model: ss.Model, name: str, values: Any) -> list[float]:
     return [math.degrees(value) if name in model.about["angles"] else value for value in values.tolist()]
 
 
+@pytest.mark.by_hand("trolley", "pad_on_disc", "soft_brake", "two_springs", "inclined_belt")
 @pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "kang_nam"))
 def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
     told = json.loads(run("bifurcation", *of(name), "--vary", load(name).axes[0], "--json"))
@@ -156,6 +158,7 @@ def test_a_model_without_a_plane_of_its_own_says_how_cusps_are_asked_for(capsys:
         assert ("--vary mu0 --vary NAME" in capsys.readouterr().err) is said
 
 
+@pytest.mark.by_hand("soft_brake", "trolley", "pad_on_disc")
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
 def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
@@ -173,6 +176,9 @@ def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
 CRITICAL = [name for name in MODELS if name != "soft_brake"]
 
 
+@pytest.mark.by_hand(
+    "hertz_contact", "two_springs", "cubic_contact", "trolley", "damped", "inclined_belt", "pad_on_disc", "soft_brake"
+)
 @pytest.mark.parametrize("name", few(CRITICAL, "kang_nam", "stick_slip"))
 def test_critical_values_have_the_same_keys(name: str, run: Run) -> None:
     model = load(name)
@@ -189,6 +195,7 @@ def test_critical_values_have_the_same_keys(name: str, run: Run) -> None:
     )
 
 
+@pytest.mark.by_hand("soft_brake", "sprag_rod")
 @pytest.mark.parametrize("name", few(MODELS, "stick_slip", "mode_coupling", "kang_nam"))
 def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     model = load(name)
@@ -252,6 +259,7 @@ def test_cycles_of_every_model_are_asked_for_alike(name: str, run: Run) -> None:
     assert f"Give it as {vary}=FROM:TO" in run("cycles", *of(name), "--vary", vary, code=2)
 
 
+@pytest.mark.by_hand("sprag_rod", "hertz_contact", "mode_coupling", "cubic_contact", "inclined_belt", "pad_on_disc")
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(MOVING, "stick_slip"))
 def test_maps_of_fates_of_every_model_say_what_python_says_of_one_motion(name: str, tmp_path: Path, run: Run) -> None:

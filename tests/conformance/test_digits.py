@@ -202,6 +202,7 @@ def test_cusps_at_the_end_of_a_range_are_not_denied_by_search() -> None:
     assert not precise.cusps(p, method="search", between={"mu0": (0, 1)}).complete
 
 
+@pytest.mark.by_hand("soft_brake", "hertz_contact", "pad_on_disc")
 @pytest.mark.parametrize("name", few([name for name in MODELS if len(load(name).axes) == 2]))
 def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
     p = a_set(name)

@@ -170,7 +170,7 @@ def test_what_has_jumped_has_two_witnesses() -> None:
         ss.load("stribeck").have_jumped(a_set("stribeck"))
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_design_is_one_of_its_model() -> None:
     """Quantities with units stand for a set of the model, and for none of another."""
     brake = {"m": 0.35, "k_c": 1.5e6, "L_0": 0.038, "theta0": 0.9, "mu0": 0.3, "F_L": 420.0, "k_x": 9e3, "k": 1.8e5, "k_y": 0.0}
@@ -197,7 +197,7 @@ def test_friction_is_that_of_the_law_and_needs_no_angle() -> None:
         p.model.friction(p, "zork")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_the_friction_that_works_is_the_models_own_law(tmp_path: Path) -> None:
     """μ₀ tanh(d V), where the article's law would give μ₀ (1 − exp(−d V))."""
     pytest.importorskip("sympy")

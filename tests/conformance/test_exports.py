@@ -102,6 +102,7 @@ def test_every_language_is_run() -> None:
     assert set(RUN) == set(languages())
 
 
+@pytest.mark.by_hand("c-sprag_rod")
 @pytest.mark.parametrize("name", few(MODELS, "pressed"))
 @pytest.mark.parametrize("language", RUN)
 def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_path: Path) -> None:

@@ -47,6 +47,17 @@ def keys_of_the_article() -> list[str]:
         return list(ss.Study.from_file(a_brake("kang_nam", Path(folder))[0]).report(**LESS).to_dict())
 
 
+@pytest.mark.by_hand(
+    "hertz_contact",
+    "soft_brake",
+    "two_springs",
+    "damped",
+    "trolley",
+    "cubic_contact",
+    "inclined_belt",
+    "pad_on_disc",
+    "sprag_rod",
+)
 @pytest.mark.parametrize("name", few(MODELS, "stick_slip", "mode_coupling"))
 def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path: Path) -> None:
     file, p, length = a_brake(name, tmp_path)
@@ -87,7 +98,7 @@ def test_every_model_has_a_file_to_begin_with(name: str, tmp_path: Path) -> None
     assert isinstance(CliRunner().invoke(report, ["--model", place(name)]).exception, SystemExit)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_study_is_the_same_from_python_and_from_a_file(tmp_path: Path) -> None:
     for name in ("two_springs", "kang_nam"):
         file, _, _ = a_brake(name, tmp_path)
@@ -104,7 +115,7 @@ def test_a_study_is_the_same_from_python_and_from_a_file(tmp_path: Path) -> None
         ss.Study(ss.load("two_springs").Parameters(), model="two_springs")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_two_springs_have_forces_lengths_and_directions(tmp_path: Path) -> None:
     """By hand: the tension of a spring is its stiffness times what it is longer than without load."""
     file, p, length = a_brake("two_springs", tmp_path)

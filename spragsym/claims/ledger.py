@@ -45,7 +45,7 @@ class Statement:
     stated: str
     compute: Callable[[], Found]
     outcome: str  #: in words, if the computation holds
-    test: str  #: in tests/test_claims.py
+    test: str  #: in tests/article/test_claims.py
     command: str
     status: Status = Status.REPRODUCED  #: if the computation holds
     digits: int = 12  #: of the computed numbers
@@ -117,7 +117,7 @@ def _row(statement: Statement) -> Row:
         digits=statement.digits,
         tolerance=statement.tolerance,
         command=statement.command,
-        test=f"tests/test_claims.py::{statement.test}",
+        test=f"tests/article/test_claims.py::{statement.test}",
         consequence=statement.consequence,
         values={name: _rounded(value, statement.digits) for name, value in found.values.items()},
     )

@@ -8,7 +8,7 @@ from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
-#: What a motion's record is made by: rooms, and single modules. ``tests/test_sweeps.py`` compares them with what is imported.
+#: What a motion's record is made by: rooms, and single modules. ``test_sweeps`` compares them with what is imported.
 DECIDING = (
     "dynamics", "exact", "generated", "kang_nam", "parameters", "results", "models/field.py", "models/problems.py",
     "sweeps/measure.py", "sweeps/result.py", "sweeps/code.py",

@@ -26,9 +26,8 @@ from spragsym.cli import cli
 from spragsym.cli.check import check as check_command
 from spragsym.dynamics import simulate
 from tests.oracles import article_motion
-from tests.support import LONG_MOTIONS_TAKE_MINUTES
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT
 
-ROOT = Path(__file__).parents[1]
 BASE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
 EXACT = {"mu0": "0.5", "kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0"}
 

@@ -19,8 +19,8 @@ from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.catastrophe.normal_forms import BALLS, _pair, _Side, normal_form
 from tests.oracles import hopf_points
+from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from tests.support import ROOT, model_of, needs_a_quick_integrator
-from tests.test_documents import DOCS, OPTIONS, assert_shown, commands, fenced, run
 
 
 def onsets_of(name: str, vary: str, **values: float) -> Any:
@@ -76,7 +76,7 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
 @pytest.mark.validate
 def test_a_torsion_spring_against_equations_written_by_hand() -> None:
     pytest.importorskip("sympy")
-    model = model_of((ROOT / "tests/soft_brake.py").read_text(encoding="utf-8"), "soft_brake")
+    model = model_of((ROOT / "tests/oracles/pages/soft_brake.py").read_text(encoding="utf-8"), "soft_brake")
     onsets = ss.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
     exact = hopf_points.reference_of(onsets, 0)
     assert abs(mpmath.mpf(float(onsets.lyapunov[0])) - exact.lyapunov) <= onsets.lyapunov_error[0] < 1e-9
@@ -304,7 +304,7 @@ def test_what_a_cycle_at_an_onset_is_asked_with(stick_slip: Any) -> None:
     for words, given, named in (
         ((), {"onset": stick_slip, "index": 2}, "2 onsets.* 0 to 1"), ((), {"onset": stick_slip, "index": 1.0}, "index|number"),
         ((p,), {"onset": stick_slip}, "p and near"), ((), {"onset": stick_slip, "amplitude": -1.0}, "amplitude"),
-        ((), {"onset": 3}, r"model\.flutter_onsets"), ((), {}, "p is missing"),
+        ((), {"onset": 3}, r"ss\.flutter_onsets"), ((), {}, "p is missing"),
     ):  # fmt: skip
         with pytest.raises((ss.ParameterError, ss.ParameterTypeError), match=named):
             ss.cycle(*words, **given)

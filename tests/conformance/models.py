@@ -15,7 +15,7 @@ from tests.support import derived
 
 TESTS = Path(__file__).resolve().parent.parent
 #: Pages of the tests: a torsion spring on a belt that hardens, and a belt that leans, without angles.
-PAGES = (TESTS / "soft_brake.py", TESTS / "pressed.py")
+PAGES = (TESTS / "oracles/pages/soft_brake.py", TESTS / "oracles/pages/pressed.py")
 #: Where ``python -m tests.conformance`` leaves the pages and folders that are asked for, in place of all others.
 ASKED = "SPRAGSYM_CONFORMANCE"
 

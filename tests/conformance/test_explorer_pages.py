@@ -15,7 +15,7 @@ import pytest
 import spragsym as ss
 from spragsym.cli.explore import page as page_of
 from tests.conformance.models import MODELS, load, place
-from tests.explorer_pages import WITHOUT_WEBGL, Explorer, chromium
+from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
 from tests.support import few
 
 pytest.importorskip("sympy", reason="SymPy is not installed: pages of models are derived")

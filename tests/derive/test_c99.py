@@ -23,9 +23,9 @@ from spragsym.derive.emit.targets.c99 import cost
 from spragsym.kang_nam.statics import adaptive_precision, kernel
 from tests.oracles import c_target, languages, reference
 from tests.oracles.families import FAMILIES
-from tests.support import few, in_python, leaves, lowest_sets
+from tests.support import ROOT, few, in_python, leaves, lowest_sets
 
-SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
+SOURCES = ROOT / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "driver.c"
 HEADER = (SOURCES / "spragsym.h").read_text(encoding="utf-8")
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)] or [name for name in ("cc",) if shutil.which(name)]

@@ -21,9 +21,9 @@ from spragsym.derive.emit.targets.python import algebra as python
 from spragsym.derive.kang_nam import article, check, elimination, emission, stability, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.generated import SOURCE_HASH
-from tests.test_documents import assert_shown, commands
+from tests.shown import assert_shown, commands
+from tests.support import ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
 COMMITTED = ROOT / "generated"
 
 

@@ -20,8 +20,8 @@ from spragsym.cli import cli
 from spragsym.parameters import NAMES
 from tests.oracles import article_motion, languages
 from tests.oracles.languages import NODE, STABILITY, answers, values
-from tests.support import few, in_python, leaves, lowest_sets
-from tests.test_documents import ROOT, fenced
+from tests.shown import fenced
+from tests.support import ROOT, few, in_python, leaves, lowest_sets
 
 MODULE = ROOT / "generated" / "javascript" / "spragsym.mjs"
 PAGE = ROOT / "docs" / "howto_javascript.md"

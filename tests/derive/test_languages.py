@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.test_documents import ROOT, assert_shown, commands, run
+from tests.shown import assert_shown, commands, run
+from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
 #: Modules of spragsym that every room may use.
@@ -148,7 +149,7 @@ def test_generated_c_comes_out_formatted() -> None:
         pytest.skip("clang-format is not installed")
     published = ROOT / "generated" / "c"
     texts = {name: (published / name).read_text(encoding="utf-8") for name in ("spragsym.h", "spragsym.c", "main.c")}
-    another = export.export(ROOT / "tests/pressed.py", "pressed", "c")
+    another = export.export(ROOT / "tests/oracles/pages/pressed.py", "pressed", "c")
     for path in ("pressed.h", "pressed.c"):
         assert not re.search(r"spragsym_|theta|@(?!file|param|return)", another[path], re.IGNORECASE), path
     for name, text in {**texts, **{name: text for name, text in another.items() if name != "Makefile"}}.items():

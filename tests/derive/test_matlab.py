@@ -19,8 +19,8 @@ from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
 from spragsym.parameters import NAMES
 from tests.oracles import article_motion, languages
 from tests.oracles.languages import OCTAVE, octave
-from tests.support import in_python, leaves, lowest_sets
-from tests.test_documents import ROOT, fenced
+from tests.shown import fenced
+from tests.support import ROOT, in_python, leaves, lowest_sets
 
 FOLDER = ROOT / "generated" / "matlab"
 PAGE = ROOT / "docs" / "howto_matlab.md"

@@ -20,9 +20,7 @@ from spragsym.cli.of_model import OfModel
 from spragsym.derive import limits, pages, reserved
 from spragsym.derive.model import PageError
 from tests.conftest import Run
-from tests.support import few, model_of, replaced
-
-ROOT = Path(__file__).parent.parent
+from tests.support import ROOT, few, model_of, replaced
 
 PAGE = '''r"""A mass on a belt."""
 import sympy as sp

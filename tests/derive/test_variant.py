@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.test_documents import ROOT, assert_shown, commands, run
+from tests.shown import assert_shown, commands, run
+from tests.support import ROOT
 
 pytest.importorskip("sympy")
 

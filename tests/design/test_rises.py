@@ -14,11 +14,11 @@ import pytest
 
 import spragsym as ss
 from spragsym.studies.jump_verdicts import ending
-from tests.support import derived, shipped_page, written_brake
+from tests.support import ROOT, derived, shipped_page, written_brake
 
 pytest.importorskip("sympy")
 
-PAGE = Path(__file__).with_name("snapping_truss.py").read_text(encoding="utf-8")
+PAGE = (ROOT / "tests/oracles/pages/snapping_truss.py").read_text(encoding="utf-8")
 TRUSS = {"m": "0.35 kg", "k": "1500 N/mm", "b": "38 mm", "h": "11.4 mm", "P": "200 N", "c": "70 N s/m"}
 BRAKE = {
     "m": "0.35 kg", "k": "180 N/mm", "k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm", "F_L": "420 N ± 10 %", "L_0": "38 mm",

@@ -5,11 +5,9 @@ from __future__ import annotations
 import doctest
 import importlib
 import inspect
-import os
 import pkgutil
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,46 +16,8 @@ import numpy as np
 import pytest
 
 import spragsym
-from tests.support import LONG_MOTIONS_TAKE_MINUTES, needs_a_quick_integrator
-
-ROOT = Path(__file__).resolve().parent.parent
-README = ROOT / "README.md"
-OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-
-
-def fenced(path: Path, language: str) -> list[str]:
-    """Blocks of one language."""
-    return re.findall(rf"^```{language}\n(.*?)^```$", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
-
-
-def commands(path: Path) -> list[tuple[str, str]]:
-    """Commands of console blocks, each with the output that is shown below it."""
-    found = []
-    for block in fenced(path, "console"):
-        for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
-            command, _, output = part.partition("\n")
-            found.append((command, output))
-    return found
-
-
-def run(command: str, folder: Path) -> str:
-    """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path."""
-    if os.name != "posix" or not shutil.which("bash"):
-        pytest.skip("needs bash")
-    environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
-    environment["PYTHONIOENCODING"] = "utf-8"  # as it is read here
-    environment.pop("FORCE_COLOR", None)
-    done = subprocess.run(
-        ["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=300
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
-def assert_shown(shown: str, given: str) -> None:
-    """Output as shown, where ``...`` stands for anything."""
-    assert doctest.OutputChecker().check_output(shown, given, OPTIONS), f"shown:\n{shown}\ngiven:\n{given}"
-
+from tests.shown import DOCS, OPTIONS, README, assert_shown, commands, fenced, run
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, needs_a_quick_integrator
 
 # ---------------------------------------------------------------------------------------------------- docstrings
 
@@ -172,8 +132,6 @@ def test_citation() -> None:
 
 
 # --------------------------------------------------------------------------------------------------------- pages
-
-DOCS = ROOT / "docs"
 
 
 def test_the_theory_names_what_exists() -> None:

@@ -21,9 +21,8 @@ from pathlib import Path
 import pytest
 
 import spragsym
-from tests.support import NO_ENVIRONMENT, few
+from tests.support import NO_ENVIRONMENT, ROOT, few
 
-ROOT = Path(__file__).resolve().parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 #: What ``pip install spragsym`` brings, by the names of its folders in site-packages.

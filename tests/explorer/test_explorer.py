@@ -23,10 +23,9 @@ from spragsym.cli.explore import explore
 from spragsym.explorer import Preset, explorer_page
 from spragsym.explorer.described import described
 from spragsym.parameters import NAMES
-from tests.explorer_pages import WITHOUT_WEBGL, Explorer, chromium
-from tests.support import derived
+from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
+from tests.support import ROOT, derived
 
-ROOT = Path(__file__).resolve().parent.parent
 ASSETS = ROOT / "spragsym" / "explorer" / "assets"
 SOURCES = ROOT / "explorer"
 NODE = shutil.which("node")

@@ -13,9 +13,9 @@ import pytest
 import spragsym as ss
 from spragsym.explorer import explorer_page
 from spragsym.parameters import NAMES
-from tests.explorer_pages import Explorer, firefox
+from tests.explorer.pages import Explorer, firefox
 
-pytestmark = pytest.mark.thorough  # a second browser; tests/test_explorer.py has all questions in the first
+pytestmark = pytest.mark.thorough  # a second browser; tests/explorer/test_explorer.py has all questions in the first
 
 BASE = ss.Parameters.article()
 

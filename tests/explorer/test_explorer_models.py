@@ -16,7 +16,7 @@ pytest.importorskip("sympy", reason="SymPy is not installed: pages of models are
 import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.derive.folder import write_page
-from tests.explorer_pages import Explorer, chromium
+from tests.explorer.pages import Explorer, chromium
 
 
 @pytest.fixture(scope="module")

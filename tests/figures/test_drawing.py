@@ -7,14 +7,13 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tests.test_documents import ROOT
-
 pytest.importorskip("sympy")
 
 import sympy as sp
 
 from spragsym.derive import drawing, pages, shapes
 from spragsym.derive.model import Page
+from tests.support import ROOT
 
 IMAGES = ROOT / "docs" / "images" / "models"
 NAMES = sorted(path.stem for path in pages.shipped())

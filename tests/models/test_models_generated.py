@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import json
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -12,7 +11,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-FOLDER = Path(__file__).resolve().parent.parent / "generated/models"
+from tests.support import ROOT
+
+FOLDER = ROOT / "generated/models"
 NAMES = sorted(path.parent.name for path in FOLDER.glob("*/model.json"))
 
 mp.mp.dps = 15  # tests raise it where they need more

@@ -17,8 +17,7 @@ from spragsym.generated import scales
 from spragsym.generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 from spragsym.models.load import shipped
 from spragsym.parameters import RANGES, range_of
-
-ROOT = Path(__file__).resolve().parent.parent
+from tests.support import ROOT
 
 
 def literals(path: Path) -> set[str]:

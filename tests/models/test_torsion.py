@@ -25,12 +25,11 @@ from spragsym.exact.jets import Jet, argument, turned
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.mechanics.precise_balance import ball
-from tests.support import model_of
-from tests.test_documents import ROOT
+from tests.support import ROOT, model_of
 
 pytest.importorskip("sympy")
 
-PAGE = ROOT / "tests/soft_brake.py"
+PAGE = ROOT / "tests/oracles/pages/soft_brake.py"
 #: Places (x, y) and angles θ₀: near rest, far turned, beside the ray φ = ±π, close to the anchor.
 PLACES = [(0.1, -0.02, 0.8), (1.3, 0.2, 0.8), (1.5, 1.2, 0.8), (1.4, 1.46, 0.7), (0.69, 0.72, 0.8), (-0.5, 2.0, 2.2)]
 VALUES = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "tau": 0.03, "gamma": 5.0, "V": 0.5, "d": 10.0}
@@ -372,7 +371,7 @@ def test_the_explorer_has_the_states_and_the_motion(model: Any, tmp_path: Path) 
     from click.testing import CliRunner
 
     from spragsym.cli.explore import explore
-    from tests.explorer_pages import Explorer, chromium
+    from tests.explorer.pages import Explorer, chromium
 
     out = tmp_path / "page.html"
     done = CliRunner().invoke(explore, ["--model", model.where, "--out", str(out), "--no-open"])

@@ -28,7 +28,7 @@ from spragsym.files import locks, storage
 from spragsym.files.journal import journal, path_of
 from spragsym.sweeps import rms_sweep
 from tests.oracles import sweep_attacks as attack
-from tests.support import needs_posix
+from tests.support import ROOT, needs_posix
 
 pytest.importorskip("xarray")
 P, SHORT = attack.P, attack.SHORT
@@ -403,7 +403,7 @@ def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: 
         "except StoreError as error: sys.exit(str(error))"
     )
     call = [sys.executable, "-B", "-c", code, str(limit), str(path)]
-    process = begin(call, cwd=Path(__file__).parents[1], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = begin(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 1
     assert said.count("\n") == 1, said

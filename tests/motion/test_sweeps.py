@@ -24,7 +24,7 @@ from spragsym.dynamics import Event, Regime, simulate
 from spragsym.files import storage
 from spragsym.kang_nam.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
-from tests.support import needs_a_quick_integrator, needs_posix
+from tests.support import ROOT, needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -329,7 +329,7 @@ def test_progress_goes_to_stderr_only_when_asked(capsys: pytest.CaptureFixture[s
 @pytest.mark.thorough
 def test_the_page_on_clusters_runs(capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("distributed")
-    page = (Path(__file__).parents[1] / "docs" / "howto_cluster.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "howto_cluster.md").read_text(encoding="utf-8")
     cells = re.findall(r"^```\{code-cell\} python\n(.*?)^```$", page, flags=re.DOTALL | re.MULTILINE)
     names: dict[str, object] = {"__name__": "page"}
     for cell in cells:

@@ -128,7 +128,7 @@ TURN_PARTS = 40_000
 
 
 def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
-    """All states of ``tests/soft_brake.py``, an inclined spring with a torsion spring at its anchor, as (x, y), sorted.
+    """All states of ``tests/oracles/pages/soft_brake.py``, an inclined spring with a torsion spring at its anchor, as (x, y), sorted.
 
     With the angle φ of the torsion spring given, the balance along the spring is a quadratic equation in its length, linear in
     lift-off, and the balance across it a function of φ on each branch of its roots. Changes of sign on a grid are refined, which is

@@ -14,12 +14,11 @@ from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics.regions import region
 from spragsym.models.statics.remarks import of_boxes
 from tests.oracles.model_references import turned_spring
-from tests.support import few, model_of, replaced
-from tests.test_documents import ROOT
+from tests.support import ROOT, few, model_of, replaced
 
 pytest.importorskip("sympy")
 
-PAGE = (ROOT / "tests/soft_brake.py").read_text(encoding="utf-8")
+PAGE = (ROOT / "tests/oracles/pages/soft_brake.py").read_text(encoding="utf-8")
 NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
 
 

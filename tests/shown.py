@@ -1,0 +1,53 @@
+"""What documents show: their blocks, their commands with the output below, and how it is compared with what runs."""
+
+from __future__ import annotations
+
+import doctest
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.support import ROOT
+
+DOCS = ROOT / "docs"
+README = ROOT / "README.md"
+OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+def fenced(path: Path, language: str) -> list[str]:
+    """Blocks of one language."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+def commands(path: Path) -> list[tuple[str, str]]:
+    """Commands of console blocks, each with the output that is shown below it."""
+    found = []
+    for block in fenced(path, "console"):
+        for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
+            command, _, output = part.partition("\n")
+            found.append((command, output))
+    return found
+
+
+def run(command: str, folder: Path) -> str:
+    """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path."""
+    if os.name != "posix" or not shutil.which("bash"):
+        pytest.skip("needs bash")
+    environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
+    environment["PYTHONIOENCODING"] = "utf-8"  # as it is read here
+    environment.pop("FORCE_COLOR", None)
+    done = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def assert_shown(shown: str, given: str) -> None:
+    """Output as shown, where ``...`` stands for anything."""
+    assert doctest.OutputChecker().check_output(shown, given, OPTIONS), f"shown:\n{shown}\ngiven:\n{given}"

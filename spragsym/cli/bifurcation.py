@@ -14,7 +14,7 @@ import spragsym as ss
 
 from ..errors import ParameterError
 from ..progress import show_progress
-from .drawings import written
+from .drawings import drawable, written
 from .of_model import Case, method, of_model
 from .options import as_json
 from .points import points_of, print_points
@@ -100,8 +100,8 @@ def plane(case: Case, vary: tuple[Typed, ...], plot: Path | None, force: bool) -
     along = [span(case, typed, "") for typed in vary or [Typed(name, name) for name in case.model.axes]]
     if len(along) > 2 or len({one.name for one in along}) < len(along):
         raise ParameterError(f"--vary {' --vary '.join(typed.text for typed in vary)}: give one parameter, or two different ones")
-    if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
-        raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    if plot is not None:
+        drawable(plot)
     if plot is not None and len(along) < 2:
         raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
     refuse([] if plot is None else [plot], force)

@@ -8,11 +8,18 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ..errors import ParameterError
 from ..progress import show_progress
 
 if TYPE_CHECKING:
     from ..figures.labels import Shown
     from ..figures.style import Sheet
+
+
+def drawable(path: Path) -> None:
+    """Raise for a file of a kind that figures are not written in."""
+    if path.suffix not in (".pdf", ".png", ".svg"):
+        raise ParameterError(f"--plot {path}: the ending must be .pdf, .png or .svg")
 
 
 def written(path: Path, part: str, make: Callable[[], Sheet], axes: Iterable[tuple[Shown | None, Shown | None]] = ()) -> None:

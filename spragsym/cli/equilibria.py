@@ -4,28 +4,39 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 import spragsym as ss
 
 from ..errors import ConvergenceError
 from ..exact.decimals import upward
 from ..progress import show_progress
+from .drawings import drawable, written
 from .of_model import Case, method, of_model
 from .options import Numbers, as_json
-from .spans import Typed, box, span, vary, within
+from .spans import Span, Typed, box, span, vary, within
 from .states import boxes_of, rows_of, summed, unless_room
 from .tables import print_json, print_table
+from .targets import force, refuse
 
 
 @of_model(kind=Numbers, statics=True)
 @vary("What varies, with its ends: a parameter, or with --data a quantity of the file, as k_x=5:20 or mu0=0:1:11 for 11 values.")
 @within
 @method
+@click.option(
+    "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE",
+    help="Draw frequencies and growth rates in contact over what varies, with damping and without (pdf, png, svg).",
+)  # fmt: skip
+@force
 @as_json
-def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_output: bool) -> None:
+def equilibria(
+    case: Case, vary: Typed | None, within: tuple[Typed, ...], plot: Path | None, force: bool, json_output: bool
+) -> None:  # fmt: skip
     """All equilibria at one point, in contact and in lift-off, stable and unstable; or at many.
 
     Every parameter may be a number, numbers a,b,c, or start:stop:count; of several, all combinations.
@@ -37,6 +48,7 @@ def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_o
       spragsym equilibria --theta0 49 --mu0 0:1:11
       spragsym equilibria --data brake.toml --vary k_x=5:20
       spragsym equilibria --model cubic_contact --theta0 49
+      spragsym equilibria --model mode_coupling --vary mu0=0:1 --plot modes.pdf
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
@@ -48,6 +60,8 @@ def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_o
             raise click.UsageError(f"--vary {vary.text}: from where to where? Give it as {vary.text}=FROM:TO")
         case.values[along.name], titles[along.name] = along.values, (along.title, along.unit)
     case.require()
+    if plot is not None:
+        _draw(case, None if vary is None else along, plot, force)
     many = [name for name, value in case.values.items() if not isinstance(value, float) and value.ndim]
     asked = box(case, within)
     found = []
@@ -58,7 +72,7 @@ def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_o
         print_json({"model": case.model.name, **({"points": found} if many else found[0])})
         return
     rows = [row for point in found for row in point["equilibria"]]
-    columns = [name for name in (rows[0] if rows else ()) if name not in ("eigenvalues", "error", "marginal")]
+    columns = [name for name in (rows[0] if rows else ()) if "eigenvalues" not in name and name not in ("error", "marginal")]
     print_table("", (*(titles[name][0] for name in many), *columns, "error"), [
         (*(point["parameters"][titles[name][0]] for name in many),
          *(row[name] if not name.startswith("growth") else f"{row[name]:.1e}" for name in columns), upward(row["error"]))
@@ -72,6 +86,23 @@ def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_o
             click.echo(f"{state}, undecided: {reason}")
     for remark in dict.fromkeys(remark for point in found for remark in point["remarks"]):
         click.echo(remark)
+
+
+def _draw(case: Case, along: Span | None, plot: Path, force: bool) -> None:
+    """Eigenvalues over what varies, in the units of the answer."""
+    drawable(plot)
+    if along is None or along.ends is None or any(np.ndim(value) for name, value in case.values.items() if name != along.name):
+        raise click.UsageError(
+            "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and numbers for others"
+        )
+    refuse([plot], force)
+    from ..figures import eigenvalue_figure
+
+    name, p, (low, high) = along.name, case.set(along.name, **{along.name: None}), sorted(along.ends)
+    across, (_, per) = case.units.axis(name), case.units.rate("growth")
+    words = (r"frequency Im $\lambda$", r"growth Re $\lambda$")
+    axes = [(across, None if case.units.study is None else (f"{word} (1/s)", per)) for word in words]
+    written(plot, f"drawing eigenvalues over {name}", lambda: eigenvalue_figure(p, name, low=low, high=high), axes)
 
 
 def _points(values: dict[str, Any]) -> Iterator[dict[str, float]]:

@@ -15,6 +15,7 @@ import spragsym as ss
 
 from ..errors import ParameterError
 from ..parameters import FloatArray
+from .drawings import drawable
 from .of_model import Case, of_model
 from .options import Axis, as_json, window, workers
 from .tables import print_json
@@ -103,8 +104,8 @@ def refuse_targets(output: Path | None, plot: Path | None, force: bool) -> None:
     """Refuse, before anything is computed, files for a motion and its picture that can't be written."""
     from ..files import storage
 
-    if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
-        raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    if plot is not None:
+        drawable(plot)
     refuse([one for one in (output, plot) if one is not None], force)
     if output is not None:
         storage.check_target(output, 10_000_000)

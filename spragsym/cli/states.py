@@ -13,20 +13,20 @@ if TYPE_CHECKING:
 def rows_of(eq: Any, units: Units) -> list[dict[str, Any]]:
     """A row for each equilibrium of one point: words, directions and lengths of springs, coordinates, and what is known of them.
 
-    ``stability`` is that with dampers and the slope of the friction law; ``undamped`` is without, as (27).
+    ``stability`` is that with dampers and the slope of the friction law; ``undamped`` and ``eigenvalues`` are without, as (27).
     """
-    import numpy as np
-
     from ..results.equilibria import Stability
 
     growth, per = units.rate("growth")
+    undamped, damped = (units.rate(name)[0] for name in ("eigenvalues", "damped_eigenvalues"))
     return [
         {
             "state": eq.regime,
             "stability": str(eq.kind[slot]),
             "undamped": Stability(int(eq.stability[slot])).name.lower(),
             **placed(units, eq.columns, lambda name, slot=slot: getattr(eq, name)[slot]),
-            "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in eq.eigenvalues[slot]],
+            undamped: [[per * float(value.real), per * float(value.imag)] for value in eq.eigenvalues[slot]],
+            damped: [[per * float(value.real), per * float(value.imag)] for value in eq.damped_eigenvalues[slot]],
             growth: per * float(eq.growth[slot]),
             "error": float(eq.error[slot]),
             "marginal": bool(eq.marginal[slot]),

@@ -20,6 +20,7 @@ from .bifurcation_sets import figure_11, figure_12, figure_14
 from .brakes import draw_operating_point, draw_rising, draw_shares
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
 from .diagrams import diagram_figure
+from .eigenvalues import eigenvalue_figure, plot_eigenvalues
 from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
 from .extras import figure_cusp_friction, figure_false_double_root, figure_rms_map, figure_sensitivity
 from .files import FORMATS, write
@@ -73,9 +74,11 @@ __all__ = [
     "draw_rising",
     "draw_shares",
     "draw_spectrum",
+    "eigenvalue_figure",
     "mark_folds",
     "stability_figure",
     "motion_figure",
+    "plot_eigenvalues",
     "plot_equilibria",
     "write",
     *(function.__name__ for function in FIGURES.values()),

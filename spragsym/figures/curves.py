@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
@@ -88,7 +88,7 @@ def branches(
     """
     model = p.model
     vary = model.axes[0] if vary is None else vary
-    low, high = _range(model, vary, low, high)
+    low, high = range_of(model, vary, low, high)
     return curves_between(p, vary, (low, high), folds_between(p, vary, low, high) if contact else None, damping, n)
 
 
@@ -96,17 +96,25 @@ def curves_between(
     p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
 ) -> list[Branch]:  # fmt: skip
     """The curves of :func:`branches` where the folds, at least those between the ends, are known; in lift-off without folds."""
-    model, found = p.model, list[Branch]()
+    found: list[Branch] = []
+    for eq, chain, between in chains_between(p, vary, ends, turns, damping, n):
+        found += _pieces(p.model, vary, eq, chain, turns, between, damping)
+    return found
+
+
+def chains_between(
+    p: ParameterSet, vary: str, ends: tuple[float, float], turns: Points | None, damping: bool, n: int
+) -> Iterator[tuple[Equilibria, tuple[int, list[int]], tuple[float, float]]]:  # fmt: skip
+    """Equilibria between two cuts, where one curve begins among them and its slots from there on, and the two cuts."""
     for begin, end in itertools.pairwise(_cuts(p, vary, *ends, turns, damping)):
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
         eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
-        for chain in _chains(eq, model.linked(p, vary, eq, turns)):
-            found += _pieces(model, vary, eq, chain, turns, (begin, end), damping)
-    return found
+        for chain in _chains(eq, p.model.linked(p, vary, eq, turns)):
+            yield eq, chain, (begin, end)
 
 
-def _range(model: Model, vary: str, low: float | None, high: float | None) -> tuple[float, float]:
+def range_of(model: Model, vary: str, low: float | None, high: float | None) -> tuple[float, float]:
     """Ends that are given, or those that are shown."""
     model.require_parameter(vary)
     allowed = model.Parameters.ranges[vary]
@@ -271,7 +279,7 @@ def plot_equilibria(
     """
     ax = own_axes(ax)
     vary, quantity = vary or p.model.axes[0], quantity or p.model.coordinates[0]
-    low, high = _range(p.model, vary, low, high)
+    low, high = range_of(p.model, vary, low, high)
     if quantity not in columns_of(p.model):
         raise ParameterError(f"quantity = {quantity!r} is not one of {', '.join(columns_of(p.model))}")
     name_axes(ax, p.model, vary, quantity)

@@ -125,8 +125,10 @@ class Equilibria(Result):
         Where the code is not proved: no number of digits that was tried tells a sign behind it from that of 0.
     eigenvalues : ndarray of complex
         The λ of it, on one more axis; NaN beyond ``count``.
+    damped_eigenvalues : ndarray of complex
+        The λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law, on one more axis by falling real part.
     growth : ndarray
-        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law.
+        Largest real part of the λ of it.
     stable : ndarray of bool
         Where it is proved that nothing grows by that linearization.
     kind : ndarray of str
@@ -253,6 +255,11 @@ class Equilibria(Result):
         """Whether it is proved to hold all equilibria."""
         known = self._source.column("whole")
         return np.broadcast_to(np.True_, self.count.shape) if known is None else known
+
+    @cached_property
+    def damped_eigenvalues(self) -> NDArray[np.complex128]:
+        """All λ with dampers and slope of the friction law, on one more axis; NaN beyond ``count``."""
+        return self._placed(self._all.eigenvalues, np.nan)
 
     @cached_property
     def growth(self) -> FloatArray:

@@ -171,6 +171,7 @@ MOTION = ["--theta0", "49", "--t-end", "20", "--backend", "scipy"]
 #: Command that writes → what it writes to, given a folder.
 WRITING = {
     "bifurcation": (["bifurcation", "--plot"], "a.svg"),
+    "equilibria": (["equilibria", "--model", "mode_coupling", "--vary", "mu0=0:1", "--plot"], "a.svg"),
     "onsets": (
         ["onsets", "--model", "stick_slip", "--vary", "V=0.1:0.4", "--vary", "zeta=0.5:1.5", "--n", "4", "--plot"],
         "a.svg",

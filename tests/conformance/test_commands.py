@@ -42,7 +42,7 @@ def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: R
     assert len(told["equilibria"]) == len(rows) > 0
     for row, (state, eq, slot) in zip(told["equilibria"], rows, strict=True):
         assert list(row)[:3] == ["state", "stability", "undamped"]
-        assert list(row)[-4:] == ["eigenvalues", "growth", "error", "marginal"]
+        assert list(row)[-4:] == ["damped_eigenvalues", "growth", "error", "marginal"]
         assert row["state"] == state
         for entry in model.about["coordinates"]:
             value = float(getattr(eq, entry["name"])[slot])

@@ -36,6 +36,7 @@ class Linearized:
 
     growth: FloatArray  #: largest real part of the λ
     kind: NDArray[np.str_]  #: what grows, in a word; the sign is proved
+    eigenvalues: NDArray[np.complex128]  #: all λ, shape (N, 2 n), by falling real part
 
 
 def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
@@ -67,26 +68,25 @@ def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tu
 
 def _linearized(
     balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
-) -> tuple[FloatArray, NDArray[np.str_]]:
-    fastest = _fastest(balance, q, given)
+) -> tuple[FloatArray, NDArray[np.str_], NDArray[np.complex128]]:
+    every = _damped(balance, q, given)
+    fastest = every[:, 0].real + 1j * np.abs(every[:, 0].imag)
     decay = spectrum.decay(balance, given, ends, alone, undamped, fastest.real)
     real = fastest.imag <= REAL * np.abs(fastest)
     grows = np.where(real, "divergent", "flutter")
     # What rounding leaves is on the side that is proved.
     growth = np.where(decay > 0, np.minimum(fastest.real, 0.0), np.where(decay < 0, np.maximum(fastest.real, 0.0), fastest.real))
-    return growth, np.where(decay > 0, "stable", np.where(decay == 0, "marginal", grows))
+    return growth, np.where(decay > 0, "stable", np.where(decay == 0, "marginal", grows)), every
 
 
-def _fastest(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:
-    """The λ with the largest real part, with an imaginary part that is not negative."""
-    out = np.full(states.shape[1], np.nan, dtype=complex)
+def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:
+    """All λ with dampers and the slope of the friction law, by falling real part; NaN where they are no floats."""
+    out = np.full((states.shape[1], 2 * states.shape[0]), complex(np.nan, np.nan))
     with np.errstate(all="ignore"):
         M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
         finite = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(C).all(axis=(1, 2)) & np.isfinite(K).all(axis=(1, 2))
         every = roots(M[finite], C[finite], K[finite])
-    if every.size:
-        first = np.take_along_axis(every, every.real.argmax(axis=1)[:, None], axis=1)[:, 0]
-        out[finite] = first.real + 1j * np.abs(first.imag)
+    out[finite] = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     return out
 
 

@@ -51,12 +51,6 @@ from .kang_nam.catastrophe import linear_sprag as linear_sprag
 from .kang_nam.catastrophe import quasi_static_path as quasi_static_path
 from .kang_nam.catastrophe import sliding_friction as sliding_friction
 from .kang_nam.catastrophe import surface as surface
-from .kang_nam.design import certify as certify
-from .kang_nam.design import jump_gradient as jump_gradient
-from .kang_nam.design import jump_margin as jump_margin
-from .kang_nam.design import jump_probability as jump_probability
-from .kang_nam.design import jump_value as jump_value
-from .kang_nam.design import redesign as redesign
 from .kang_nam.statics import get_backend as get_backend
 from .kang_nam.statics import set_backend as set_backend
 from .models import Model as Model
@@ -65,6 +59,12 @@ from .models.catastrophe.cusps import cusps as cusps
 from .models.catastrophe.flutter import flutter_onsets as flutter_onsets
 from .models.catastrophe.folds import folds as folds
 from .models.catastrophe.hopf_curves import onset_curves as onset_curves
+from .models.design.certificates import certify as certify
+from .models.design.jumps import jump_gradient as jump_gradient
+from .models.design.jumps import jump_value as jump_value
+from .models.design.probability import jump_probability as jump_probability
+from .models.design.redesigns import jump_margin as jump_margin
+from .models.design.redesigns import redesign as redesign
 from .models.diagram import Diagram as Diagram
 from .models.diagram import diagram as diagram
 from .models.statics.equilibria import count as count

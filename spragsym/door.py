@@ -29,20 +29,19 @@ from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 from .errors import ModelError, ParameterError, ParameterTypeError
-from .parameters import Parameters, ParameterSet, PhysicalParameters
+from .parameters import ParameterSet
 from .questions import model_of as _model_of
-from .questions import of, sets_among
+from .questions import of
 
 #: Public functions that are asked of a model.
 INTERFACE = frozenset((
     "flutter_boundary", "bifurcation_set", "surface",
     "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
-    "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign",
 ))  # fmt: skip
 #: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, whether one that is
 #: above the belt stays there, which states lie on one branch, whether they have ended at their friction, what is known to any
 #: number of digits, and points that show what the model does.
-PARTS = frozenset(("cases", "integrate", "rest_index", "aloft", "linked", "have_jumped", "precise_equilibria", "precise_cusps"))
+PARTS = frozenset(("cases", "integrate", "rest_index", "aloft", "linked", "precise_equilibria", "precise_cusps"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 
@@ -107,13 +106,8 @@ def public(closed: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(closed)
     def ask(*args: Any, **options: Any) -> Any:
-        first = (
-            args[0] if args and isinstance(args[0], ParameterSet) else next(iter(sets_among((*args, *options.values()))), None)
-        )
-        return getattr(model_of(first if first is not None else Parameters()), name)(*args, **options)
+        return getattr(_model_of(*args, *options.values()), name)(*args, **options)
 
-    summary, *more = inspect.cleandoc(closed.__doc__ or "").split("\n\n", 1)
-    ask.__doc__ = "\n\n".join((summary, f"Asked of the model of its parameters: :meth:`spragsym.Model.{name}`.", *more))
     return ask
 
 
@@ -126,17 +120,11 @@ def _check(model: Any, args: tuple[Any, ...], options: Mapping[str, Any]) -> Non
     """Raise unless all sets of parameters are the model's: another's would be taken for what they are not."""
     if len(args) == 1 and not options and isinstance(args[0], model.Parameters):
         return
-    sets = list(sets_among((*args, *options.values())))
-    first = args[0] if args else options.get("p", ())
-    if getattr(first, "of_model", None) is model.Parameters:  # a design of quantities with units
-        return
-    if not sets and not isinstance(first, PhysicalParameters | Mapping | tuple):
-        sets = [first]
-    for p in sets:
-        if not isinstance(p, model.Parameters):
-            raise ParameterTypeError(
-                f"p = {p!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)"
-            )
+    first = args[0] if args else options.get("p")
+    if not isinstance(first, model.Parameters | Mapping):
+        raise ParameterTypeError(
+            f"p = {first!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)"
+        )
 
 
 @functools.cache

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeAlias, TypeVar
 
 from .errors import ModelError, ParameterError, ParameterTypeError
-from .parameters import ParameterSet, PhysicalParameters
+from .parameters import ParameterSet
 
 if TYPE_CHECKING:
     from .models.model import Model
@@ -40,12 +40,13 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         model = model_of(*args, *options.values())
         if method not in WAYS:
             raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
-        if method == "search" and model.search is not model:
-            sets = {key: of(model.search, value) for key, value in options.items()}
-            return general(*of(model.search, args), **sets)
-        if method != "search" and (closed := model.closed_form(name)) is not None and _takes(closed, args, options):
+        asked = {"auto": model, "closed": model.whole, "search": model.search}[method]
+        if asked is not model:
+            args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]
+        closed = asked.closed_form(name)
+        if closed is not None and _takes(closed, args, options):
             try:
-                return closed(*args, **options)  # type: ignore[no-any-return]  # of the same type
+                return closed(*args, **{key: value for key, value in options.items() if value is not None})  # type: ignore[no-any-return]
             except NotInClosedForm:
                 pass
         if method == "closed":
@@ -59,38 +60,35 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
 
 def model_of(*things: Any) -> Model:
     """The model of the first set of parameters among arguments, all of which must be of that model."""
-    sets = sets_among(things)
+    sets = [*_sets(things)]
     if not sets:
-        given = things[0] if things else None
-        if isinstance(given, PhysicalParameters):
-            given.require()  # says what to call
-        raise ParameterTypeError(f"p = {given!r:.60} is no set of parameters; make one with model.Parameters(...)")
-    first, *others = sets
-    model: Model = ParameterSet.model.fget(first)  # type: ignore[attr-defined]  # a parameter may be called model
-    for other in others:
-        if not isinstance(other, type(first)) and not isinstance(first, type(other)):
+        raise ParameterTypeError(
+            f"p = {things[0] if things else None!r:.60} is no set of parameters; make one with model.Parameters(...)"
+        )
+    (_, kind), *others = sets
+    model: Model = kind.model_of_class()
+    for other, its in others:
+        if not issubclass(its, kind) and not issubclass(kind, its):
             raise ParameterTypeError(
                 f"p = {other!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)"
             )
     return model
 
 
-def sets_among(things: Iterable[Any]) -> list[ParameterSet]:
-    """The sets of parameters among arguments, those in a pair of corners included."""
-    return [*_sets(things)]
-
-
-def _sets(things: Iterable[Any]) -> Iterator[ParameterSet]:
+def _sets(things: Iterable[Any]) -> Iterator[tuple[Any, type[ParameterSet]]]:
+    """Sets of parameters among arguments, and designs that stand for one, each with its class; those in pairs of corners too."""
     for thing in things:
         if isinstance(thing, ParameterSet):
-            yield thing
+            yield thing, type(thing)
         elif isinstance(thing, tuple):
             yield from _sets(thing)
+        elif (kind := getattr(thing, "of_model", None)) is not None:
+            yield thing, kind
 
 
 def of(model: Model, thing: Any) -> Any:
     """Arguments with their sets of parameters as sets of the model without closed forms, or of the one with them."""
-    if isinstance(thing, ParameterSet):
+    if isinstance(thing, ParameterSet) or hasattr(thing, "of_model"):
         return thing.of(model)
     return tuple(of(model, one) for one in thing) if type(thing) is tuple else thing
 
@@ -101,11 +99,11 @@ def _signature(function: Callable[..., Any]) -> inspect.Signature:
 
 
 def _takes(closed: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any]) -> bool:
-    """Whether a closed form has arguments of these names."""
+    """Whether a closed form has arguments of these names; None is what is left out."""
     if len(args) == 1 and not options:
         return True
     try:
-        _signature(closed).bind(*args, **options)
+        _signature(closed).bind(*args, **{key: value for key, value in options.items() if value is not None})
     except TypeError:
         return False
     return True

@@ -48,7 +48,7 @@ def box(model: Any, rng: np.random.Generator) -> tuple[Any, Any]:
 
 def end_of(model: Any, p: Any) -> ModelEnd | None:
     """Where the state that is followed from no friction ends before that of a point."""
-    return first_end(model, p.replace(mu0=0.0), "mu0", (0.0, float(p.mu0)))
+    return first_end(p.replace(mu0=0.0), "mu0", (0.0, float(p.mu0)))
 
 
 def leaves(model: Any, p: Any, end: ModelEnd) -> bool | None:

@@ -67,7 +67,7 @@ def at_once(number: int, rng: np.random.Generator) -> dict[str, Any]:
     wrong = []
     for i in range(6):
         one = model.Parameters(**{key: float(np.broadcast_to(getattr(p, key), known.shape)[i]) for key in model.parameters})
-        end = first_end(model, one, "mu0", (0.0, FAR))
+        end = first_end(one, "mu0", (0.0, FAR))
         if (end is None) != np.isnan(known[i]) or (end is not None and abs(end.value - known[i]) > 1e-9):
             wrong.append(f"{one!r}: {known[i]} for {end}")
     return {"kind": model.name, "wrong": wrong, "points": size, "jumping": int(np.isfinite(known).sum())}

@@ -88,15 +88,15 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str,
     found: tuple[float, str, Mapping[str, float], float] | None = None
     if jumped:
         searched = (math.nan, math.nan)
-    elif case.has_closed("jump_value") and along.ends is None and entry["role"] == "both":
+    elif case.has_closed("first_ends") and along.ends is None and entry["role"] == "both":
         searched = (-math.inf, math.inf)
-        at = float(case.model.jump_value(p, name, direction=way))
+        at = float(ss.jump_value(p, name, direction=way))
         if math.isfinite(at):
             folds = ss.folds(p, name)
             row = int(np.abs(getattr(folds, name) - at).argmin())
             before = {key: float(column[row]) for key, column in folds.coordinates.items()}
             found = at, str(folds.kind[row]), before, float(folds.error[row])
-    elif (end := first_end(case.model.search, p, name, ends)) is not None:
+    elif (end := first_end(p.of(case.model.search), name, ends)) is not None:
         found = end.value, end.kind, end.before, end.error
     value, kind, places, error = found or (math.nan, None, dict.fromkeys(case.model.coordinates, math.nan), math.nan)
     return {
@@ -136,8 +136,8 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
             return None
         if not with_mu0:
             raise ParameterError(f"{model.name} has no mu0")
-        value = float(model.jump_value(p, "mu0"))
-        if math.isnan(value) and not case.has_closed("jump_value"):
+        value = float(ss.jump_value(p, "mu0"))
+        if math.isnan(value) and not case.has_closed("first_ends"):
             remarks.append(f"mu0_jump: followed up to mu0 = {ranges(model, ('mu0',), {})[0, 1]:g}; beyond that it is not known")
         return value
 

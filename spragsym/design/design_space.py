@@ -48,6 +48,10 @@ class Design:
     of_model: type[ParameterSet]
     begins: Callable[[Mapping[str, Any]], Any] | None = None
 
+    def of(self, model: Any) -> Design:
+        """The same design for the model without closed forms, or for the one that has them."""
+        return replace(self, of_model=model.Parameters)
+
 
 @dataclass(frozen=True)
 class Space:
@@ -57,6 +61,15 @@ class Space:
     names: tuple[str, ...]
     origin: FloatArray
     scale: FloatArray
+
+    @property
+    def of_model(self) -> type[ParameterSet]:
+        """The class of the model's sets."""
+        return self.design.of_model
+
+    def of(self, model: Any) -> Space:
+        """The same designs for the model without closed forms, or for the one that has them."""
+        return replace(self, design=self.design.of(model))
 
     def quantities(self, z: FloatArray) -> dict[str, Any]:
         """All quantities of designs z, of shape (…, number of names); those that don't change as they are."""

@@ -13,14 +13,14 @@ _ROOMS = {
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
     "kang_nam.lift_off": ("aloft",), "kang_nam.rest": ("rest_index",), "kang_nam.design.events": ("have_jumped",),
+    "kang_nam.design.jump_values": ("first_ends",), "kang_nam.design.certificates": ("certify",),
+    "kang_nam.design.margins": ("safe_within",),
     "kang_nam.ranks": ("linked",), "kang_nam.cases": ("cases",),
     "kang_nam.digits": ("precise_equilibria", "precise_cusps"), "dynamics.with_compiled": ("integrate",),
-    "kang_nam.design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip
 #: What may vary, where that is not any parameter.
 _ALONG = {
     "quasi_static_path": NAMES, "precise_cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),),
-    "jump_value": NAMES, "jump_gradient": NAMES,
 }  # fmt: skip
 #: Public function or step → room of its closed form, and along what it is known; nothing there for anything.
 CLOSED = {name: (room, _ALONG.get(name, ())) for room, names in _ROOMS.items() for name in names}

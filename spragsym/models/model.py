@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -19,7 +19,6 @@ from .describe import described, explained
 
 if TYPE_CHECKING:
     from ..cycles import Cycle
-    from ..design import Certificate, JumpGradient, JumpMargin, JumpProbability, Redesign
     from ..dynamics.field import Field
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
@@ -74,6 +73,8 @@ class Model:
         self.name: str = about["name"]
         self.where, self.about, self.Parameters, self.closed = where, about, parameters, closed or {}
         self._module = module
+        #: The model with its closed forms.
+        self.whole: Model = self
 
     @cached_property
     def algebra(self) -> Any:
@@ -86,7 +87,8 @@ class Model:
         if not self.closed:
             return self
         own: Any = type(self.Parameters.__name__, (self.Parameters,), {"searched": True})
-        other = own._model = Model(self.where, self.about, self._module, own)
+        other: Model = Model(self.where, self.about, self._module, own)
+        own._model, other.whole = other, self
         return other
 
     def closed_form(self, name: str) -> Callable[..., Any] | None:
@@ -308,18 +310,6 @@ class Model:
         return linked(self, p, vary, eq, turns)
 
     @question
-    def have_jumped(
-        self, p: ParameterSet, *, vary: str | None = None, begin: float | FloatArray | None = None, hasty: bool = False
-    ) -> FloatArray:  # fmt: skip
-        """1 where the followed state has ended at the value in p of what rises or below, else 0; NaN where that is not known.
-
-        A ``hasty`` answer leaves out what would take long.
-        """
-        from .design.jumps import have_jumped
-
-        return have_jumped(self, p, *self.rising(vary, begin), hasty=hasty)
-
-    @question
     def precise_equilibria(
         self, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
     ) -> PreciseEquilibria:  # fmt: skip
@@ -336,114 +326,6 @@ class Model:
         from .digits import precise_cusps
 
         return precise_cusps(self, exact, vary, digits, arith, **options)
-
-    @question
-    def certify(
-        self, low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None,
-        begin: float | None = None, **options: Any,
-    ) -> Certificate:  # fmt: skip
-        """Prove a claim for every point of a box of parameters, or find a point at which it is false.
-
-        For ``"no jump"`` ``vary`` is what rises, mu0 unless told otherwise, from ``begin``, the lower end of its range; the other
-        claims are ``"one equilibrium"`` and ``"no flutter"``: see :func:`spragsym.models.design.certificates.certify`.
-
-        Examples
-        --------
-        >>> import spragsym as ss
-        >>> model = ss.load("two_springs")
-        >>> low = model.Parameters(theta0=0.5, mu0=0.2)
-        >>> model.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
-        'proved'
-        """
-        from .design.certificates import certify
-
-        if claim == "no jump":
-            vary, begin = self.rising(vary, begin)
-        return certify(low, high, claim, vary=vary, begin=begin, **options)
-
-    @question
-    def jump_probability(
-        self, distribution: Any, *, vary: str | None = None, begin: float | None = None, **options: Any
-    ) -> JumpProbability:
-        """The probability that the followed state ends, by samples, and between proved bounds if ``max_boxes`` is given.
-
-        See :func:`spragsym.models.design.probability.jump_probability`.
-
-        Examples
-        --------
-        >>> import spragsym as ss
-        >>> model = ss.load("inclined_belt")
-        >>> found = model.jump_probability({"theta0": 1.0, "mu0": (0.2, 0.4)}, n=64, rng=1, replicates=2, max_boxes=64)
-        >>> found.low < found.proved[0] < found.proved[1] < found.high, found.proved[1] - found.proved[0] < 0.01
-        (True, True)
-        """
-        from .design.probability import jump_probability
-
-        vary, begin = self.rising(vary, begin)
-        return jump_probability(self, distribution, vary=vary, begin=begin, **options)
-
-    @question
-    def jump_value(self, p: ParameterSet, vary: str | None = None, **options: Any) -> float | FloatArray:
-        """Where the followed state ends first as a parameter moves: see :func:`spragsym.models.design.jumps.jump_value`.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import spragsym as ss
-        >>> model = ss.load("cubic_contact")
-        >>> np.round(model.jump_value(model.Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
-        array([0.597422, 0.385931,      nan])
-        """
-        from .design.jumps import jump_value
-
-        return jump_value(self, p, self.rising(vary, 0.0)[0], **options)
-
-    @question
-    def jump_gradient(self, p: ParameterSet, vary: str | None = None, **options: Any) -> JumpGradient:
-        """Derivatives of :meth:`jump_value` by all parameters: see :func:`spragsym.models.design.jumps.jump_gradient`."""
-        from .design.jumps import jump_gradient
-
-        return jump_gradient(self, p, self.rising(vary, 0.0)[0], **options)
-
-    @question
-    def jump_margin(
-        self,
-        p: ParameterSet,
-        scale: Mapping[str, float],
-        *,
-        vary: str | None = None,
-        begin: float | None = None,
-        prove: bool = False,
-    ) -> JumpMargin:
-        """The nearest parameters at which the followed state ends: see :func:`spragsym.models.design.redesigns.jump_margin`.
-
-        Examples
-        --------
-        >>> import spragsym as ss
-        >>> model = ss.load("cubic_contact")
-        >>> margin = model.jump_margin(model.Parameters(theta0=0.7, gamma=3000.0, mu0=0.5), {"mu0": 0.05})
-        >>> round(margin.distance, 6)
-        1.948441
-        """
-        from .design.redesigns import jump_margin
-
-        vary, begin = self.rising(vary, begin)
-        return jump_margin(self, p, scale, vary=vary, begin=begin, prove=prove)
-
-    @question
-    def redesign(
-        self,
-        p: ParameterSet,
-        change: str | Iterable[str],
-        target: Mapping[str, float],
-        scale: Mapping[str, float] | None = None,
-        *,
-        begin: float | None = None,
-    ) -> Redesign:
-        """The least change that keeps the end of the followed state beyond a target: see :mod:`.models.design.redesigns`."""
-        from .design.redesigns import redesign
-
-        return redesign(self, p, change, target, scale, begin=begin)
 
     flutter_boundary = unanswered("onset_curves(p, vary) has the curves of onsets in the plane of two parameters")
     surface = unanswered("equilibria(p) has all states over a grid of parameters")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -74,6 +74,7 @@ class PhysicalParameters(Values):
     mu0: Any
     V: Any = None
     d: Any = None
+    of_model: ClassVar[type[ParameterSet]] = Parameters
 
     def __post_init__(self) -> None:
         for name, allowed in physical_ranges().items():

@@ -100,7 +100,11 @@ class ParameterSet(Values):
     @property
     def model(self) -> Any:
         """The :class:`spragsym.Model` that they are parameters of."""
-        cls = type(self)
+        return type(self).model_of_class()
+
+    @classmethod
+    def model_of_class(cls) -> Any:
+        """The model of all sets of a class."""
         if cls._model is None:  # a model is loaded when it is asked for, by a room that stands above this one
             cls._model = importlib.import_module("spragsym.models").load(cls.where)
         return cls._model

@@ -35,5 +35,5 @@ _FOLLOWED = Effort(2048, (4000, 3000), (512, 64), (1 << 8, 1 << 11), 32, 8, 3, 4
 
 def effort(study: Study) -> Effort:
     """That of the study's model, whose closed forms are of rising friction."""
-    closed = "jump_value" in load(study.model).closed and (study.rise is None or study.rise.is_friction)
+    closed = "first_ends" in load(study.model).closed and (study.rise is None or study.rise.is_friction)
     return _CLOSED if closed else _FOLLOWED

@@ -12,9 +12,9 @@ from ..design.certificates import Unit
 from ..design.probability import estimated, probability_table, variable
 from ..display import Result, Table
 from ..errors import ConvergenceError
-from ..models.design.certificates import Splitting
+from ..models.design.certificates import Splitting, certify
+from ..models.design.jumps import have_jumped
 from ..models.design.probability import measured
-from ..models.load import load
 from ..parameters import FloatArray, Range
 from . import brake_quantities, rises, tolerance_boxes
 from .effort import effort
@@ -81,7 +81,7 @@ def certificate(study: Study, *, hasty: bool = False) -> BoxCertificate:
     if point is not None:
         return BoxCertificate("no jump", "refuted", point, 0.0, 0)
     low, high, units = box(study)
-    found = load(study.model).certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units, **rises.along(study))
+    found = certify(low, high, "no jump", max_boxes=boxes, refute=False, units=units, **rises.along(study))
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be loose.
     outcome = found.outcome if found.outcome == "proved" else "undecided"
     return BoxCertificate("no jump", outcome, None, found.undecided, found.boxes)
@@ -123,7 +123,7 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
 def ending(study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False) -> FloatArray:
     """The same of brakes by their quantities in SI: up to a target, or up to the own value of each that works."""
     brakes = rises.risen(study, values, target)
-    found: FloatArray = load(study.model).have_jumped(brakes, **rises.along(study, values), hasty=hasty)
+    found: FloatArray = have_jumped(brakes, **rises.along(study, values), hasty=hasty)
     return found
 
 

@@ -14,6 +14,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+import spragsym as ss
+
 from ..design.design_space import Design, space
 from ..display import Result
 from ..errors import SpragsymError
@@ -84,7 +86,7 @@ def distance(study: Study) -> float:
     scale = {name: size for name, size in study.tolerances.items() if name in names}
     if not scale:
         return math.nan
-    return float(load(study.model).jump_margin(design(study), scale, **rises.along(study)).distance)
+    return float(ss.jump_margin(design(study), scale, **rises.along(study)).distance)
 
 
 def design(study: Study) -> Design:
@@ -209,8 +211,8 @@ class _Search:
             names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
             scale = {name: self.scale[name] for name in names}
             target = {rise.name: self.target / rises.scale(study)}
-            start = {} if rise.is_friction else {"begin": rises.begin(study)}
-            after = load(study.model).redesign(design(study), names, target, scale, **start).parameters
+            start = None if rise.is_friction else rises.begin(study)
+            after = ss.redesign(design(study), names, target, scale, begin=start).parameters
         except SpragsymError:
             return None
         if not isinstance(after, dict):
@@ -227,7 +229,7 @@ class _Search:
         """Quantities by how far one tolerance of each moves the jump."""
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
-        found = load(self.study.model).jump_gradient(designs.sets(z), **rises.along(self.study)).slopes
+        found = ss.jump_gradient(designs.sets(z), **rises.along(self.study)).slopes
         slopes = designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))

@@ -176,7 +176,7 @@ class _Asked:
         """Where the state jumps as the inclination rises, in degrees."""
         if "theta0" not in at.model.parameters or (self.study.rise is not None and self.study.rise.name == "theta0"):
             return None
-        found = self.known("the jump along theta0 is", lambda: at.model.jump_value(at, "theta0"))
+        found = self.known("the jump along theta0 is", lambda: ss.jump_value(at, "theta0"))
         return None if found is None else math.degrees(found)
 
     def lowest(self, p: Any) -> tuple[float | None, float | None, str]:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import spragsym as ss
+
 from ..errors import ParameterError
 from ..models.catastrophe.points import ranges
 from ..models.load import load
@@ -153,9 +155,9 @@ def along(study: Study, values: Mapping[str, Any] | None = None) -> dict[str, An
 
 def jump(study: Study) -> float:
     """Where the state jumps, as the parameter that rises; NaN where it does not."""
-    rise, model = of(study), load(study.model)
+    rise = of(study)
     p = study.dimensionless if rise.is_friction else study.at_work
-    return float(model.jump_value(p, **along(study)))
+    return float(ss.jump_value(p, **along(study)))
 
 
 def of(study: Study) -> Rise:
@@ -182,7 +184,7 @@ def top(study: Study) -> float:
     if rise is None:
         return np.nan
     model = load(study.model)
-    if rise.is_friction and "jump_value" in model.closed:
+    if rise.is_friction and "first_ends" in model.closed:
         return np.inf
     return told(study, float(ranges(model, (rise.name,), {})[0, 1]))
 

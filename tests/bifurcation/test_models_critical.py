@@ -60,10 +60,10 @@ def test_no_state_ends_below_it(name: str) -> None:
     found = model.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
     assert found.complete
     for theta0 in np.radians([20.0, 50.0, 64.0, 80.0, 120.0]):
-        end = first_end(model, model.Parameters(theta0=theta0), "mu0", (0.0, 0.5))
+        end = first_end(model.Parameters(theta0=theta0), "mu0", (0.0, 0.5))
         assert end is None or end.value >= found.value
     if found.kind == "cusp":
-        ends = [first_end(model, model.Parameters(theta0=found.where + side), "mu0", (0.0, 0.5)) for side in (-0.02, 0.02)]
+        ends = [first_end(model.Parameters(theta0=found.where + side), "mu0", (0.0, 0.5)) for side in (-0.02, 0.02)]
         values = [end.value for end in ends if end is not None]
         assert values
         assert found.value < min(values) < found.value + 0.01
@@ -125,7 +125,7 @@ def test_an_end_above_candidates_that_are_open_is_not_the_lowest() -> None:
     """A trolley jumps at 0.63 where its spring leans by 40°; that nothing ends below 8.7 was said once."""
     model = ss.load("trolley")
     p = model.Parameters(theta0=math.radians(40.0))
-    found, end = model.critical_friction(p), first_end(model, p, "mu0", (0.0, 1.0))
+    found, end = model.critical_friction(p), first_end(p, "mu0", (0.0, 1.0))
     assert end is not None
     assert found.value <= end.value
     assert (found.kind, found.complete) == ("undecided", False)

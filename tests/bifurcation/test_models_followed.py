@@ -147,7 +147,7 @@ def test_what_rises_may_be_the_only_parameter(fading: Any) -> None:
 @pytest.mark.thorough
 def test_its_value_is_the_limit_of_that_of_imperfect_ones(rod: Any) -> None:
     e = np.array([1e-2, 1e-4, 1e-6, 0.0])
-    found = rod.jump_value(rod.Parameters(e=e), "P", begin=0.5, until=1.5)
+    found = ss.jump_value(rod.Parameters(e=e), "P", begin=0.5, until=1.5)
     assert found == pytest.approx(fold_of_rod(e), abs=1e-14)
 
 
@@ -165,7 +165,7 @@ def test_of_two_states_that_are_equally_small_the_one_of_larger_coordinates_is_f
     arch = model_of(ARCH, "arch")
     h = np.linspace(0.2, 0.6, 9)
     by_hand = 2 * (np.sqrt(1 + h**2) ** (2 / 3) - 1) ** 1.5
-    assert arch.jump_value(arch.Parameters(h=h), "P", begin=0.0, until=2.0) == pytest.approx(by_hand, abs=1e-12)
+    assert ss.jump_value(arch.Parameters(h=h), "P", begin=0.0, until=2.0) == pytest.approx(by_hand, abs=1e-12)
     for height in h[:4]:
         path = arch.quasi_static_path(arch.Parameters(h=height), "P", [0.0, 1e-4])
         assert path.y[0] == pytest.approx(height)
@@ -210,11 +210,11 @@ def test_a_margin_asks_of_designs_below_where_the_parameter_begins(rod: Any) -> 
     p, scale = rod.Parameters(e=0.02, P=0.7), {"e": 0.01, "P": 0.05}
     e = np.linspace(-0.3, 0.3, 20001)
     by_hand = np.sqrt(((e - 0.02) / 0.01) ** 2 + ((fold_of_rod(e) - 0.7) / 0.05) ** 2).min()
-    assert rod.jump_margin(p, scale, vary="P", begin=0.2).distance == pytest.approx(by_hand, rel=1e-6)
+    assert ss.jump_margin(p, scale, vary="P", begin=0.2).distance == pytest.approx(by_hand, rel=1e-6)
     cubic = ss.load("cubic_contact")
     p = cubic.Parameters(theta0=0.7, mu0=0.4)
-    begun = cubic.jump_margin(p, {"mu0": 0.05}, vary="mu0", begin=0.3).distance
-    assert begun == pytest.approx(cubic.jump_margin(p, {"mu0": 0.05}).distance, rel=1e-9)
+    begun = ss.jump_margin(p, {"mu0": 0.05}, vary="mu0", begin=0.3).distance
+    assert begun == pytest.approx(ss.jump_margin(p, {"mu0": 0.05}).distance, rel=1e-9)
 
 
 @pytest.mark.validate
@@ -222,16 +222,16 @@ def test_a_path_asks_nothing_of_what_lies_outside_of_its_values() -> None:
     cubic, pivoted = ss.load("cubic_contact"), ss.load("sprag_rod")
     path = cubic.quasi_static_path(cubic.Parameters(theta0=0.7), "kappa", [0.001, 0.1, 0.3])
     assert np.isfinite(path.x).all()
-    value = pivoted.jump_value(pivoted.Parameters(theta0=0.5), "psi", begin=0.001, until=1.5)
-    assert value == pytest.approx(pivoted.jump_value(pivoted.Parameters(theta0=0.5), "psi", begin=0.01, until=1.5), abs=1e-9)
+    value = ss.jump_value(pivoted.Parameters(theta0=0.5), "psi", begin=0.001, until=1.5)
+    assert value == pytest.approx(ss.jump_value(pivoted.Parameters(theta0=0.5), "psi", begin=0.01, until=1.5), abs=1e-9)
 
 
 @pytest.mark.parametrize("name", ["cubic_contact", "kang_nam"])
 def test_no_points_have_no_answers(name: str) -> None:
     model = ss.load(name).search
     p = model.Parameters(theta0=np.empty((0, 3)))
-    assert model.jump_value(p).shape == (0, 3)
-    assert model.jump_gradient(p).value.shape == (0, 3)
+    assert ss.jump_value(p).shape == (0, 3)
+    assert ss.jump_gradient(p).value.shape == (0, 3)
 
 
 def test_numbers_are_alike_by_their_size() -> None:

@@ -17,6 +17,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import door
+from spragsym.models.design.jumps import have_jumped
 from spragsym.parameters import NAMES
 from spragsym.studies import redesigns
 from tests.conformance.models import MODELS, a_set, load
@@ -155,9 +156,9 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     given = {"theta0": rng.uniform(0.3, 2.0, shape), "mu0": rng.uniform(0.0, 2.0, shape)}
     sizes = {"kappa": (-4, -1), "alpha": (-3, 0), "sigma": (-2, 0.5), "beta": (-3, 0)}
     p = ss.Parameters(**given, **{name: 10 ** rng.uniform(*ends, shape) for name, ends in sizes.items()})
-    closed, search = (p.model.have_jumped(p, method=method) for method in ("closed", "search"))
+    closed, search = (have_jumped(p, method=method) for method in ("closed", "search"))
     assert closed.shape == search.shape == p.shape
-    hasty = p.model.have_jumped(p, method="search", hasty=True)
+    hasty = have_jumped(p, method="search", hasty=True)
     known = ~np.isnan(hasty)
     assert known.mean() > 0.95
     assert np.array_equal(hasty[known], closed[known])
@@ -165,9 +166,9 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     assert np.array_equal(closed, search)
     assert np.array_equal(closed == 1, ss.jump_value(p) <= p.mu0)
     q = ss.load("cubic_contact").Parameters(theta0=0.9, mu0=[[0.0, 0.1], [0.3, 0.5]])
-    assert q.model.have_jumped(q).tolist() == (q.model.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
+    assert have_jumped(q).tolist() == (ss.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
     with pytest.raises(ss.ParameterError, match="stribeck has no mu0"):
-        ss.load("stribeck").have_jumped(a_set("stribeck"))
+        have_jumped(a_set("stribeck"))
 
 
 @pytest.mark.validate
@@ -177,11 +178,9 @@ def test_a_design_is_one_of_its_model() -> None:
     designs = {name: redesigns.design(ss.Study(brake | more, model=name)) for name, more in (
         ("kang_nam", {}), ("cubic_contact", {"k_3": 0.0}),
     )}  # fmt: skip
-    margins = [ss.load(name).jump_margin(one, {"k": 2.7e4, "mu0": 0.05}) for name, one in designs.items()]
+    margins = [ss.jump_margin(one, {"k": 2.7e4, "mu0": 0.05}) for name, one in designs.items()]
     assert margins[0].distance == pytest.approx(margins[1].distance, rel=1e-6)
     assert margins[0].change == pytest.approx(margins[1].change, rel=1e-4)
-    with pytest.raises(ss.ParameterTypeError, match="is no set of parameters of kang_nam"):
-        ss.load("kang_nam").jump_margin(designs["cubic_contact"], {"k": 2.7e4})
 
 
 def test_friction_is_that_of_the_law_and_needs_no_angle() -> None:

@@ -108,7 +108,7 @@ def test_units_of_measure_with_ranges(k_c: tuple[float, float], outcome: str) ->
         assert k_c[0] <= low.alpha / point.alpha <= k_c[1]
         assert 0.1 - 1e-12 <= point.sigma / point.alpha * low.alpha <= 0.11 + 1e-12
     else:
-        assert low.model.certify(low, high, "no jump", units=units, method="search").outcome == outcome
+        assert ss.certify(low, high, "no jump", units=units, method="search").outcome == outcome
 
 
 @pytest.mark.thorough
@@ -121,7 +121,7 @@ def test_a_search_refutes_what_jumps_within_units() -> None:
     low = ss.Parameters.article(theta0=np.radians(40.0), mu0=0.3999)
     softest = ss.Parameters(low.theta0, 0.4, *(value / 0.0553 for value in (0.007 / 0.9, 0.007, 0.1, 0.0)))
     assert ss.jump_value(softest, "mu0") < 0.4
-    assert low.model.certify(low, low.replace(mu0=0.4), "no jump", units=units, method="search").outcome == "refuted"
+    assert ss.certify(low, low.replace(mu0=0.4), "no jump", units=units, method="search").outcome == "refuted"
 
 
 UNITS: dict[str, tuple[Any, str]] = {

@@ -84,7 +84,7 @@ def test_outcomes_of_points_are_those_of_states_followed_one_by_one(name: str) -
     values = box.whole.low + np.random.default_rng(3).random((2, 6)) * (box.whole.high - box.whole.low)
     outcome = box.settled(box.points(values), THIN)[0].outcome
     for (theta0, mu0), one in zip(values.T, outcome, strict=True):
-        end = first_end(model, model.Parameters(theta0=theta0), "mu0", (0.0, mu0))
+        end = first_end(model.Parameters(theta0=theta0), "mu0", (0.0, mu0))
         assert one == (SAFE if end is None else ENDS)
 
 
@@ -110,7 +110,7 @@ def test_pieces_lie_about_the_folds_of_all_their_points() -> None:
 @pytest.mark.validate
 @pytest.mark.parametrize(("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)])
 def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
-    found = SEARCH.jump_probability(sets(SEARCH, BOX), n=256, rng=1, replicates=2, max_boxes=boxes)
+    found = ss.jump_probability(sets(SEARCH, BOX), n=256, rng=1, replicates=2, max_boxes=boxes)
     theirs = ss.jump_probability(sets(ss.load("kang_nam"), BOX), n=1 << 14, rng=1, sobol=False)
     assert found.proved[0] <= theirs.low < theirs.high <= found.proved[1]
     assert found.proved[1] - found.proved[0] < width
@@ -155,21 +155,23 @@ def test_probability_bracket_and_shares_are_those_of_a_closed_form() -> None:
     model, A = model_of(SOFTENING, "softening"), 2 / (3 * np.sqrt(3))
     P = 1 - A + A * np.log(A)
     first = (1 - A**2 + 2 * A * np.log(A) - P**2) / (P * (1 - P))
-    found = model.jump_probability({"mu0": (0.0, 1.0), "kappa": (0.0, 1.0)}, n=1 << 13, rng=1, sobol=True, max_boxes=400)
+    found = ss.jump_probability(
+        {"mu0": (0.0, 1.0), "kappa": (0.0, 1.0)}, model=model, n=1 << 13, rng=1, sobol=True, max_boxes=400
+    )
     assert found.low < P < found.high
     assert found.proved[0] <= P <= found.proved[1] < found.proved[0] + 0.01
     for name in ("mu0", "kappa"):
         assert found.first[name] == pytest.approx(first, abs=0.02)
         assert found.total[name] == pytest.approx(1 - first, abs=0.02)
-    np.testing.assert_allclose(model.jump_value(model.Parameters(kappa=np.array([0.5, 1.0]))), [2 * A, A], rtol=1e-12)
+    np.testing.assert_allclose(ss.jump_value(model.Parameters(kappa=np.array([0.5, 1.0]))), [2 * A, A], rtol=1e-12)
 
 
 @pytest.mark.thorough
 def test_the_bracket_of_a_law_without_an_end() -> None:
     """Its tail counts as open."""
     model, law = ss.load("inclined_belt"), stats.gamma(900, scale=1 / 3000)
-    found = model.jump_probability({"theta0": 1.0, "mu0": law}, n=64, rng=1, replicates=2, max_boxes=24)
-    fold = first_end(model, model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
+    found = ss.jump_probability({"theta0": 1.0, "mu0": law}, model=model, n=64, rng=1, replicates=2, max_boxes=24)
+    fold = first_end(model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
     assert fold is not None
     assert found.proved[0] <= law.sf(fold.value) <= found.proved[1] < found.proved[0] + 0.1
 
@@ -193,7 +195,7 @@ def test_another_state_is_not_taken_for_the_followed_one() -> None:
 @pytest.mark.thorough
 def test_at_a_fold_and_without_friction() -> None:
     model = ss.load("inclined_belt")
-    end = first_end(model, model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
+    end = first_end(model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
     assert end is not None
     below, above = (model.Parameters(theta0=1.0, mu0=end.value * (1 + side)) for side in (-1e-3, 1e-3))
     assert ss.certify(below, below).outcome == "proved"
@@ -220,9 +222,8 @@ def test_what_is_asked() -> None:
     with pytest.raises(ss.ParameterError, match=r"kappa has no least value in \(0, inf\); give begin"):
         ss.certify(p, p, "no jump", vary="kappa")
     assert ss.certify(p, p, "no jump", vary="kappa", begin=1e-3).outcome == "proved"
-    model = ss.load("two_springs")
     with pytest.raises(ss.ParameterError, match="independent"):
-        model.jump_probability((low, high), correlation={("theta0", "mu0"): 0.5}, max_boxes=4, n=16, replicates=2)
+        ss.jump_probability((low, high), correlation={("theta0", "mu0"): 0.5}, max_boxes=4, n=16, replicates=2)
 
 
 def test_slopes_over_a_box_are_about_as_narrow_as_they_are() -> None:

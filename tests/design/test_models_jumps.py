@@ -29,7 +29,7 @@ def random_sets(seed: int, number: int) -> Any:
 @pytest.mark.parametrize("number", [60, pytest.param(3000, marks=pytest.mark.thorough)])
 def test_they_are_those_of_closed_forms(number: int) -> None:
     p = random_sets(1, number)
-    found = Followed(SEARCH, p, "mu0", "up", None, 3.0).ends()
+    found = Followed(p.of(SEARCH), "mu0", "up", None, 3.0).ends()
     theirs = ss.jump_value(p, method="closed")
     theirs = np.where(theirs > 3.0, np.nan, theirs)
     assert not found.reasons
@@ -48,7 +48,7 @@ def test_beside_a_cusp_tubes_decide(monkeypatch: pytest.MonkeyPatch) -> None:
     angle = cusps.theta0[(cusps.mu0 > 0) & (cusps.theta0 > 0) & (cusps.theta0 < 1.5)][0]
     p = SEARCH.Parameters(theta0=angle + np.outer([-1.0, 1.0], [1e-1, 1e-2, 1e-3, 1e-4]))
     monkeypatch.delattr("spragsym.models.design.jumps.first_end")  # no path is asked
-    found = Followed(SEARCH, p, "mu0", "up", None, 3.0).ends()
+    found = Followed(p.of(SEARCH), "mu0", "up", None, 3.0).ends()
     assert not found.reasons
     assert np.isnan(found.value[1]).all()
     np.testing.assert_allclose(found.value[0], ss.jump_value(p, method="closed")[0], rtol=0, atol=1e-12)
@@ -81,9 +81,9 @@ def test_other_parameters(vary: str) -> None:
 def test_they_are_those_of_states_followed_one_by_one(name: str) -> None:
     model = ss.load(name)
     p = model.Parameters(theta0=np.array([0.6, 0.8, 1.0, 1.2]))
-    found = model.jump_value(p, until=1.0)
+    found = ss.jump_value(p, until=1.0)
     for theta0, value in zip(p.theta0, found, strict=True):
-        end = first_end(model, model.Parameters(theta0=theta0), "mu0", (0.0, 1.0))
+        end = first_end(model.Parameters(theta0=theta0), "mu0", (0.0, 1.0))
         assert np.isnan(value) if end is None else abs(value - end.value) <= 1e-9
 
 
@@ -98,9 +98,9 @@ def test_a_set_is_not_answered_for_another_model() -> None:
 def test_gradients_are_differences() -> None:
     model, h = ss.load("two_springs"), 1e-6
     p = model.Parameters(theta0=0.6)
-    slopes = model.jump_gradient(p)
+    slopes = ss.jump_gradient(p)
     for name in ("theta0", "sigma", "sigma_2", "theta0_2", "lambda_2"):
-        one, other = (model.jump_value(p.replace(**{name: float(getattr(p, name)) + side * h})) for side in (-1, 1))
+        one, other = (ss.jump_value(p.replace(**{name: float(getattr(p, name)) + side * h})) for side in (-1, 1))
         assert (other - one) / (2 * h) == pytest.approx(float(getattr(slopes, name)), rel=1e-5)
 
 
@@ -108,11 +108,11 @@ def test_gradients_are_differences() -> None:
 def test_at_an_end_of_the_range() -> None:
     model = ss.load("cubic_contact")
     p = model.Parameters(theta0=0.8)
-    value = model.jump_value(p)
-    assert np.isnan(model.jump_value(p, until=value * (1 - 1e-6)))
-    assert model.jump_value(p, until=value * (1 + 1e-6)) == pytest.approx(value, rel=1e-11)
-    assert np.isnan(model.jump_value(p, until=0.0))
-    assert model.jump_value(p, begin=0.3) == pytest.approx(value, rel=1e-11)
+    value = ss.jump_value(p)
+    assert np.isnan(ss.jump_value(p, until=value * (1 - 1e-6)))
+    assert ss.jump_value(p, until=value * (1 + 1e-6)) == pytest.approx(value, rel=1e-11)
+    assert np.isnan(ss.jump_value(p, until=0.0))
+    assert ss.jump_value(p, begin=0.3) == pytest.approx(value, rel=1e-11)
 
 
 @pytest.mark.thorough
@@ -124,10 +124,10 @@ def test_what_is_asked() -> None:
         ({"begin": 0.5, "until": 0.2}, "below where mu0 begins"), ({"vary": "gamma"}, "is not a parameter of"),
     ):  # fmt: skip
         with pytest.raises(ss.ParameterError, match=text):
-            model.jump_value(p, **options)
+            ss.jump_value(p, **options)
     with pytest.raises(ss.ParameterError, match="give vary"):
         ss.jump_value(ss.load("stribeck").Parameters(theta0=0.7))
-    found = model.jump_value(model.Parameters(theta0=[[0.5, 0.6, 0.7]]))
+    found = ss.jump_value(model.Parameters(theta0=[[0.5, 0.6, 0.7]]))
     assert found.shape == (1, 3)
 
 
@@ -137,7 +137,7 @@ def test_what_is_asked() -> None:
 @pytest.mark.thorough
 def test_margins_are_those_of_closed_forms() -> None:
     p, scale = ss.Parameters.article(theta0=np.radians(40.0)), {"theta0": np.radians(1.0), "mu0": 0.05}
-    found, theirs = (ss.jump_margin(p, scale, prove=True, method=method) for method in ("search", "closed"))
+    found, theirs = (ss.jump_margin(p, scale, prove=True, method=method) for method in ("search", "auto"))
     assert found.distance == pytest.approx(theirs.distance, rel=1e-7)
     assert 0 < found.proved < found.distance
     assert found.change == pytest.approx(theirs.change, rel=1e-6)
@@ -148,7 +148,7 @@ def test_margins_are_those_of_closed_forms() -> None:
 @pytest.mark.thorough
 def test_redesigns_are_those_of_closed_forms() -> None:
     p = ss.Parameters.article(theta0=np.radians(40.0))
-    found, theirs = (ss.redesign(p, ("sigma", "theta0"), {"mu0": 0.7}, method=method) for method in ("search", "closed"))
+    found, theirs = (ss.redesign(p, ("sigma", "theta0"), {"mu0": 0.7}, method=method) for method in ("search", "auto"))
     assert found.distance == pytest.approx(theirs.distance, rel=1e-6)
     assert found.change == pytest.approx(theirs.change, rel=1e-4)
     assert 0.7 <= found.jump["mu0"] < 0.7 + 1e-8
@@ -159,27 +159,27 @@ def test_nothing_ends_nearer_than_the_margin() -> None:
     """Of another model, where the nearest point lies on an end of a range."""
     model = ss.load("two_springs")
     p, scale = model.Parameters(theta0=0.7, mu0=0.5), {"theta0": 0.02, "sigma_2": 0.05, "mu0": 0.05}
-    margin = model.jump_margin(p, scale)
+    margin = ss.jump_margin(p, scale)
     assert float(margin.parameters.sigma_2) == 0.0
-    assert model.jump_value(margin.parameters) == pytest.approx(float(margin.parameters.mu0), abs=1e-9)
+    assert ss.jump_value(margin.parameters) == pytest.approx(float(margin.parameters.mu0), abs=1e-9)
     rays = np.random.default_rng(4).standard_normal((200, 3))
     rays *= 0.999 * margin.distance / np.linalg.norm(rays, axis=1, keepdims=True)
     theta0, sigma_2, mu0 = (np.array([0.7, 0.05, 0.5]) + rays * np.array(list(scale.values()))).T
     inside = sigma_2 >= 0
     around = p.replace(theta0=theta0[inside], sigma_2=sigma_2[inside], mu0=mu0[inside])
-    assert not (model.jump_value(around) <= around.mu0).any()
+    assert not (ss.jump_value(around) <= around.mu0).any()
 
 
 @pytest.mark.validate
 def test_a_new_design_of_another_model_keeps_its_target() -> None:
     model = ss.load("cubic_contact")
     p = model.Parameters(theta0=0.7, gamma=3000.0)
-    better = model.redesign(p, "theta0", {"mu0": 0.7})
+    better = ss.redesign(p, "theta0", {"mu0": 0.7})
     assert better.jump["mu0"] == pytest.approx(0.7, abs=1e-8)
-    assert model.jump_value(p.replace(theta0=0.7 + 0.99 * better.change["theta0"])) < 0.7
+    assert ss.jump_value(p.replace(theta0=0.7 + 0.99 * better.change["theta0"])) < 0.7
     for arguments, text in ((("theta0", {"theta0": 1.0}), "is the target"), (("theta0", {"nu": 1.0}), "give parameters of")):
         with pytest.raises(ss.ParameterError, match=text):
-            model.redesign(p, *arguments)
+            ss.redesign(p, *arguments)
 
 
 @pytest.mark.validate
@@ -187,6 +187,6 @@ def test_a_new_design_has_no_end_below_a_target_of_any_name() -> None:
     """Of a set at whose own mu_k the state has ended before."""
     model = ss.load("stribeck")
     p = model.Parameters(theta0=0.8, mu_s=0.5, mu_k=0.8)
-    better = model.redesign(p, "theta0", {"mu_k": 0.9})
-    assert model.jump_value(better.parameters, "mu_k", begin=0.0) == pytest.approx(0.9, abs=1e-8)
+    better = ss.redesign(p, "theta0", {"mu_k": 0.9})
+    assert ss.jump_value(better.parameters, "mu_k", begin=0.0) == pytest.approx(0.9, abs=1e-8)
     assert better.jump["mu_k"] == pytest.approx(0.9, abs=1e-8)

@@ -138,10 +138,10 @@ def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     _, it = model
     middle = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA, mu0=0.1)
     low, high = (middle.replace(sigma=SIGMA * (1 + side), d=10 * (1 + side), mu0=0.1 * (1 + side)) for side in (-0.02, 0.02))
-    assert it.certify(low, high, "no jump", max_boxes=200).outcome == "proved"
+    assert ss.certify(low, high, "no jump", max_boxes=200).outcome == "proved"
     rng = np.random.default_rng(1)
     values = {name: rng.uniform(float(getattr(low, name)), float(getattr(high, name)), 50) for name in ("sigma", "d", "mu0")}
-    assert not (np.asarray(it.jump_value(middle.replace(**values))) <= values["mu0"]).any()
+    assert not (np.asarray(ss.jump_value(middle.replace(**values))) <= values["mu0"]).any()
 
 
 @pytest.mark.thorough

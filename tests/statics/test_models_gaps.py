@@ -84,7 +84,7 @@ def test_curves_of_folds_end_with_the_contact(models: dict[str, Any]) -> None:
 def test_a_path_leaves_the_contact_where_its_gap_opens(models: dict[str, Any]) -> None:
     """tau (psi − phi) = 0 on the border: the rod at rest just touches the wall at eta = cos psi."""
     model = models["rod"]
-    end = first_end(model, model.Parameters(tau=0.5), "eta", (0.1, 1.1))
+    end = first_end(model.Parameters(tau=0.5), "eta", (0.1, 1.1))
     assert end is not None
     assert end.kind == "border"
     assert end.value == pytest.approx(np.cos(0.3), abs=1e-12)

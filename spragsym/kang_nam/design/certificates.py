@@ -9,60 +9,31 @@ import numpy as np
 from ...design.certificates import Certificate, Unit, checked_units
 from ...errors import ParameterError
 from ...parameters import NAMES, FloatArray, Parameters
+from ...questions import NotInClosedForm
 from .cells import Boxes
 from .claims import CLAIMS, Claim
+from .jump_values import is_usual
 
 #: Boxes at a time.
 _BATCH = 2048
 
 
 def certify(
-    low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 20_000, refute: bool = True,
-    units: Mapping[str, Unit] | None = None,
+    low: Parameters, high: Parameters, claim: str = "no jump", *, vary: str | None = None, begin: float | None = None,
+    max_boxes: int | None = None, refute: bool = True, units: Mapping[str, Unit] | None = None,
 ) -> Certificate:  # fmt: skip
-    """Prove a claim for every point of a box of parameters, or find a point where it is false.
-
-    Parameters
-    ----------
-    low, high : Parameters
-        Two corners, scalars; a parameter may have the same value in both.
-    claim : {"no jump", "one equilibrium", "no flutter"}
-        ``"no jump"``: the state of small deformation does not jump as the friction rises from 0 to any μ₀ of the box.
-        ``"one equilibrium"``: there is one in contact, not three. ``"no flutter"``: no equilibrium in contact flutters by
-        (27), which has no dampers and no slope of the friction law: with that a state may grow all the same, see
-        :func:`spragsym.flutter_onsets`.
-    max_boxes : int
-        Boxes to look at before what is left is given back as undecided.
-    refute : bool
-        Also look for a point where the claim is false, which takes as long as the proof.
-    units : mapping of str to Unit, optional
-        Units of measure that have ranges too, as :class:`spragsym.design.certificates.Unit`: the corners are those at their base
-        values.
-
-    Returns
-    -------
-    Certificate
-
-    Raises
-    ------
-    ParameterError
-        For corners that are not scalars or in the wrong order, or another claim.
+    """The closed form of :func:`spragsym.certify`, for friction that rises.
 
     Notes
     -----
     Source: f, f′ and the eigenvalues of K over boxes, in affine arithmetic with every rounding bounded; boxes are halved until
     they are decided. A box that touches the border of the claim, a fold or an onset of flutter, can't be decided there: it ends
     after ``max_boxes``.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> base = Parameters.article(theta0=np.radians(30.0), mu0=0.6)
-    >>> certify(base, base.replace(theta0=np.radians(32.0), mu0=0.7), "no jump").outcome
-    'proved'
-    >>> certify(base, base.replace(mu0=0.9), "no jump").outcome
-    'refuted'
     """
+    rises = vary is None or (vary == "mu0" and claim == "no jump")
+    if not rises or not is_usual("mu0", begin):
+        raise NotInClosedForm
+    max_boxes = 20_000 if max_boxes is None else max_boxes
     if claim not in CLAIMS:
         raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, CLAIMS))}")
     if isinstance(max_boxes, bool) or not isinstance(max_boxes, int | np.integer) or max_boxes < 1:

@@ -6,6 +6,7 @@ import inspect
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,6 @@ from ..catastrophe.paths import quasi_static_path
 from ..statics import kernel
 from ..statics.solver import count, equilibria
 from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
-from .gradients import by_parameter
 from .jump_values import first_jumps, small
 
 _in_differences = inspect.unwrap(_catastrophe.f_in_differences)
@@ -28,6 +28,14 @@ _ALL = math.pi + 1e-15
 #: How far a trial direction lies from the state it stands for, in units of how far that state moves within the box: the wide one
 #: leaves room for terms of second order, the narrow one is for boxes near a fold.
 _MARGINS = (0.7, 0.25)
+
+
+def by_parameter(values: dict[str, Any], theta: FloatArray) -> dict[str, FloatArray]:
+    """∂f/∂π in contact for each parameter π, at the direction θ of the spring."""
+    with np.errstate(invalid="ignore"):
+        c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
+        pairs = _catastrophe.unfolding(c, s, c0, s0, *(values[name] for name in NAMES[1:]))
+    return {name: pair[0] for name, pair in zip(NAMES, pairs, strict=True)}
 
 
 @dataclass(frozen=True)

@@ -13,45 +13,40 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from ...design.values import FROM_LOWER_END
 from ...exact import bernstein
 from ...exact.rounded import UNIT
 from ...parameters import NAMES, FloatArray, Parameters
+from ...questions import NotInClosedForm
 from ...results.equilibria import Stability
 from ..catastrophe.fold_arrays import friction_sextic
 from ..statics.solver import equilibria
-from .jump_values import BLOCK, first_jumps, small
+from .jump_values import BLOCK, first_jumps, is_usual, small
 
 #: Radians between an equilibrium and the state without friction below which float64 does not say which comes first.
 _NEAR = 1e-9
 
 
-def have_jumped(p: Parameters, *, hasty: bool = False) -> FloatArray:
-    """1 where the state of small deformation jumps at a friction up to that of the point, ``jump_value(p) <= p.mu0``, else 0.
-
-    Parameters
-    ----------
-    p : Parameters
-        Any shape.
-    hasty : bool
-        Of no effect: closed forms are quick everywhere.
-
-    Returns
-    -------
-    ndarray
-        Of the shape of the points; NaN where it is not known.
+def have_jumped(
+    p: Parameters, vary: str | None = None, begin: float | FloatArray | None = None, *, hasty: bool = False
+) -> FloatArray:
+    """The closed form of :func:`spragsym.models.design.jumps.have_jumped` as friction or inclination rises; quick everywhere.
 
     Notes
     -----
-    Source: f′ f_μ₀ − f f_μ₀′, in which μ₀ cancels; it is negative where μ₀(θ) rises. Points that its signs do not decide are
-    asked by :func:`spragsym.design.jump_values.first_jumps`.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> have_jumped(Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7]))
-    array([0., 1., 1.])
+    Source: f′ f_μ₀ − f f_μ₀′, in which μ₀ cancels; it is negative where μ₀(θ) rises. Points that its signs do not decide, and
+    all along θ₀, are asked by :func:`spragsym.kang_nam.design.jump_values.first_jumps`.
     """
+    vary = vary or "mu0"
+    if vary not in FROM_LOWER_END or not is_usual(vary, begin):
+        raise NotInClosedForm
     p.require("theta0", "mu0")
+    if vary == "theta0":
+        limit = np.broadcast_to(p.theta0, p.shape)
+        found = first_jumps(p, vary, apart_from=limit)
+        out = np.where(found.value <= limit, 1.0, 0.0)
+        out.reshape(-1)[list(found.reasons)] = np.nan
+        return out
     size = math.prod(p.shape)
     given = {name: np.broadcast_to(getattr(p, name), p.shape).reshape(-1) for name in NAMES}
     out = np.zeros(size)

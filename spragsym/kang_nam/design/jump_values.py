@@ -15,15 +15,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...design.values import FIRST_ANGLE, FROM_LOWER_END, told
+from ...design.jump_ends import Ends
+from ...design.values import FIRST_ANGLE, FROM_LOWER_END
 from ...errors import ConvergenceError, ParameterError
 from ...exact.polynomials import Undecided
 from ...parameters import NAMES, RANGES, FloatArray, Parameters
+from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Stability
 from ..catastrophe import fold_arrays
 from ..catastrophe.fold_digits import sharpened
 from ..catastrophe.fold_points import turns
 from ..catastrophe.paths import quasi_static_path
+from ..statics import kernel
 from ..statics.solver import equilibria
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
@@ -44,53 +47,32 @@ class FirstJumps:
     reasons: Mapping[int, str]
 
 
-def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> float | FloatArray:
-    """Where the state of small deformation jumps first as one parameter moves.
-
-    Parameters
-    ----------
-    p : Parameters
-        Any shape. Of ``theta0`` and ``mu0`` the one that varies is not used, and may be left out.
-    vary : str
-        ``"mu0"`` and ``"theta0"`` rise from their lower end, 0; ``"kappa"``, ``"alpha"``, ``"sigma"`` and ``"beta"`` move
-        from the value in ``p``, to the end of their range.
-    direction : {"up", "down"}
-        Which way; only ``"up"`` for ``mu0`` and ``theta0``.
-
-    Returns
-    -------
-    float or ndarray
-        Of the shape of the parameters that are used; NaN where the state never jumps.
-
-    Raises
-    ------
-    ParameterError
-        For a ``vary`` that is not a parameter or a direction that it can't take.
-    ConvergenceError
-        For a single point whose folds can't be told apart by any number of digits; in an array such a point is NaN, with an
-        :class:`~spragsym.errors.UndecidedWarning`.
+def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None) -> Ends:
+    """The closed form of :func:`spragsym.models.design.jumps.first_ends`, along any of the six parameters, to 1e-12.
 
     Notes
     -----
-    Source: f = f′ = 0; the first jump of :func:`spragsym.quasi_static_path` from ``start="small"``, to 1e-12: the state that is
-    followed is the stable equilibrium of smallest \\|x\\| at the first value, or the one of smallest \\|x\\| where none is
-    stable; it may flutter on its way.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> p = Parameters.article(theta0=np.radians([30.0, 44.5593177, 80.0]))
-    >>> np.round(jump_value(p), 6)
-    array([0.850303, 0.5     ,      nan])
-    >>> round(float(np.degrees(jump_value(Parameters.article(mu0=0.7), "theta0"))), 6)
-    35.353706
+    Source: f = f′ = 0; the first jump of :func:`spragsym.quasi_static_path` from ``start="small"``.
     """
-    found = told(first_jumps(p, vary, direction))
-    return found.value if found.value.ndim else float(found.value)
+    vary = vary or "mu0"
+    if vary not in NAMES or not is_usual(vary, begin):
+        raise NotInClosedForm
+    found = first_jumps(p, vary, direction)
+    at = {name: getattr(p, name) for name in NAMES} | {vary: found.value}
+    with np.errstate(invalid="ignore"):
+        c, s, c0, s0 = np.cos(found.theta), np.sin(found.theta), np.cos(at["theta0"]), np.sin(at["theta0"])
+        _, x, y = kernel.state(c, s, c0, s0, *(at[name] for name in ("kappa", "sigma", "beta")), 1)
+    state = np.stack(np.broadcast_arrays(x, y, found.value)[:2])
+    return Ends(found.value, np.full(found.value.shape, _LARGEST_ERROR), state, found.reasons)
+
+
+def is_usual(vary: str, begin: FloatArray | float | None) -> bool:
+    """Whether a parameter rises from where closed forms follow it: from its lower end, or from the value in the set."""
+    return begin is None or (vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary])))
 
 
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> FirstJumps:
-    """As :func:`jump_value`, with the direction of the spring on the fold at which the state ends.
+    """Where the state of small deformation jumps first, with the direction of the spring on the fold at which it ends.
 
     With ``apart_from``, an array of the shape of ``p``, a value need only be known well enough to say on which side of that
     number it lies.

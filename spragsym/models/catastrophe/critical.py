@@ -260,7 +260,7 @@ class _Search:
         eq = equilibria(here.replace(**{self.vary: below}))
         states = np.array([eq.coordinates[name][: int(eq.count)] for name in self.balance.coordinates])
         slot = int(np.linalg.norm(states - state[:, None], axis=0).argmin())
-        return first_end(self.model, here, self.vary, (below, limit), start=slot)
+        return first_end(here, self.vary, (below, limit), start=slot)
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
         """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided."""

@@ -113,12 +113,12 @@ def quasi_static_path(
     return followed(p, vary, along, coordinates, stability, error, tuple(jumps))
 
 
-def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
+def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
     """Where a state that is followed from the first value of a span to the last one vanishes first; None if it does not.
 
     Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it is not asked.
     """
-    way = _Way(model, p, vary, np.array(span))
+    way = _Way(p.model, p, vary, np.array(span))
     place = way.begin(start)
     for stop in range(1, way.stops.size):
         following = way.followed(stop, place)

@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 from ...design.certificates import Certificate, Unit, checked_units
 from ...errors import ConvergenceError, ParameterError
 from ...exact.interval_arrays import FloatArray
+from ...parameters import ParameterSet
 from ...progress import doing
+from ...questions import Method, question
 from ...results.equilibria import Stability
 from ..mechanics.varying_units import BalanceInUnits
 from ..statics.equilibria import equilibria
@@ -230,60 +232,78 @@ def corners(low: FloatArray, high: FloatArray) -> FloatArray:
     return np.array([[*(0.5 * (low + high))[:-1], high[-1]], *((*one, high[-1]) for one in some)]).T
 
 
+@question
 def certify(
-    low: Any,
-    high: Any,
-    claim: str = "no jump",
-    *,
-    vary: str | None,
-    begin: float | None = 0.0,
-    max_boxes: int = 2000,
-    refute: bool = True,
-    units: Mapping[str, Unit] | None = None,
-) -> Certificate:
+    low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None, begin: float | None = None,
+    max_boxes: int | None = None, refute: bool = True, units: Mapping[str, Unit] | None = None, method: Method = "auto",
+) -> Certificate:  # fmt: skip
     """Prove a claim for every point of a box of parameters, or find a point at which it is false.
 
     Parameters
     ----------
     low, high : Parameters
-        Two corners, scalars, of one model.
+        Two corners, scalars, of one model; a parameter may have the same value in both.
     claim : {"no jump", "one equilibrium", "no flutter"}
         ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of the box where ``vary`` begins,
         and what it becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact,
         and meets no other state. ``"one equilibrium"``: there is one in contact. ``"no flutter"``: of no equilibrium in contact
         does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27): without dampers and the slope of the
         friction law, with which a state may grow all the same, see :func:`spragsym.flutter_onsets`.
-    vary : str
-        The parameter that rises, for ``"no jump"`` only.
-    begin : float
-        Its value where the state is taken up.
-    max_boxes : int
-        Parts of the box to look at before what is left is given back as undecided.
+    vary : str, optional
+        The parameter that rises, mu0 unless told otherwise, for ``"no jump"`` only.
+    begin : float, optional
+        Its value where the state is taken up, the lower end of its range unless told otherwise.
+    max_boxes : int, optional
+        Parts of the box to look at before what is left is given back as undecided: 20 000 of closed forms, else 2000.
     refute : bool
         Also look for a point where the claim is false.
     units : mapping of str to Unit, optional
-        Units of measure that have tolerances too, for ``"no jump"``: the corners are those at their base values.
+        Units of measure that have tolerances too, as :class:`spragsym.design.certificates.Unit`: the corners are those at their
+        base values. The search takes them for ``"no jump"`` only.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or tubes and boxes of states.
 
     Returns
     -------
     Certificate
         ``boxes`` counts the parts.
 
+    Raises
+    ------
+    ParameterError
+        For corners that are not scalars or in the wrong order, or another claim.
+
     Notes
     -----
     Source: tubes around curves of states, see :mod:`spragsym.models.tubes.tubes`. A part is proved where the tube of all its
     points comes to the upper end of ``vary``; at a counterexample the tube of the point passes a fold below. A part that a fold
-    crosses is halved. The other claims: :mod:`spragsym.models.design.state_certificates`.
+    crosses is halved; a box that touches the border of the claim can't be decided there. The other claims:
+    :mod:`spragsym.models.design.state_certificates`. Of the article's model: f, f′ and the eigenvalues of K over boxes, in affine
+    arithmetic, see :mod:`spragsym.kang_nam.design.certificates`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> base = ss.Parameters.article(theta0=np.radians(30.0), mu0=0.6)
+    >>> ss.certify(base, base.replace(theta0=np.radians(32.0), mu0=0.7), "no jump").outcome
+    'proved'
+    >>> ss.certify(base, base.replace(mu0=0.9), "no jump").outcome
+    'refuted'
+    >>> low = ss.load("two_springs").Parameters(theta0=0.5, mu0=0.2)
+    >>> ss.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
+    'proved'
     """
+    model, max_boxes = low.model, 2000 if max_boxes is None else max_boxes
     if claim in STATES:
         if vary is not None:
             raise ParameterError(f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out")
         if units:
             raise ParameterError(f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them")
         return certify_states(low, high, claim, max_boxes, refute)
-    if claim != "no jump" or vary is None or begin is None:
+    if claim != "no jump":
         raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
-    box = Splitting(low, high, vary, begin, checked_units(units, low.model.parameters, low.model.about["angles"]))
+    vary, begin = model.rising(vary, begin)
+    box = Splitting(low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"]))
     # What goes on to the upper end goes on to every value below.
     box.whole.low[-1] = box.whole.high[-1]
     volume = _volume(box.whole)[0]

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from ...design.gradients import JumpGradient
+from ...design.jump_ends import Ends
 from ...design.values import FROM_LOWER_END, told
 from ...errors import ConvergenceError, ParameterError
 from ...exact.interval_arrays import FloatArray
-from ...parameters import Range, as_numbers
+from ...parameters import ParameterSet, Range, as_numbers
+from ...questions import Method, model_of, question
 from ..catastrophe.paths import first_end
 from ..catastrophe.points import FAR
 from ..mechanics.balance import Balance
@@ -33,41 +34,41 @@ ROUNDS, PAST = 4, 2.0**-8
 HASTY = 60
 
 
-@dataclass(frozen=True)
-class Ends:
-    """Where the states of many points end: the value, NaN where they don't, a bound on its error, and the coordinates at a fold.
-
-    ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of which points, by their
-    position in ``value.flat``, nothing is known, and why.
-    """
-
-    value: FloatArray
-    error: FloatArray
-    state: FloatArray
-    reasons: Mapping[int, str]
+@question
+def first_ends(
+    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    method: Method = "auto",
+) -> Ends:  # fmt: skip
+    """Where the followed state of each point ends first, and the state there; arguments as of :func:`jump_value`."""
+    return Followed(p, p.model.rising(vary, 0.0)[0], direction, begin, until).ends()
 
 
 def jump_value(
-    model: Any, p: Any, vary: str, *, direction: str = "up", begin: float | None = None, until: float | None = None
-) -> float | FloatArray:
-    """Where the followed state ends first as one parameter moves.
+    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    method: Method = "auto",
+) -> float | FloatArray:  # fmt: skip
+    """Where the followed state ends first as one parameter moves: the state of small deformation jumps there.
 
     Parameters
     ----------
     p : Parameters
-        Of the model, of any shape.
-    vary : str
-        What moves: ``mu0`` and ``theta0`` from the lower end of their range, and are not used; others from the value in ``p``.
+        Of any model and shape. Of ``theta0`` and ``mu0`` the one that varies is not used, and may be left out.
+    vary : str, optional
+        What moves, ``mu0`` unless told otherwise: ``mu0`` and ``theta0`` from the lower end of their range, others from the value
+        in ``p``.
     direction : {"up", "down"}
         Which way; ``mu0`` and ``theta0`` rise.
     begin, until : float, optional
         From where to where instead. Without ``until`` to the end of the range; where that has no end up to 10 times the base
-        value, 10 at least.
+        value, 10 at least, of the article's model without end.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or tubes around curves of states.
 
     Returns
     -------
     float or ndarray
-        NaN where the state is proved to go on, up to a fold that lies within its error of ``until``, if there is one.
+        Of the shape of the parameters that are used; NaN where the state is proved to go on, up to a fold that lies within its
+        error of ``until``, if there is one.
 
     Raises
     ------
@@ -82,51 +83,126 @@ def jump_value(
     Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.models.tubes.turning_points`, from
     the reference state at the first value, see :mod:`spragsym.models.statics.reference_state`. What tubes don't decide is
     followed between all folds that are found by search, see :func:`spragsym.models.catastrophe.paths.first_end`; an end there
-    may also be where the state leaves the contact.
+    may also be where the state leaves the contact. Of the article's model: f = f′ = 0, see
+    :mod:`spragsym.kang_nam.design.jump_values`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians([30.0, 44.5593177, 80.0]))
+    >>> np.round(ss.jump_value(p), 6)
+    array([0.850303, 0.5     ,      nan])
+    >>> round(float(np.degrees(ss.jump_value(ss.Parameters.article(mu0=0.7), "theta0"))), 6)
+    35.353706
+    >>> np.round(ss.jump_value(ss.load("cubic_contact").Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
+    array([0.597422, 0.385931,      nan])
     """
-    found = told(Followed(model, p, vary, direction, begin, until).ends()).value
+    found = told(first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)).value
     return found if found.ndim else float(found)
 
 
 def jump_gradient(
-    model: Any, p: Any, vary: str, *, direction: str = "up", begin: float | None = None, until: float | None = None
-) -> JumpGradient:
+    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    method: Method = "auto",
+) -> JumpGradient:  # fmt: skip
     """Derivatives of :func:`jump_value` by all parameters.
+
+    Parameters
+    ----------
+    p, vary, direction, begin, until, method
+        As for :func:`jump_value`.
+
+    Returns
+    -------
+    JumpGradient
+        NaN where the state goes on or leaves the contact.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense.
 
     Notes
     -----
-    Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w · ∂F/∂v). NaN where the state
-    goes on or leaves the contact.
+    Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w · ∂F/∂v). At a cusp digits are
+    lost, and beyond it there is no jump.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> slopes = ss.jump_gradient(ss.Parameters.article(theta0=np.radians(30.0)))
+    >>> print(f"{slopes.theta0 * np.radians(1.0):.4f} for each degree, {slopes.sigma * 0.01:.4f} for each 0.01 of sigma")
+    -0.0313 for each degree, 0.0186 for each 0.01 of sigma
     """
-    asked = Followed(model, p, vary, direction, begin, until)
-    found = told(asked.ends())
-    return JumpGradient(vary, found.value, asked.slopes(found))
+    found = told(first_ends(p, vary, direction=direction, begin=begin, until=until, method=method))
+    name = model_of(p).rising(vary, 0.0)[0]
+    return JumpGradient(name, found.value, slopes_of(p, name, found))
 
 
-def have_jumped(model: Any, p: Any, vary: str, begin: float | FloatArray, *, hasty: bool = False) -> FloatArray:
-    """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where tubes don't decide it.
+@question
+def have_jumped(
+    p: ParameterSet, vary: str | None = None, begin: float | FloatArray | None = None, *, hasty: bool = False,
+    method: Method = "auto",
+) -> FloatArray:  # fmt: skip
+    """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where that is not known.
 
-    It rises from ``begin``, one value for all points or one for each. A ``hasty`` answer is NaN beside cusps too, which take
-    longest.
+    It rises from ``begin``, one value for all points or one for each; the lower end of its range where left out. A ``hasty``
+    answer is NaN beside cusps too, which take longest.
 
     Returns
     -------
     ndarray
         Of the shape of the points.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> have_jumped(ss.Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7]))
+    array([0., 1., 1.])
     """
+    model = p.model
+    vary, begin = model.rising(vary, begin)
     names = [name for name in model.parameters if getattr(p, name) is not None]
     p = p.replace(**dict(zip(names, p.broadcast(*names), strict=True)))  # each of the shape of all, without mu0 too
-    return Followed(model, p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(hasty=hasty)
+    return Followed(p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(hasty=hasty)
+
+
+def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
+    """dv/dp by name at the folds at which the states of points end."""
+    balance = Balance(p.model, contact=True)
+    names, shape = list(balance.parameters), found.value.shape
+    value, state = found.value.reshape(-1), found.state.reshape(balance.n, -1)
+    out = {name: np.full(value.shape, np.nan) for name in names}
+    rows = np.flatnonzero(np.isfinite(state).all(axis=0))
+    if rows.size:
+        at = p.replace(**{vary: np.where(np.isnan(value), 0.0, value).reshape(shape)})
+        values, q = balance.floats(np.stack([column.reshape(-1)[rows] for column in at.broadcast(*names)])), list(state[:, rows])
+        directions = balance.plain_directions(q, values, np)
+        K, moved = (
+            np.moveaxis(filled(matrix, rows.shape), -1, 0)
+            for matrix in (
+                balance.by_coordinate("forces_jacobian", q, directions, values, np),
+                balance.by_parameters(names, q, directions, values, np),
+            )
+        )
+        w = np.linalg.svd(K)[0][:, :, -1]
+        along = np.einsum("Ni,Nij->jN", w, moved)
+        with np.errstate(all="ignore"):
+            for name, one in zip(names, along, strict=True):
+                out[name][rows] = 0.0 if name == vary else 0.0 - one / along[names.index(vary)]
+    return {name: one.reshape(shape) for name, one in out.items()}
 
 
 class Followed:
     """States of many points, followed as one parameter moves, up or down, from where to where: see :func:`jump_value`."""
 
     def __init__(
-        self, model: Any, p: Any, vary: str, direction: str, begin: float | FloatArray | None, until: float | FloatArray | None
+        self, p: ParameterSet, vary: str, direction: str, begin: float | FloatArray | None, until: float | FloatArray | None
     ) -> None:
         if direction not in ("up", "down"):
             raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
+        model = p.model
+        model.require_parameter(vary)
         self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
         allowed = model.Parameters.ranges[vary]
         if begin is None and vary in FROM_LOWER_END:
@@ -190,7 +266,7 @@ class Followed:
             for i in rows[~self._block(rows, self._start(rows), out)].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 try:
-                    end = first_end(self.model, self._point(i), self.vary, span) if span[0] != span[1] else None
+                    end = first_end(self._point(i), self.vary, span) if span[0] != span[1] else None
                 except ConvergenceError as error:
                     reasons[i] = str(error)
                     continue
@@ -243,28 +319,3 @@ class Followed:
             left, at = left[~known], at[~known]
             at = past(tubes, parts[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
         return decided
-
-    def slopes(self, found: Ends) -> dict[str, FloatArray]:
-        """dv/dp by name at the folds that were found."""
-        names = list(self.balance.parameters)
-        value, state = found.value.reshape(-1), found.state.reshape(self.balance.n, -1)
-        out = {name: np.full(value.shape, np.nan) for name in names}
-        rows = np.flatnonzero(np.isfinite(state).all(axis=0))
-        columns = self.fixed[:, rows]
-        columns[names.index(self.vary)] = value[rows]
-        values, q = self.balance.floats(columns), list(state[:, rows])
-        directions = self.balance.plain_directions(q, values, np)
-        K, moved = (
-            np.moveaxis(filled(matrix, rows.shape), -1, 0)
-            for matrix in (
-                self.balance.by_coordinate("forces_jacobian", q, directions, values, np),
-                self.balance.by_parameters(names, q, directions, values, np),
-            )
-        )
-        if rows.size:
-            w = np.linalg.svd(K)[0][:, :, -1]
-            along = np.einsum("Ni,Nij->jN", w, moved)
-            with np.errstate(all="ignore"):
-                for name, one in zip(names, along, strict=True):
-                    out[name][rows] = 0.0 if name == self.vary else -one / along[names.index(self.vary)]
-        return {name: one.reshape(self.shape) for name, one in out.items()}

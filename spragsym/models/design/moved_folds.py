@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 
 from ...design.gradients import JumpGradient
+from ...design.jump_ends import Ends
 from ...design.values import told
 from ...exact.interval_arrays import FloatArray
 from ..tubes.tube_regions import Parts
 from ..tubes.tubes import SMALL
 from ..tubes.turning_points import secants
-from .jumps import Ends, Followed
+from .jumps import Followed, first_ends, slopes_of
 
 
 class MovedFold:
@@ -23,18 +24,18 @@ class MovedFold:
     ends there is not known then. Where secants end nowhere it is found by tubes again.
     """
 
-    def __init__(self, model: Any, vary: str, begin: float | None) -> None:
-        self.model, self.vary, self.begin = model, vary, begin
+    def __init__(self, vary: str, begin: float | None) -> None:
+        self.vary, self.begin = vary, begin
         self.last: FloatArray | None = None
 
     def __call__(self, p: Any) -> JumpGradient:
-        asked = Followed(self.model, p, self.vary, "up", self.begin, None)
+        asked = Followed(p, self.vary, "up", self.begin, None)
         found = None if self.last is None else self._next(asked, self.last)
         if found is None:
-            found = told(asked.ends())
+            found = told(first_ends(p, self.vary, begin=self.begin))
         z = np.append(found.state, found.value)
         self.last = z if np.isfinite(z).all() else None
-        return JumpGradient(self.vary, found.value, asked.slopes(found))
+        return JumpGradient(self.vary, found.value, slopes_of(p, self.vary, found))
 
     def _next(self, asked: Followed, last: FloatArray) -> Ends | None:
         """The fold near (q, v), if there is one within what the parameter may be."""

@@ -2,24 +2,33 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from ...design.dependence import Correlation
-from ...design.probability import JumpProbability, checked, estimated, sides
-from ...errors import ParameterError, ParameterTypeError
+from ...design.design_space import PHYSICAL, dimensionless
+from ...design.probability import POINTS, Distribution, JumpProbability, checked, estimated, sides
+from ...errors import ParameterError
 from ...exact.interval_arrays import FloatArray
-from ...parameters import ParameterSet
-from .certificates import ENDS, OPEN, POINTS, THIN, Pieces, Splitting
+from ...parameters import RANGES, ParameterSet, PhysicalParameters, range_of
+from ...questions import WAYS, Method, model_of
+from ...sweeps.workers import Workers
+from ..load import USUAL, load
+from .certificates import Pieces, Splitting
+from .jumps import have_jumped
+
+if TYPE_CHECKING:
+    from ..model import Model
 
 #: The share of a distribution up to some values.
 Shares: TypeAlias = Callable[[FloatArray], Any]
-#: Samples by default: each is followed.
-SAMPLES = 1 << 12
+#: Of the belt: its speed and the steepness of the friction law.
+BELT = ("V", "d")
 #: Share of a distribution without an end that is left out of the proof on either side, and counts as not decided.
 TAIL = 1e-9
 #: What sums of shares are rounded outward by.
@@ -27,53 +36,109 @@ ROUNDING = 1e-12
 
 
 def jump_probability(
-    model: Any,
-    distribution: Any,
+    distribution: Distribution,
     *,
-    vary: str,
-    begin: float,
+    model: Model | str | None = None,
+    vary: str | None = None,
+    begin: float | None = None,
     max_boxes: int = 0,
     correlation: Correlation | None = None,
-    n: int = SAMPLES,
+    n: int = POINTS,
     rng: int | np.random.Generator | None = None,
     confidence: float = 0.95,
-    sobol: bool = False,
+    sobol: bool = True,
     replicates: int = 16,
-    workers: Any = 1,
+    workers: Workers = 1,
     progress: bool = False,
-    store: Any = None,
+    store: str | os.PathLike[str] | None = None,
+    method: Method = "auto",
 ) -> JumpProbability:
-    """The probability that the followed state ends before ``vary`` has risen to its value.
+    """The probability that the followed state ends, by quasi-Monte Carlo, with an interval and Sobol' indices, and proved bounds.
 
     Parameters
     ----------
-    distribution : mapping, or two sets of parameters
-        For parameters by name a number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of
-        ``scipy.stats``; those that are left out have their base values. Two sets are the corners of a box.
-    vary, begin
-        As for :func:`spragsym.models.design.certificates.certify`: the parameter that rises, and from where.
+    distribution : mapping, or two corners of a box
+        For each parameter by name, or for each of the physical quantities k, k_x, k_y, k_c, F_L, L_0, theta0 and mu0: a number, a
+        range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``; parameters that
+        are left out have their base values. With V and d, both, beside the physical ones the friction is that at the speed of the
+        belt. Two :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a box.
+    model : Model or str, optional
+        Whose parameters a mapping is of; the article's unless told otherwise.
+    vary, begin : str and float, optional
+        The parameter that rises to its value, mu0 unless told otherwise, and from where, the lower end of its range.
     max_boxes : int
         Parts of the box to look at for ``proved``, which is (0, 1) without.
-    correlation, n, rng, confidence, sobol, replicates, workers, progress, store
-        As for :func:`spragsym.jump_probability`.
+    correlation : mapping of pairs of names to float, optional
+        Of the normal scores behind the distributions (a Gaussian copula), which are the quantities' own where they are normal;
+        1 where one decides the other. Those that are not named are independent.
+    n : int
+        Points, rounded up to a power of two for each replicate; without closed forms one takes up to a millisecond.
+    rng : int or numpy.random.Generator, optional
+        An int gives the same points each time.
+    confidence : float
+        Of the intervals.
+    sobol : bool
+        Also estimate the indices, which costs half as many evaluations more for each quantity that varies.
+    replicates : int
+        Independent scramblings, from whose spread the intervals follow.
+    workers : int or map-like callable
+        Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask client's. The result is the same.
+    progress : bool
+        Show a bar on stderr.
+    store : path, optional
+        Finished chunks go to ``<store>.partial``; the same call goes on from there after a kill, and reads the file when it is
+        done. Needs an int as ``rng``.
+    method : {"auto", "closed", "search"}
+        Whether what is asked of each point may be answered by closed forms.
+
+    Returns
+    -------
+    JumpProbability
+
+    Raises
+    ------
+    ParameterError
+        For quantities that are missing or unknown, and distributions that reach out of a range.
 
     Notes
     -----
-    Source: tubes around curves of states, see :mod:`spragsym.models.tubes.tubes`, about each sample; and about parts of the box,
-    whose probability is the product of that of their sides.
+    Source: an event is an end of the state up to the value of what rises; interval by Student's distribution over the
+    replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't. Proved bounds: tubes around curves of states
+    about parts of the box, whose probability is the product of that of their sides, see :mod:`spragsym.models.tubes.tubes`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> base = ss.Parameters.article(theta0=np.radians(40.0), mu0=0.55)
+    >>> box = base.replace(mu0=0.5, sigma=0.09), base.replace(mu0=0.65, sigma=0.11)
+    >>> found = ss.jump_probability(box, n=4096, rng=1)
+    >>> round(found.probability, 2), found.high - found.low < 0.01, max(found.total, key=found.total.get)
+    (0.39, True, 'mu0')
+    >>> found = ss.jump_probability(
+    ...     {"theta0": 1.0, "mu0": (0.2, 0.4)}, model="inclined_belt", n=64, rng=1, replicates=2, max_boxes=64
+    ... )
+    >>> found.low < found.proved[0] < found.proved[1] < found.high, found.proved[1] - found.proved[0] < 0.01
+    (True, True)
     """
-    variables = _variables(model, distribution)
-    model.require_parameter(vary)
-    base = model.Parameters(**{name: one for name, one in variables.items() if isinstance(one, float)})
-    event = partial(_ends, base, vary, begin)
+    if method not in WAYS:
+        raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
+    if isinstance(distribution, tuple):
+        asked = model_of(distribution)
+    else:
+        asked = load(model or USUAL) if model is None or isinstance(model, str) else model
+    asked = asked.search if method == "search" else asked
+    variables = _variables(asked, distribution)
+    vary, begin = asked.rising(vary, begin)
+    event = partial(_ended, asked.Parameters, _is_physical(asked, distribution), vary, begin, method)
     found = estimated(
-        variables, event, of=f"{model.name}, {vary} from {begin!r}", correlation=correlation, n=n, rng=rng, confidence=confidence,
+        variables, event, of=f"{asked.name}, {vary} from {begin!r}", correlation=correlation, n=n, rng=rng, confidence=confidence,
         sobol=sobol, replicates=replicates, workers=workers, progress=progress, store=store,
     )  # fmt: skip
     if not max_boxes:
         return found
     if correlation:
         raise ParameterError("correlation: a bracket is proved for independent parameters only; leave max_boxes out")
+    base = asked.Parameters(**{name: one for name, one in variables.items() if isinstance(one, float)})
     return replace(found, proved=bracket(base, variables, vary, begin, max_boxes))
 
 
@@ -111,23 +176,39 @@ def _end(law: Any, share: float) -> float:
     return end if np.isfinite(end) else float(law.ppf(TAIL if share == 0 else 1 - TAIL))
 
 
-def _variables(model: Any, distribution: Any) -> dict[str, Any]:
+def _variables(model: Model, distribution: Distribution) -> dict[str, Any]:
+    """Each quantity as a float, or as something with a quantile function ``ppf``."""
+    physical = _is_physical(model, distribution)
+    names = PHYSICAL if physical else model.parameters
     if isinstance(distribution, tuple):
-        if len(distribution) != 2 or not all(isinstance(p, model.Parameters) for p in distribution):
-            raise ParameterTypeError(f"distribution: the corners of a box are two sets of parameters of {model.name}")
-        given = sides(*distribution, model.parameters)
+        low, high, *more = distribution
+        if more or type(low) is not type(high):
+            raise ParameterError("distribution: the corners of a box are two Parameters or two PhysicalParameters")
+        given = sides(low, high, names)
     else:
-        given = {**model.base, **distribution}
-    ranges = {name: model.Parameters.ranges[name] for name in model.parameters}
-    return checked(given, ranges, f"a parameter of {model.name}")
+        given = dict(distribution)
+    if physical:
+        names = (*PHYSICAL, *BELT) if set(given) & set(BELT) else PHYSICAL
+        return checked(given, {name: RANGES.get(name) or range_of(name) for name in names}, "a quantity here")
+    return checked(
+        {**model.base, **given}, {name: model.Parameters.ranges[name] for name in names}, f"a parameter of {model.name}"
+    )
 
 
-def _ends(base: ParameterSet, vary: str, begin: float, values: Mapping[str, Any]) -> FloatArray:
-    """1 where the state ends, 0 where it does not, NaN where that is not proved."""
-    varied = {name: np.asarray(value) for name, value in values.items() if np.ptp(value)}
-    low, high = (base.replace(**{name: float(end(value)) for name, value in values.items()}) for end in (np.min, np.max))
-    box = Splitting(low, high, vary, begin)
-    rows = np.stack([np.broadcast_to(varied.get(name, values[name]), len(values[vary])) for name in (*box.free, vary)])
-    some = (box.points(rows[:, i : i + POINTS]) for i in range(0, rows.shape[1], POINTS))
-    out = np.concatenate([box.settled(points, THIN)[0].outcome for points in some])
-    return np.where(out == OPEN, np.nan, np.where(out == ENDS, 1.0, 0.0))
+def _is_physical(model: Model, distribution: Distribution) -> bool:
+    """Whether what is given are quantities of a brake, in SI."""
+    if isinstance(distribution, tuple):
+        return isinstance(distribution[0], PhysicalParameters)
+    return issubclass(model.Parameters, PhysicalParameters.of_model) and bool(
+        {*distribution} & ({*PHYSICAL} - {*model.parameters})
+    )
+
+
+def _ended(
+    kind: type[ParameterSet], physical: bool, vary: str, begin: float, method: Method, values: Mapping[str, Any]
+) -> FloatArray:
+    """1 where the state ends, 0 where it does not, NaN where that is not known."""
+    p = kind(**(dimensionless(values) if physical else values))
+    if physical and "V" in values:  # d V has no dimension, in SI as without units
+        p = p.replace(mu0=p.model.friction(p.replace(V=values["V"], d=values["d"])))
+    return have_jumped(p, vary, begin, method=method)

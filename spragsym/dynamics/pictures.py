@@ -29,7 +29,7 @@ def axis_label(model: Any, name: str) -> str:
     unit = model.quantities[name][0]
     written = rf"{symbol(model.coordinates[model.rates.index(name)])}'" if name in model.rates else symbol(name)
     if unit in ("1", "rad"):
-        return f"${written}$"
+        return f"${written}$" if unit == "1" else f"${written}$ (rad)"
     letters = in_letters(unit)
     return f"${written}$ / $({letters})$" if r"\," in letters else f"${written}$ / ${letters}$"
 

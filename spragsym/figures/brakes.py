@@ -15,7 +15,7 @@ from ..models.catastrophe.points import ranges
 from ..parameters import ParameterSet
 from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
-from .labels import with_unit
+from .labels import as_drawn, with_unit
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
 
 #: Friction up to which pictures go, at least, and up to which folds are looked for; of another quantity times its value.
@@ -98,7 +98,7 @@ def draw_rising(
     begin : float
         From where.
     length, size : float
-        What one of the first coordinate, and of what rises, is in the unit that the axis shows.
+        What one of the first coordinate, and of what rises, is in the unit that the axis shows; of an angle, what a degree is.
     label, across : str, optional
         Of these axes.
     n : int
@@ -123,8 +123,10 @@ def draw_rising(
         path = p.model.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, low=begin, high=top)
-    ax.axvspan(*ends, color=SKY, alpha=0.25, linewidth=0, zorder=0)
-    ax.set(xlabel=across, ylabel=with_unit(p.model, first) if label is None else label, xlim=(begin, top))
+    ax.axvspan(*as_drawn(p.model, vary, ends), color=SKY, alpha=0.25, linewidth=0, zorder=0)
+    ax.set(
+        xlabel=across, ylabel=with_unit(p.model, first) if label is None else label, xlim=as_drawn(p.model, vary, (begin, top))
+    )
     for axis, one in ((ax.xaxis, size), (ax.yaxis, length)):
         if one != 1.0:
             _round_ticks(axis, one)

@@ -20,7 +20,7 @@ from ..parameters import FloatArray, ParameterSet
 from ..results.equilibria import Equilibria, Stability, columns_of
 from ..results.paths import Path
 from ..results.points import Points
-from .labels import window, with_unit
+from .labels import as_drawn, window, with_unit
 from .style import BLACK, LINES, Table, own_axes, styled
 
 #: Names of axes in the article's figures.
@@ -47,8 +47,8 @@ class Branch:
 
     def shown(self, name: str) -> FloatArray:
         """A column or the parameter as an axis shows it: angles in degrees."""
-        value: FloatArray = self.values if name == self.vary else self.states[name]
-        return np.degrees(value) if self.model.is_angle(name) else value
+        value: FloatArray = as_drawn(self.model, name, self.values if name == self.vary else self.states[name])
+        return value
 
 
 def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
@@ -225,10 +225,8 @@ def mark_folds(
     """Mark folds at their exact positions between ``low`` and ``high`` of the parameter that varies."""
     along = getattr(turns, turns.vary[0])
     inside = (low <= along) & (along <= high)
-    x, y = along[inside], getattr(turns, quantity)[inside]
     model = turns.parameters.model
-    x = np.degrees(x) if model.is_angle(turns.vary[0]) else x
-    y = np.degrees(y) if model.is_angle(quantity) else y
+    x, y = as_drawn(model, turns.vary[0], along[inside]), as_drawn(model, quantity, getattr(turns, quantity)[inside])
     style: dict[str, Any] = {
         "linestyle": "none",
         "marker": "o",
@@ -312,7 +310,7 @@ def joined(tables: Iterable[Table]) -> Table:
 
 
 def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArray]]:
-    """The pieces of a quasi-static path between its jumps, from where it landed to the exact fold."""
+    """The pieces of a quasi-static path between its jumps, from where it landed to the exact fold, as axes show them."""
     values, states = path.values, getattr(path, quantity)
     forward = -1.0 if values[0] > values[-1] else 1.0
     pieces, begin = [], 0
@@ -326,9 +324,8 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
         ))  # fmt: skip
         head, begin = ([jump.value], [after]), stop
     pieces.append((np.concatenate([head[0], values[begin:]]), np.concatenate([head[1], states[begin:]])))
-    if path.parameters.model.is_angle(path.vary):
-        pieces = [(np.degrees(value), state) for value, state in pieces]
-    return pieces
+    model = path.parameters.model
+    return [(as_drawn(model, path.vary, value), as_drawn(model, quantity, state)) for value, state in pieces]
 
 
 @styled

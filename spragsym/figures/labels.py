@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axis import Axis
@@ -34,6 +35,11 @@ def shown(known: Model | Field, name: str) -> tuple[str, float]:
     """What an axis calls a parameter or a coordinate of a motion, and what one of it is there: angles are degrees."""
     angle = known.is_angle(name)
     return f"${symbol(name)}$ (deg)" if angle else f"${symbol(name)}$", math.degrees(1.0) if angle else 1.0
+
+
+def as_drawn(model: Model, name: str, values: Any) -> Any:
+    """Values of a parameter or a column in the unit of its axis: angles in degrees, all else as it is."""
+    return np.degrees(values) if model.is_angle(name) else values
 
 
 def with_unit(model: Model, name: str) -> str:

@@ -10,17 +10,12 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
-from ..models import Model
 from ..models.catastrophe.hopf_curves import OnsetCurves
 from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
-from .labels import Between, label, window
+from .labels import Between, as_drawn, label, window
 from .style import BLACK, GREEN, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
-
-
-def _shown(model: Model, name: str, values: Any) -> Any:
-    return np.degrees(values) if model.is_angle(name) else values
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
@@ -45,8 +40,8 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
     one, two = found.vary
     artists: list[Any] = []
     for curve in found.curves:
-        artists += ax.plot(_shown(model, one, getattr(curve, one)), _shown(model, two, getattr(curve, two)), color=color)
-    cusps = [_shown(model, name, getattr(found.cusps, name)) for name in found.vary]
+        artists += ax.plot(as_drawn(model, one, getattr(curve, one)), as_drawn(model, two, getattr(curve, two)), color=color)
+    cusps = [as_drawn(model, name, getattr(found.cusps, name)) for name in found.vary]
     artists += ax.plot(*cusps, "o", color=BLACK, markersize=3.5)
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
@@ -69,7 +64,7 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     artists: list[Any] = []
     styles = {"gentle": "-", "dangerous": "--", "undecided": ":"}
     for curve in found.curves:
-        across, up = _shown(model, one, getattr(curve, one)), _shown(model, two, getattr(curve, two))
+        across, up = as_drawn(model, one, getattr(curve, one)), as_drawn(model, two, getattr(curve, two))
         kinds = curve.criticality
         begins = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
         for begin, end in zip(begins, [*begins[1:], len(kinds) - 1], strict=True):
@@ -78,7 +73,7 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     changes = (["GH"] * len(found.changes["error"]), found.changes, "o", (3, 3))
     points = (found.points.kind.tolist(), {name: getattr(found.points, name) for name in found.vary}, "s", (3, -9))
     for labels, rows, marker, aside in (changes, points):
-        places = [_shown(model, name, rows[name]) for name in found.vary]
+        places = [as_drawn(model, name, rows[name]) for name in found.vary]
         artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
         for text, place in zip(labels, zip(*places, strict=True), strict=True):
             artists.append(ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small"))
@@ -116,8 +111,8 @@ def draw_onsets(
         found = ss.flutter_onsets(p.replace(**{one: float(value)}), two, damping=damping, between=spans, method="search")
         points[0] += [float(value)] * len(found)
         points[1] += getattr(found, two).tolist()
-    artists: list[Any] = ax.plot(*(_shown(model, name, np.array(column)) for name, column in zip(vary, points, strict=True)), ".",
-                                 color=GREEN, markersize=3)  # fmt: skip
+    places = (as_drawn(model, name, np.array(column)) for name, column in zip(vary, points, strict=True))
+    artists: list[Any] = ax.plot(*places, ".", color=GREEN, markersize=3)
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
 

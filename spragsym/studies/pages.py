@@ -86,7 +86,7 @@ def planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
 
     (low, _, high), p, first = rises.working(study), study.at_work, study.about["coordinates"][0]
     rise = rises.of(study)
-    unit, size = ("mm", 1e3 * study.scales.length) if first["unit"] == "m" else ("deg", 180 / math.pi)
+    unit, size = ("mm", 1e3 * study.scales.length) if first["unit"] == "m" else ("deg", 1.0)
     jump = math.nan if report.mu_jump is None else report.mu_jump
     if "theta0" in p.model.parameters and rise.is_friction:
         angles = study.quantities["theta0"]
@@ -108,7 +108,8 @@ def planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
         one, scale = study.quantities[rise.quantity], rises.scale(study)
         low, high = low / scale, high / scale
         across = f"{rise.quantity} in {one.unit}" if one.unit else rise.quantity
-        options |= {**rises.along(study), "size": study.in_file(rise.quantity, scale), "across": across}
+        drawn = math.radians(1.0) if study.si(rise.quantity) == "rad" else 1.0
+        options |= {**rises.along(study), "size": study.in_file(rise.quantity, drawn * scale), "across": across}
     yield (
         picture(lambda ax: brakes.draw_rising(p, (low, high), ax=ax, **options)),
         f"{_capital(first['meaning'])} as {_what(rise)} rises (red, with its jumps); grey: all states, full where stable. "

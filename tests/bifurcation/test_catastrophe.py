@@ -172,17 +172,6 @@ def test_a_path_through_a_value_without_an_answer_says_why(vary: str, values: li
         ss.quasi_static_path(p, vary, values)
 
 
-def test_a_choice_after_the_jump_is_taken() -> None:
-    seen: list[float] = []
-
-    def choose(eq: ss.Equilibria, x_before: float) -> int:
-        seen.append(x_before)
-        return int(eq.count) - 1
-
-    path = ss.quasi_static_path(BASE, "theta0", np.radians([20.0, 60.0]), after_jump=choose)
-    assert len(path.jumps) == len(seen) == 1
-
-
 @pytest.mark.parametrize("vary", few(NAMES, "theta0"))
 def test_paths_through_folds_are_those_of_a_creeping_particle(vary: str) -> None:
     rng = np.random.default_rng(18 + NAMES.index(vary))
@@ -282,19 +271,6 @@ def test_extreme_parameters_have_an_answer_in_time(values: tuple[float, ...]) ->
     assert friction >= 0
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("bracket", [(0, 1e100), (0, 1.7e308), (1e-300, 1e300), (1.6, 1.7)])
-def test_a_wide_bracket_finds_the_crossing(bracket: tuple[float, float]) -> None:
-    assert ss.critical_value(BASE, "beta", bracket) == pytest.approx(ss.critical_value(BASE, "beta", (1, 2)), rel=1e-13)
-
-
-def test_infinity_is_called_so() -> None:
-    p = ss.Parameters(mu0=0.5, kappa=0.5499, alpha=0.8771, sigma=0.022509, beta=4.455)
-    with pytest.raises(ss.ParameterError, match="infinite") as caught:
-        ss.critical_value(p, "beta", (4.4, 4.5))
-    assert "e+16" not in str(caught.value)
-
-
 # ------------------------------------------------------------------------------------------------ linear model
 
 
@@ -307,47 +283,6 @@ def test_linear_model_is_a_linear_solve() -> None:
         K = np.array([[sigma * c * c + alpha, sigma * s * c + mu0], [sigma * s * c, sigma * s * s + beta + 1]])
         model = ss.linear_sprag(p)
         np.testing.assert_allclose([model.x, model.y], np.linalg.solve(K, [0, -kappa]), rtol=1e-9)
-
-
-def test_the_critical_friction_is_right_where_squares_leave_float64() -> None:
-    """A number for one set of parameters, an array for arrays."""
-    values = np.array([(0.0, 1e-200, 0.0), (1e-200, 1e-200, 0.5), (3.0, 1e-100, 1e160), (1e-300, 1e-10, 2.0), (0.007, 0.1, 0.0)])
-    alpha, sigma, beta = values.T
-    found = ss.linear_critical_friction(ss.Parameters(kappa=0.1, alpha=alpha[:, None], sigma=sigma[:, None], beta=beta))
-    assert found.shape == (5, 5)
-    for k, j in np.ndindex(found.shape):
-        with mpmath.workdps(40):
-            a, s, B = mpmath.mpf(alpha[k]), mpmath.mpf(sigma[k]), 1 + mpmath.mpf(beta[j])
-            expected = float(mpmath.sqrt(4 * a * (a + s) * B * (B + s)) / s)
-        assert found[k, j] == pytest.approx(expected, rel=1e-15, abs=0)
-    assert type(ss.linear_critical_friction(BASE)) is float
-    assert ss.linear_critical_friction(BASE) == found[4, 0]
-
-
-@pytest.mark.parametrize("alpha", [0.0, 1e-320, 1e-12, 0.3])
-@pytest.mark.parametrize("mu0", [0.0, 1e-200, 1e-9, 0.4, 1e9])
-@pytest.mark.parametrize("sigma", [1e-200, 0.1, 1e3])
-def test_poles_lie_between_0_and_pi(alpha: float, mu0: float, sigma: float) -> None:
-    """Compared with the tangents at 60 digits; with α = 0 one pole is at 90°, and for μ₀ = 0 as well both are."""
-    p = BASE.replace(theta0=1.0, mu0=mu0, alpha=alpha, sigma=sigma, beta=0.5)
-    with mpmath.workdps(60), np.errstate(all="ignore"):
-        mu, k_x, k, k_n = (mpmath.mpf(value) for value in (mu0, alpha, sigma, 1.5))
-        # det of ((α + σ c², σ s c + μ), (σ s c, 1 + β + σ s²)) over c², T = tan θ₀.
-        square = (k * mu) ** 2 - 4 * k_x * (k_n + k) * k_n * (k_x + k)
-        large = (k * mu + mpmath.sqrt(square)) / 2 if square >= 0 else None
-        found = ss.linear_sprag(p).poles
-        if large is None:
-            assert np.isnan(found).all()
-            return
-        expected = [mpmath.atan2(k_n * (k_x + k), large), mpmath.atan2(large, k_x * (k_n + k)) if large else mpmath.pi / 2]
-        assert ((found > 0) & (found < np.pi)).all()
-        np.testing.assert_allclose(found, [float(value) for value in expected], rtol=1e-12)
-
-
-def test_sliding_friction_is_the_law_at_rest() -> None:
-    assert ss.sliding_friction(0.5, V=0.3, d=7.0) == pytest.approx(0.5 * (1 - math.exp(-2.1)), rel=1e-15)
-    assert ss.sliding_friction(0.5, V=-0.3, d=7.0) == ss.sliding_friction(0.5, V=0.3, d=7.0)
-    assert ss.sliding_friction(np.array([0.1, 0.2]), 1.0, 1.0).shape == (2,)
 
 
 # --------------------------------------------------------------------------------------------------- bad input
@@ -389,15 +324,3 @@ def test_cusp_count_is_sturms_and_numpys() -> None:
         real = roots[(abs(roots.imag) < 1e-7) & (abs(roots.real) < 1)].real
         assert proof.count == len(proof.sines) == real.size
         np.testing.assert_allclose(sorted(float(low) for low, _ in proof.sines), sorted(real), atol=1e-6)
-
-
-def test_bifurcation_points_are_folds() -> None:
-    for p in (BASE, ss.Parameters.article(alpha=0.0), random_fixed(np.random.default_rng(13))):
-        values = list(map(float, p.scalars("kappa", "alpha", "sigma", "beta")))
-        for curve in ss.bifurcation_set(p, n=1000).curves:
-            for i in range(1, curve.theta.size - 1, 97):
-                numbers = [mpmath.mpf(float(v)) for v in (curve.mu0[i], *values)]
-                theta, theta0 = mpmath.mpf(float(curve.theta[i])), mpmath.mpf(float(curve.theta0[i]))
-                size = 1 + abs(curve.mu0[i])
-                assert abs(reference.along(theta, theta0, *numbers)) < 1e-11 * size
-                assert abs(mpmath.diff(lambda t, v=numbers, a=theta0: reference.along(t, a, *v), theta)) < 1e-9 * size

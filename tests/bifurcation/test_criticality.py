@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import doctest
-import json
-import pickle
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -12,15 +10,13 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.catastrophe.normal_forms import BALLS, _pair, _Side, normal_form
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
-from tests.support import ROOT, model_of, needs_a_quick_integrator
+from tests.support import needs_a_quick_integrator
 
 
 def onsets_of(name: str, vary: str, **values: float) -> Any:
@@ -73,16 +69,6 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
             assert bound < 1e-5 * max(abs(found), 1e-3)
 
 
-@pytest.mark.validate
-def test_a_torsion_spring_against_equations_written_by_hand() -> None:
-    pytest.importorskip("sympy")
-    model = model_of((ROOT / "tests/oracles/pages/soft_brake.py").read_text(encoding="utf-8"), "soft_brake")
-    onsets = ss.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
-    exact = hopf_points.reference_of(onsets, 0)
-    assert abs(mpmath.mpf(float(onsets.lyapunov[0])) - exact.lyapunov) <= onsets.lyapunov_error[0] < 1e-9
-    assert onsets.criticality.tolist() == ["gentle"]
-
-
 @pytest.mark.thorough
 def test_the_bound_covers_a_wider_box() -> None:
     """A box around another middle that holds the point holds the coefficient too."""
@@ -119,14 +105,6 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
                 for ball, value in ((ratio.re, share.real), (ratio.im, share.imag)):
                     assert BALLS.ends(ball)[0] - Fraction(1e-12) <= Fraction(value) <= BALLS.ends(ball)[1] + Fraction(1e-12)
                     assert BALLS.ends(ball)[1] - BALLS.ends(ball)[0] < 1
-
-
-def test_columns_are_made_when_they_are_asked_for() -> None:
-    onsets = onsets_of("stick_slip", "zeta")
-    assert "normal_forms" not in onsets.__dict__
-    again = pickle.loads(pickle.dumps(onsets))  # noqa: S301
-    assert again.lyapunov.tolist() == onsets.lyapunov.tolist()
-    assert "normal_forms" in onsets.__dict__
 
 
 def test_undamped_flutter_is_no_hopf_point() -> None:
@@ -268,20 +246,6 @@ def test_signs_against_motions_on_both_sides(row: int, stick_slip: Any) -> None:
     assert hopf_points.against_motions(stick_slip, row) == stick_slip.criticality[row]
 
 
-def test_commands_and_tables_say_how_dangerous_an_onset_is(stick_slip: Any) -> None:
-    assert "dangerous" in str(stick_slip)
-    assert "criticality" in stick_slip._repr_html_()
-    taken = ["bifurcation", "--model", "stick_slip", "--vary", "V"]
-    shown = CliRunner().invoke(cli, taken)
-    assert shown.exit_code == 0, shown.output
-    assert "criticality" in shown.output
-    assert shown.output.index("gentle") < shown.output.index("dangerous")
-    told = json.loads(CliRunner().invoke(cli, [*taken, "--json"]).stdout)["onsets"]["points"]
-    assert [point["criticality"] for point in told] == ["gentle", "dangerous"]
-    assert told[0]["lyapunov"] < 0 < told[1]["lyapunov"]
-    assert told[0]["why"] == ""
-
-
 @pytest.mark.thorough
 @needs_a_quick_integrator
 def test_the_page_on_onsets() -> None:
@@ -297,22 +261,3 @@ def test_the_page_on_onsets() -> None:
 def test_the_command_of_the_page_on_onsets(tmp_path: Path) -> None:
     for command, output in commands(DOCS / "onsets.md"):
         assert_shown(output, run(command, tmp_path))
-
-
-def test_what_a_cycle_at_an_onset_is_asked_with(stick_slip: Any) -> None:
-    p = ss.load("stick_slip").Parameters()
-    for words, given, named in (
-        ((), {"onset": stick_slip, "index": 2}, "2 onsets.* 0 to 1"), ((), {"onset": stick_slip, "index": 1.0}, "index|number"),
-        ((p,), {"onset": stick_slip}, "p and near"), ((), {"onset": stick_slip, "amplitude": -1.0}, "amplitude"),
-        ((), {"onset": 3}, r"ss\.flutter_onsets"), ((), {}, "p is missing"),
-    ):  # fmt: skip
-        with pytest.raises((ss.ParameterError, ss.ParameterTypeError), match=named):
-            ss.cycle(*words, **given)
-
-
-def test_a_kink_is_named_by_its_line() -> None:
-    model = ss.load("mode_coupling")
-    onsets = ss.flutter_onsets(model.Parameters(V=0.0), "mu0", damping=True, between={"mu0": (0.0, 2.0)})
-    line = int(onsets.why[0].split("line ")[1].split()[0])
-    text = (Path(ss.__file__).parent / "derive" / "models" / "mode_coupling.py").read_text(encoding="utf-8")
-    assert "page.friction(" in text.splitlines()[line - 1]

@@ -152,11 +152,3 @@ def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
     assert picture.exists()
     refused = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "--diagram"])
     assert refused.exit_code == 2
-
-
-def test_a_range_or_parameter_that_is_none() -> None:
-    p = ss.load("stick_slip").Parameters()
-    with pytest.raises(ss.ParameterError, match="no range"):
-        ss.diagram(p, "V", (0.2, 0.1))
-    with pytest.raises(ss.ParameterError, match="not one of"):
-        ss.diagram(p, "theta0", (0.1, 0.2))

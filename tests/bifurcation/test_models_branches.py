@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.optimize import fsolve
 
 import spragsym as ss
 from spragsym.models.catastrophe.branches import Along, _by_tubes, _states
@@ -45,35 +44,6 @@ page.friction(x + a * cos(phi) + b * sin(phi), V, lambda v: mu0 * (1 - exp(-d * 
 @pytest.fixture(scope="module")
 def pad() -> Any:
     return model_of(PAGE.strip() + "\n", "pad")
-
-
-def by_hand(q: Any, mu: float) -> Any:
-    """Forces on the pad at its base values, by hand."""
-    x, y, phi = q
-    dx, dy = np.cos(0.9) - x, np.sin(0.9) - y
-    pull = 0.1 * (1 - 1 / np.hypot(dx, dy))
-    lever, arm = 0.2 * np.cos(phi) + 0.3 * np.sin(phi), -0.2 * np.sin(phi) + 0.3 * np.cos(phi)
-    N = -(y + 0.2 * np.sin(phi) + 0.3 * (1 - np.cos(phi)))
-    return [mu * N - 0.02 * x + pull * dx, N - 0.01 + pull * dy, lever * N + mu * N * arm - 0.05 * phi]
-
-
-@pytest.mark.validate
-def test_a_pair_that_is_born_far_away_does_not_stop_a_path(pad: Any) -> None:
-    folds = ss.folds(pad.Parameters(), vary="mu0", between={"mu0": (0.0, 1.0)})
-    born, ends = folds.mu0.tolist()
-    assert (folds.ends.tolist(), folds.when.tolist()) == (["upper", "lower"], ["down", "up"])
-    values = [0.4, 0.5 * (born + ends), 0.6]
-    path = pad.quasi_static_path(pad.Parameters(), "mu0", values)
-    (jump,) = path.jumps
-    assert jump.value == pytest.approx(ends, abs=1e-12)
-    q = np.array([path.x, path.y, path.phi]).T
-    for state, mu in zip(q, values, strict=True):
-        assert np.abs(by_hand(state, mu)).max() < 1e-14
-    # The state that is followed, in small steps by hand, is the one before the jump.
-    state = q[0]
-    for mu in np.linspace(values[0], values[1], 60):
-        state = fsolve(by_hand, state, args=(mu,), xtol=1e-13)
-    assert state == pytest.approx(q[1], abs=1e-9)
 
 
 @pytest.mark.thorough

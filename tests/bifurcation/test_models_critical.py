@@ -120,34 +120,6 @@ def test_a_tube_holds_one_state() -> None:
     assert carried(balance, given, row, np.array([0.0, fold + 0.01]), start) is None
 
 
-@pytest.mark.validate
-def test_an_end_above_candidates_that_are_open_is_not_the_lowest() -> None:
-    """A trolley jumps at 0.63 where its spring leans by 40°; that nothing ends below 8.7 was said once."""
-    model = ss.load("trolley")
-    p = model.Parameters(theta0=math.radians(40.0))
-    found, end = model.critical_friction(p), first_end(p, "mu0", (0.0, 1.0))
-    assert end is not None
-    assert found.value <= end.value
-    assert (found.kind, found.complete) == ("undecided", False)
-    assert any("not all decided" in remark for remark in found.remarks)
-
-
-@pytest.mark.validate
-def test_critical_values_of_any_model() -> None:
-    """By the search they are those of closed forms."""
-    p, between = ss.Parameters.article(), {"mu0": (0.0, 1.0)}
-    want = ss.critical_value(p, "beta", (1.62, 1.65))
-    assert ss.critical_value(p, "beta", (1.62, 1.65), method="search", between=between) == pytest.approx(want, rel=1e-12)
-
-
-def test_what_a_critical_value_is_not_asked_for() -> None:
-    p = ss.load("inclined_belt").Parameters(mu0=0.21)
-    with pytest.raises(ss.ParameterError, match="choose one of kappa, alpha"):
-        ss.critical_value(p, "theta0", (0.1, 0.2))
-    with pytest.raises(ss.ParameterError, match=r"bracket = \(0.2, 0.1\) is empty"):
-        ss.critical_value(p, "sigma", (0.2, 0.1))
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize("given", [{}, pytest.param(TURN, marks=pytest.mark.thorough)], ids=["article", "turn"])
 def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> None:

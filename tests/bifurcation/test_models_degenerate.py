@@ -14,15 +14,6 @@ from spragsym.models.catastrophe import near_zero
 from tests.support import few
 
 
-def test_a_region_without_width_holds_its_equilibrium():
-    # x = μ at rest, and μ = 0: the springs' pull bounds x by 0 on both sides.
-    model = ss.load("stick_slip")
-    eq = ss.equilibria(model.Parameters(mu_s=[0.0, 0.3], V=[0.5, 0.0]))
-    assert eq.complete
-    assert eq.count.tolist() == [1, 1]
-    assert eq.x.tolist() == [[0.0], [0.0]]
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "vary", "onsets"), [("kang_nam", "sigma", 2), ("stribeck", "sigma", 2), ("mode_coupling", "sigma", 1)]
@@ -165,27 +156,6 @@ def test_a_stiff_spring_on_a_trolley_off_the_belt():
 
 
 # -------------------------------------------------------------------------------------------------- the command line
-
-
-def assert_alike(one, other):
-    """The same keys and texts, and numbers to 1e-7; what is None in the other may be a number."""
-    if isinstance(other, dict):
-        assert list(one) == list(other)
-        for name in one:
-            assert_alike(one[name], other[name])
-    elif isinstance(other, list):
-        assert len(one) == len(other)
-        for pair in zip(one, other, strict=True):
-            assert_alike(*pair)
-    else:
-        assert (other is None) or one == (pytest.approx(other, abs=1e-7) if isinstance(other, float) else other)
-
-
-@pytest.mark.by_hand("critical")
-@pytest.mark.thorough
-@pytest.mark.parametrize("words", ["folds --vary theta0", "critical --theta0 40", "path --theta0 40 --vary mu0=0:0.9:3"])
-def test_commands_say_by_search_what_closed_forms_say(words, run):
-    assert_alike(*(json.loads(run(*words.split(), "--method", way, "--json")) for way in ("search", "closed")))
 
 
 @pytest.mark.thorough

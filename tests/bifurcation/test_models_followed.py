@@ -6,10 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
 
 import spragsym as ss
-from spragsym.models.statics.foremost import foremost
 from tests.support import model_of
 
 pytest.importorskip("sympy")
@@ -121,20 +119,6 @@ def fading() -> Any:
     return model_of(FADING, "fading")
 
 
-@pytest.mark.validate
-def test_a_value_may_be_the_very_float_of_a_fold(fading: Any) -> None:
-    """And another state may leave the region that is searched, without a fold, while the one that is followed goes on."""
-    force = np.array([0.0, 0.25, 0.5])
-    by_hand = 2 * force / (1 + np.sqrt(1 - 4 * force**2))
-    p = fading.Parameters()
-    assert fading.quasi_static_path(p, "F", force).x == pytest.approx(by_hand, abs=1e-12)
-    assert fading.quasi_static_path(p, "F", force[:0:-1]).x == pytest.approx(by_hand[:0:-1], abs=1e-12)
-    assert fading.quasi_static_path(p, "F", [0.5]).x == pytest.approx([1.0])
-    assert np.isnan(fading.jump_value(p, "F", begin=0.2, until=0.5))
-    with pytest.raises(ss.ConvergenceError, match="no other beyond it"):
-        fading.quasi_static_path(p, "F", [0.3, 0.5, 0.6], after_jump=lambda eq, before: 0)
-
-
 @pytest.mark.thorough
 def test_what_rises_may_be_the_only_parameter(fading: Any) -> None:
     p = fading.Parameters(F=0.3)
@@ -180,63 +164,3 @@ def test_of_two_states_equally_near_behind_a_fold_points_and_paths_name_the_same
     y = min(np.roots([1.0, 0.0, -1.5, 2 / 27**0.5]).real)
     for after in (jump.after, {name: float(folds.after[name][0]) for name in ("x", "y")}):
         assert (after["x"], after["y"]) == pytest.approx((np.sqrt(-y), y), abs=1e-12)
-
-
-@pytest.mark.validate
-def test_a_mirror_may_exchange_two_springs() -> None:
-    """A steep arch buckles sideways where 1 − L/l + L/l³ = 0, with l² = 1 + y² and L² = 1 + h², and comes to rest upside down.
-
-    There all states have x = 0 but for rounding: no order in x tells one from the other.
-    """
-    arch = model_of(ARCH, "arch")
-    p, rest = arch.Parameters(h=3.0, alpha=0.0), np.sqrt(10)
-
-    def load(y: float) -> float:
-        return float(2 * (rest - np.hypot(1, y)) * y / np.hypot(1, y))
-
-    y = brentq(lambda y: 1 - rest / np.hypot(1, y) + rest / np.hypot(1, y) ** 3, 2.0, 3.0, xtol=1e-15)
-    found = ss.folds(p, "P", between={"P": (0.7, 0.8)})
-    assert found.complete
-    assert found.kind.tolist() == ["pitchfork"]
-    assert (found.P[0], found.x[0], found.y[0]) == pytest.approx((load(y), 0.0, y), abs=1e-12)
-    path = arch.quasi_static_path(p, "P", [0.78, 0.79])
-    below = brentq(lambda y: load(y) - 0.79, -4.0, -3.0, xtol=1e-15)
-    assert path.y[1] == pytest.approx(below, abs=1e-12)
-    assert path.stability.tolist() == [ss.Stability.STABLE] * 2
-
-
-@pytest.mark.validate
-def test_a_margin_asks_of_designs_below_where_the_parameter_begins(rod: Any) -> None:
-    p, scale = rod.Parameters(e=0.02, P=0.7), {"e": 0.01, "P": 0.05}
-    e = np.linspace(-0.3, 0.3, 20001)
-    by_hand = np.sqrt(((e - 0.02) / 0.01) ** 2 + ((fold_of_rod(e) - 0.7) / 0.05) ** 2).min()
-    assert ss.jump_margin(p, scale, vary="P", begin=0.2).distance == pytest.approx(by_hand, rel=1e-6)
-    cubic = ss.load("cubic_contact")
-    p = cubic.Parameters(theta0=0.7, mu0=0.4)
-    begun = ss.jump_margin(p, {"mu0": 0.05}, vary="mu0", begin=0.3).distance
-    assert begun == pytest.approx(ss.jump_margin(p, {"mu0": 0.05}).distance, rel=1e-9)
-
-
-@pytest.mark.validate
-def test_a_path_asks_nothing_of_what_lies_outside_of_its_values() -> None:
-    cubic, pivoted = ss.load("cubic_contact"), ss.load("sprag_rod")
-    path = cubic.quasi_static_path(cubic.Parameters(theta0=0.7), "kappa", [0.001, 0.1, 0.3])
-    assert np.isfinite(path.x).all()
-    value = ss.jump_value(pivoted.Parameters(theta0=0.5), "psi", begin=0.001, until=1.5)
-    assert value == pytest.approx(ss.jump_value(pivoted.Parameters(theta0=0.5), "psi", begin=0.01, until=1.5), abs=1e-9)
-
-
-@pytest.mark.parametrize("name", ["cubic_contact", "kang_nam"])
-def test_no_points_have_no_answers(name: str) -> None:
-    model = ss.load(name).search
-    p = model.Parameters(theta0=np.empty((0, 3)))
-    assert ss.jump_value(p).shape == (0, 3)
-    assert ss.jump_gradient(p).value.shape == (0, 3)
-
-
-def test_numbers_are_alike_by_their_size() -> None:
-    """Errors of equilibria are over the larger of 1 and the coordinate: 1e-16 of 1e6 is 1e-10."""
-    states = np.array([[1e6 - 1e-10, -1e6], [-1.0, 1.0]])
-    assert foremost(np.abs(states[0]), states, np.full(2, 1e-15)) == 0
-    assert foremost(np.abs(states[0]), states[::-1], np.full(2, 1e-15)) == 1
-    assert foremost(np.abs(states[0]), states[::-1], np.full(2, 1e-18)) == 0

@@ -6,16 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from scipy.optimize import brentq
 
 import spragsym as ss
-from spragsym.cli import cli
 from spragsym.exact.certified_roots import Roots
 from spragsym.models.catastrophe import flutter, points
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics import stability
-from tests.oracles.gap_pages import HANDS
 from tests.support import model_of
 
 PAD = '''r"""A pad."""
@@ -60,12 +57,6 @@ def pad() -> Any:
     return model_of(PAD, "pad")
 
 
-@pytest.fixture(scope="module")
-def chain() -> Any:
-    pytest.importorskip("sympy")
-    return model_of(HANDS["chain"].page, "chain")
-
-
 @pytest.mark.thorough
 def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
     """Where the growth of the only state changes its sign; that there is no other one is not said."""
@@ -88,35 +79,6 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     assert found.complete
     assert len(found) == 4
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize(("damping", "kind"), [(None, "hopf"), (False, "flutter")])
-def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
-    chain: Any, monkeypatch: pytest.MonkeyPatch, damping: bool | None, kind: str
-) -> None:
-    """A chain of three masses, with a search that ends long before all is decided."""
-    p = chain.Parameters(
-        V=0.371, d=7.74, nu_1=0.957, nu_2=0.131, sigma_1=0.727, sigma_2=0.746, sigma_3=0.113, sigma=0.395, zeta=0.0,
-        kappa=0.0459, a=0.393, theta0=2.45,
-    )  # fmt: skip
-    monkeypatch.setattr(points, "COSTLY_BUDGET", 40)
-    found = ss.flutter_onsets(p, "mu0", between={"mu0": (0.0, 1.0)}, damping=damping)
-    assert not found.complete
-    assert found.kind.tolist() == [kind]
-    beside = ss.equilibria(p.replace(mu0=found.mu0[0] + np.array([-1e-4, 1e-4])))
-    if damping is None:
-        assert beside.kind[:, 0].tolist() == ["stable", "flutter"]
-    else:
-        assert beside.stability[:, 0].tolist() == [ss.Stability.STABLE, ss.Stability.FLUTTER]
-
-
-@pytest.mark.validate
-def test_what_is_not_decided_is_not_called_none(pad: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(points, "COSTLY_BUDGET", 40)
-    told = CliRunner().invoke(cli, ["bifurcation", "--model", pad.where, "--vary", "mu_s=0.1:1.3"]).output
-    assert "Onsets: none" not in told
-    assert "Onsets: not complete" in told
 
 
 def test_a_state_without_slopes_costs_only_itself() -> None:

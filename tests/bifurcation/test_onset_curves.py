@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +11,6 @@ from scipy import optimize
 import spragsym as ss
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics.stability import linearization
-from tests.conftest import Run
 from tests.oracles.hopf_points import accelerations
 from tests.support import few, model_of, shipped_page
 
@@ -65,20 +62,6 @@ def test_stick_slip_in_closed_form() -> None:
     assert curve.omega == pytest.approx(1.0)
     assert found.changes["V"] == pytest.approx([(1 + np.sqrt(2)) * 0.2], abs=max(1e-12, *found.changes["error"]))
     assert found.changes["error"].max() < 1e-6
-
-
-@pytest.mark.validate
-def test_other_lines_cross_the_curves_as_often_as_they_have_onsets(found: tuple[Any, Any]) -> None:
-    p, curves = found
-    for theta0 in (0.23, 0.61, 1.117, 1.9, 2.71):
-        onsets = ss.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
-        crossings = []
-        for curve in curves.curves:
-            off = curve.theta0 - theta0
-            for k in np.flatnonzero(off[1:] * off[:-1] < 0):
-                share = off[k] / (off[k] - off[k + 1])
-                crossings.append(curve.mu0[k] + share * (curve.mu0[k + 1] - curve.mu0[k]))
-        assert np.sort(crossings) == pytest.approx(np.sort(onsets.mu0), abs=2e-3)
 
 
 @pytest.mark.thorough
@@ -241,38 +224,6 @@ def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
     assert ends[0][1] == ends[1][0]
 
 
-@pytest.mark.validate
-def test_the_command_lists_the_curves_and_the_points_on_them(run: Run, tmp_path: Path) -> None:
-    asked = ["onsets", "--model", "stick_slip", "--vary", "V=0:1", "--vary", "zeta=0:2", "--n", "8"]
-    told = json.loads(run(*asked, "--json"))
-    assert list(told) == ["model", "parameters", "curves", "points", "complete", "undecided", "remarks"]
-    found = ss.onset_curves(ss.load("stick_slip").Parameters(), ("V", "zeta"), 8, between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
-    assert [curve["V"] for curve in told["curves"]] == [curve.V.tolist() for curve in found.curves]
-    assert told["curves"][0]["criticality"] == found.curves[0].criticality.tolist()
-    (point,) = told["points"]
-    assert point["kind"] == "GH"
-    assert abs(point["V"] - found.changes["V"][0]) < 1e-12
-    text = run(*asked, "--plot", str(tmp_path / "map.svg"))
-    assert "gentle, dangerous" in text
-    assert "a curve that closes between two of them is not seen" in text
-    assert "GH" in (tmp_path / "map.svg").read_text(encoding="utf-8")
-
-
-def test_one_parameter_has_no_plane(run: Run) -> None:
-    assert "give two different parameters with --vary" in run("onsets", "--model", "mode_coupling", code=2)
-
-
-def test_what_is_refused() -> None:
-    p = damped(0)
-    for vary in (("mu0", "mu0"), "mu0", ("mu0",)):
-        with pytest.raises(ss.ParameterError, match="give two different parameters"):
-            ss.onset_curves(p, vary)
-    with pytest.raises(ss.ParameterError, match="n = 1 is not an integer of 2 or more"):
-        ss.onset_curves(p, n=1)
-    with pytest.raises(ss.ParameterError, match="is not a parameter of damped"):
-        ss.onset_curves(p, ("mu0", "nu"))
-
-
 def falling() -> Any:
     """The article's model with a friction that falls with the speed, and a damper along the belt alone."""
     damper = 'c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.001, becomes="zeta_x")\n'
@@ -281,32 +232,6 @@ def falling() -> Any:
         ("page.friction(", "page.damper(c_x, along=x)\npage.friction("),
     )
     return model_of(shipped_page("stribeck", *more), "falling")
-
-
-@pytest.mark.validate
-def test_where_a_damper_outweighs_a_falling_friction_every_pair_crosses() -> None:
-    """The trace of A is 0 there, by hand. Each pair has a curve: of three states two have two, the one that diverges one."""
-    pytest.importorskip("sympy")
-    p = falling().Parameters(theta0=0.8)
-    found = ss.onset_curves(p, ("V", "zeta_x"), 10, between={"V": (0.2, 2.0), "zeta_x": (0.0, 0.01)})
-    assert found.complete
-    assert found.remarks == ()
-    assert len(found.curves) == 5
-    for curve in found.curves:
-        assert (curve.criticality == "undecided").all()
-        for k in range(len(curve.V)):
-            P = {name: float(getattr(p, name)) for name in p.model.parameters} | {"V": float(curve.V[k])}
-            A = by_hand("stribeck", P, np.array([curve.x[k], curve.y[k]]))
-            assert curve.zeta_x[k] == pytest.approx(np.trace(A), abs=1e-12)
-            A[2, 2] -= curve.zeta_x[k]
-            assert np.abs(np.linalg.eigvals(A) - 1j * curve.omega[k]).min() < 1e-9 or curve.omega[k] < 1e-3
-    (point,) = np.flatnonzero(found.points.kind == "BT")
-    end = next(curve.zeta_x.max() for curve in found.curves if curve.omega.min() < 1e-3)
-    assert found.points.zeta_x[point] == pytest.approx(end)
-    onsets = ss.flutter_onsets(p.replace(V=0.65), vary="zeta_x", between={"zeta_x": (0.0, 0.01)})
-    assert onsets.complete
-    assert (onsets.kind == "hopf").all()
-    assert len(onsets) == 5
 
 
 @pytest.mark.thorough

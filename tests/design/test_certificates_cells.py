@@ -156,12 +156,6 @@ def test_a_power_of_0_is_none_and_other_claims_are_not_answered_without_their_un
         ss.certify(base, base, "one equilibrium", units={"u": Unit(0.9, 1.1, {"sigma": 1.0})}, method="search")
 
 
-@pytest.mark.parametrize("powers", [{"kappa": 0.5}, {"theta0": 1.0}, {"mu0": 1.0}])
-def test_units_that_closed_forms_do_not_take(powers: dict[str, float]) -> None:
-    with pytest.raises(ss.ParameterError, match=rf"{next(iter(powers))} has the power"):
-        ss.certify(BASE, BASE, "no jump", units={"u": Unit(0.9, 1.1, powers)})
-
-
 def whole(count: int) -> Boxes:
     return Boxes(np.full((6, count), 0.5), np.full((6, count), 0.5), np.ones(count))
 
@@ -181,56 +175,6 @@ def test_every_direction_is_looked_at() -> None:
         return Verdict(np.abs(angle - 0.3) > reach + 1e-4, (ground.c,))
 
     assert cells.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
-
-
-def test_hopeless_boxes_are_given_up_and_others_are_not() -> None:
-    """What is open because of a side of the box is, once cells are fine; what is open because of the direction is halved on."""
-    boxes = Boxes(np.tile([[0.2], [0.3]], (3, 3)), np.tile([[0.2], [0.7]], (3, 3)), np.ones(3))  # μ₀, α and β have width
-    calls = 0
-
-    def test(ground: Ground) -> Verdict:
-        nonlocal calls
-        calls += 1
-        friction, rest = ground.parameters["mu0"], ground.parameters["beta"]
-        slope = ground.c * 1.0
-        narrow = np.abs(ground.c.terms[-1]) < 1e-3
-        return Verdict(narrow, (slope * 1e-9 + friction * 2 + rest,))
-
-    proved, weight = cells.covered(boxes, flat([0.2] * 3), flat([0.9] * 3), test)
-    assert not proved.any()
-    assert calls == cells._ALWAYS + 1
-    assert np.abs(weight[1] - 2 / 3).max() < 1e-6
-    assert np.abs(weight[5] - 1 / 3).max() < 1e-6
-    assert np.abs(weight[[0, 2, 3, 4]]).max() < 1e-6
-
-
-def test_a_direction_that_is_open_for_ever_ends() -> None:
-    """At one direction the sign is 0: its cells are halved to the last, and the box is given up."""
-    calls = 0
-
-    def test(ground: Ground) -> Verdict:
-        nonlocal calls
-        calls += 1
-        value = ground.c - float(np.cos(0.3))
-        return Verdict(value.sign() != 0, (value,))
-
-    proved, _ = cells.covered(whole(1), flat([0.1]), flat([0.9]), test)
-    assert proved.tolist() == [False]
-    assert calls == cells._HALVINGS + 1
-
-
-def test_a_stretch_that_is_open_ends_soon_and_spares_the_others() -> None:
-    asked: list[int] = []
-
-    def test(ground: Ground) -> Verdict:
-        asked.append(ground.c.value.size)
-        angle = np.arctan2(ground.s.value, ground.c.value)
-        return Verdict((angle > 1) & (np.abs(ground.c.terms[-1]) < 0.02), (ground.c,))
-
-    proved, _ = cells.covered(whole(2), flat([0.1, 1.1]), flat([0.9, 1.3]), test)
-    assert proved.tolist() == [False, True]
-    assert max(asked) <= 2 * cells._OPEN + 16
-    assert len(asked) <= 7
 
 
 # ------------------------------------------------------------------------------------------------------ certificates
@@ -269,93 +213,3 @@ def claim(holds: Any, counterexample: Any = None, from_above: tuple[str, ...] = 
         return holds(boxes), weight
 
     return Claim(prove, counterexample or (lambda boxes: None), from_above)
-
-
-def certified(monkeypatch: pytest.MonkeyPatch, made: Claim, high: ss.Parameters, **options: Any) -> ss.Certificate:
-    monkeypatch.setitem(certificates.CLAIMS, "this", made)
-    return ss.certify(BASE, high, "this", **options)
-
-
-def test_shares_and_counts_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    """μ₀ from 0.6 to 1.0, of which boxes up to 0.9 are proved: a half, a half of the rest, and then nothing more."""
-    high = BASE.replace(mu0=1.0)
-    made = claim(lambda boxes: boxes.high[1] <= 0.9)
-    # Looked at are 1 + 2 + 2 + 2 + 4 boxes, generation by generation.
-    for most, looked, share in ((1, 1, 1.0), (2, 3, 0.5), (3, 3, 0.5), (4, 5, 0.25), (5, 5, 0.25), (7, 7, 0.25), (8, 11, 0.25)):
-        found = certified(monkeypatch, made, high, max_boxes=most)
-        assert (found.claim, found.outcome, found.counterexample) == ("this", "undecided", None)
-        assert (found.boxes, found.undecided) == (looked, share)
-    found = certified(monkeypatch, claim(lambda boxes: boxes.high[1] - boxes.low[1] < 0.11), high)
-    assert (found.outcome, found.undecided, found.boxes) == ("proved", 0.0, 7)
-    assert certified(monkeypatch, claim(lambda boxes: boxes.high[1] > 0), high).boxes == 1
-    assert certified(monkeypatch, claim(lambda boxes: boxes.high[1] > 0), BASE, max_boxes=1).outcome == "proved"
-
-
-def test_many_boxes_come_in_batches(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each box of the last generation is asked for once, whatever a batch holds."""
-    monkeypatch.setattr(certificates, "_BATCH", 3)
-    seen: list[tuple[float, float]] = []
-
-    def holds(boxes: Boxes) -> Any:
-        assert boxes.share.size <= 3
-        done = boxes.high[1] - boxes.low[1] < 0.03
-        seen.extend(zip(boxes.low[1][done].tolist(), boxes.high[1][done].tolist(), strict=True))
-        return done
-
-    found = certified(monkeypatch, claim(holds), BASE.replace(mu0=1.0))
-    assert (found.outcome, found.undecided, found.boxes) == ("proved", 0.0, 31)
-    edges = np.sort(np.array(seen), axis=0)
-    assert len(seen) == 16
-    assert edges[0, 0] == 0.6
-    assert edges[-1, 1] == 1.0
-    assert (edges[1:, 0] == edges[:-1, 1]).all()
-    # 1 + 2 + 3 + 3 boxes, beside which 4 wait; then 3 more, of which one is open still, and so on.
-    for most, looked in ((13, 9), (14, 12)):
-        found = certified(monkeypatch, claim(holds), BASE.replace(mu0=1.0), max_boxes=most)
-        assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, looked)
-
-
-def test_a_counterexample_ends_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    def find(boxes: Boxes) -> ss.Parameters | None:
-        return BASE if (boxes.high[1] - boxes.low[1] < 0.11).any() else None
-
-    half = claim(lambda boxes: boxes.high[1] <= 0.8 + 1e-12, find)
-    found = certified(monkeypatch, half, BASE.replace(mu0=1.0))
-    assert (found.outcome, found.counterexample, found.boxes) == ("refuted", BASE, 5)
-    assert found.undecided == 0.5
-    monkeypatch.setattr(certificates, "_BATCH", 1)
-    found = certified(monkeypatch, claim(lambda boxes: boxes.high[1] < 0, find), BASE.replace(mu0=1.0))
-    assert found.outcome == "refuted"
-    assert found.undecided == 1.0
-
-
-def test_of_some_parameters_only_the_upper_end_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    for names, width in (((), 0.4), (("mu0",), 0.0)):
-        seen: list[float] = []
-
-        def holds(boxes: Boxes, seen: list[float] = seen) -> Any:
-            seen.append(float(boxes.high[1, 0] - boxes.low[1, 0]))
-            assert boxes.high[1, 0] == 1.0
-            assert boxes.low[0, 0] == BASE.theta0
-            assert boxes.high[0, 0] == 0.7
-            return np.ones(1, dtype=bool)
-
-        certified(monkeypatch, claim(holds, from_above=names), BASE.replace(mu0=1.0, theta0=0.7))
-        assert seen == [pytest.approx(width)]
-
-
-@pytest.mark.parametrize("wrong", [0, -1, True, 2.5, "3"])
-def test_numbers_of_boxes_that_are_none(wrong: Any) -> None:
-    with pytest.raises(ss.ParameterError, match="is not a number of boxes"):
-        ss.certify(BASE, BASE, "no jump", max_boxes=wrong)
-    assert ss.certify(BASE, BASE, "one equilibrium", max_boxes=np.int64(1)).boxes == 1
-
-
-def test_corners_in_the_wrong_order_or_with_a_shape() -> None:
-    with pytest.raises(ss.ParameterError, match=r"^low\.mu0 = 0\.6 is above high\.mu0 = 0\.5; exchange the two$"):
-        ss.certify(BASE, BASE.replace(mu0=0.5), "no jump")
-    for low, high, name in ((BASE, BASE.replace(mu0=[0.6, 0.7]), "high"), (BASE.replace(mu0=[0.6]), BASE, "low")):
-        with pytest.raises(ss.ParameterError, match=f"^{name} has the shape"):
-            ss.certify(low, high, "no jump")
-    with pytest.raises(ss.ParameterError, match="'one equilibrium', 'no flutter'"):
-        ss.certify(BASE, BASE, "no sprag")

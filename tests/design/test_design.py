@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -15,7 +14,6 @@ from scipy.stats import truncnorm
 
 import spragsym as ss
 from spragsym.design import sampling
-from spragsym.errors import SweepError
 from spragsym.exact import bernstein
 from spragsym.exact.polynomials import Undecided
 from spragsym.exact.rounded import Rounded
@@ -178,12 +176,6 @@ def test_values_that_float64_leaves_wide_get_their_digits(vary: str) -> None:
         assert np.abs(exact - new).min() <= error + 2.0**-52 * new
     with pytest.raises(Undecided):  # anything may be within such bounds
         sharpened(vary, point, (1.0, 1e3), (1.0, 1e3))
-
-
-def test_shapes() -> None:
-    assert ss.jump_value(BASE.replace(theta0=np.ones((2, 1)), sigma=[0.1, 0.2, 0.3])).shape == (2, 3)
-    assert isinstance(ss.jump_value(BASE.replace(theta0=0.5)), float)
-    assert ss.jump_value(BASE.replace(theta0=np.empty(0))).shape == (0,)
 
 
 @pytest.mark.parametrize("vary", few(["mu0", "theta0", "sigma"], "mu0"))
@@ -370,25 +362,6 @@ def test_indices_of_a_linear_model_are_its_squares() -> None:
     assert found.mean == pytest.approx(7 + weights.sum() / 2, rel=1e-5)
 
 
-def test_indices_of_a_product_show_what_acts_together() -> None:
-    """Of x₁ x₂ over (−1, 1) neither has a part of its own, and both have all of it together."""
-    found = estimated(lambda u: (2 * u[:, 0] - 1) * (2 * u[:, 1] - 1) + 0.0 * u[:, 2], 3, 16384, 2, False)
-    np.testing.assert_allclose(found.first, 0.0, atol=0.01)
-    np.testing.assert_allclose(found.total, [1.0, 1.0, 0.0], atol=0.01)
-
-
-def test_chunks_are_the_parts_of_one_sequence() -> None:
-    def function(u: Any) -> Any:
-        return np.cos(3 * u[:, 0]) * u[:, 1]
-
-    whole = sampling.sums(function, [(0,), (1,)], True, sampling.Chunk(0, 77, 0, 1024))
-    parts = [sampling.sums(function, [(0,), (1,)], True, sampling.Chunk(0, 77, begin, 256)) for begin in range(0, 1024, 256)]
-    np.testing.assert_allclose(np.sum(parts, axis=0), whole, rtol=1e-12)
-    tasks = sampling.chunks(1 << 20, 4, [1, 2, 3, 4])
-    assert sum(task.size for task in tasks) == 1 << 20
-    assert max(task.size for task in sampling.chunks(10**9, 16, range(16))) <= 1 << 18
-
-
 @pytest.mark.parametrize("share", few([0.3, 0.002]))
 def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""
@@ -409,53 +382,6 @@ def test_a_probability_is_that_of_plain_samples() -> None:
     assert found.low <= found.probability <= found.high
     assert max(found.total, key=lambda name: found.total[name]) == "mu0"
     assert set(found.first) == {"theta0", "mu0", "kappa", "sigma"}
-
-
-@pytest.mark.thorough
-def test_intervals_of_one_variable_hold_the_truth_although_all_replicates_agree() -> None:
-    """Where one quantity varies, each replicate has the same number of hits but for one: no spread, and still an error."""
-    fixed = {name: float(getattr(BASE.replace(theta0=0.7), name)) for name in NAMES if name != "mu0"}
-    jump = ss.jump_value(BASE.replace(theta0=0.7))
-    held = 0
-    for i in range(60):
-        low, high = 0.3 * jump, (1.2 + 0.01 * i) * jump
-        found = ss.jump_probability(fixed | {"mu0": (low, high)}, n=1024, rng=i, sobol=False)
-        held += found.low <= (high - jump) / (high - low) <= found.high
-        assert found.high > found.low
-    assert held >= 54  # 57 of 60 are expected; fewer than 54 has a probability of 2 %
-
-
-def test_nothing_and_everything_have_intervals_too() -> None:
-    safe = ss.jump_probability(TOLERANCES | {"mu0": (0.1, 0.15)}, n=512, rng=1, sobol=False)
-    assert (safe.probability, safe.low) == (0.0, 0.0)
-    assert 0 < safe.high < 0.01
-    sure = ss.jump_probability(TOLERANCES | {"mu0": (0.9, 0.95)}, n=512, rng=1, sobol=False)
-    assert (sure.probability, sure.high) == (1.0, 1.0)
-
-
-def test_a_stopped_study_goes_on_and_gives_the_same(tmp_path: Path) -> None:
-    store = tmp_path / "study.json"
-    whole = ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False)
-
-    def stops(function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterable[Any]:
-        for number, task in enumerate(tasks):
-            if number == 7:
-                raise RuntimeError("the cluster went away")
-            yield function(task)
-
-    with pytest.raises(SweepError, match="7 of 16"):
-        ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False, store=store, workers=stops)
-    asked: list[Any] = []
-
-    def counting(function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterable[Any]:
-        asked.extend(tasks)
-        return map(function, asked)
-
-    assert ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False, store=store, workers=counting) == whole
-    assert len(asked) == 9
-    assert ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False, store=store, workers=stops) == whole  # read, not computed
-    with pytest.raises(ss.ParameterError):
-        ss.jump_probability(TOLERANCES, n=512, rng=5, sobol=False, store=store)
 
 
 # ------------------------------------------------------------------------------------------------- which fold is which
@@ -483,26 +409,6 @@ def test_folds_say_what_the_path_does() -> None:
             got = tuple(found.after[name][k] for name in ("theta", "x", "y"))
             np.testing.assert_allclose((jump.after["theta"], jump.after["x"], jump.after["y"]), got, rtol=1e-9, atol=1e-9)
     assert {("lower", "up"), ("upper", "down")} <= seen
-
-
-def test_fold_curves_say_the_same_as_folds() -> None:
-    for curve in ss.bifurcation_set(BASE, n=700).curves:
-        for i in range(20, curve.theta.size - 20, 90):
-            found = ss.folds(BASE.replace(mu0=float(curve.mu0[i])), "theta0")
-            k = int(np.argmin(np.abs(found.theta - curve.theta[i]) + np.abs(found.theta0 - curve.theta0[i])))
-            assert curve.upper[i] == (found.ends[k] == "upper")
-            assert curve.when_theta0[i] == (1 if found.when[k] == "up" else -1)
-            assert curve.theta_after[i] == pytest.approx(found.after["theta"][k], abs=1e-6)
-
-
-def test_without_a_spring_along_the_belt_angles_are_as_exact() -> None:
-    p = families.random(np.random.default_rng(15), 40).replace(alpha=0.0)
-    quick = ss.jump_value(p, "theta0")
-    slow = [jump_values.exactly(one(p.replace(alpha=np.zeros(40)), i), "theta0")[0] for i in range(12)]
-    np.testing.assert_allclose(quick[:12], slow, rtol=0, atol=1e-12)
-    assert np.isfinite(slow).sum() >= 5
-    mixed = ss.jump_value(p.replace(alpha=np.where(np.arange(40) % 2, 0.0, 0.01)), "theta0")
-    np.testing.assert_array_equal(mixed[1::2], quick[1::2])
 
 
 # --------------------------------------------------------------------------------------------------- what varies together

@@ -6,10 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy import stats
 
 import spragsym as ss
-from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.catastrophe.paths import first_end
 from spragsym.models.design.certificates import ENDS, OPEN, SAFE, THIN, Splitting
 from spragsym.models.tubes.tube_regions import Parts
@@ -88,25 +86,6 @@ def test_outcomes_of_points_are_those_of_states_followed_one_by_one(name: str) -
         assert one == (SAFE if end is None else ENDS)
 
 
-@pytest.mark.thorough
-def test_pieces_lie_about_the_folds_of_all_their_points() -> None:
-    """The state is proved to go on below all, and to have ended above: nearly no farther apart than the folds themselves."""
-    box = Splitting(*sets(SEARCH, {**BOX, "mu0": (0.3, 0.9)}), "mu0", 0.0)
-    rng, spread, told = np.random.default_rng(4), [], []
-    for pieces, _, _ in box.run(lambda pieces: pieces.top - pieces.safe, 90, sharp=True):
-        for k in np.flatnonzero(np.isfinite(pieces.top - pieces.safe)):
-            shares = rng.choice([0.0, 0.5, 1.0, 0.25], (2, 12))
-            theta0, sigma = pieces.low[:-1, k, None] + shares * (pieces.high - pieces.low)[:-1, k, None]
-            assert box.free == ("theta0", "sigma")
-            folds = ss.jump_value(ss.Parameters.article(theta0=theta0, sigma=sigma), method="closed")
-            assert (pieces.safe[k] <= folds).all()
-            assert (folds <= pieces.top[k]).all()
-            spread.append(np.ptp(folds))
-            told.append(pieces.top[k] - pieces.safe[k])
-    assert len(told) > 80
-    assert np.median(np.divide(told, spread)) < 4
-
-
 @pytest.mark.validate
 @pytest.mark.parametrize(("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)])
 def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
@@ -167,16 +146,6 @@ def test_probability_bracket_and_shares_are_those_of_a_closed_form() -> None:
 
 
 @pytest.mark.thorough
-def test_the_bracket_of_a_law_without_an_end() -> None:
-    """Its tail counts as open."""
-    model, law = ss.load("inclined_belt"), stats.gamma(900, scale=1 / 3000)
-    found = ss.jump_probability({"theta0": 1.0, "mu0": law}, model=model, n=64, rng=1, replicates=2, max_boxes=24)
-    fold = first_end(model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
-    assert fold is not None
-    assert found.proved[0] <= law.sf(fold.value) <= found.proved[1] < found.proved[0] + 0.1
-
-
-@pytest.mark.thorough
 def test_another_state_is_not_taken_for_the_followed_one() -> None:
     """Of three in contact, about two of which a part may begin; by way of other angles the followed one is still told."""
     ranges = {"theta0": (0.66, 0.67), "mu0": (0.2, 0.21)}
@@ -206,63 +175,3 @@ def test_at_a_fold_and_without_friction() -> None:
     assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, 1)  # a point can't be halved
     none = model.Parameters(theta0=1.0, mu0=0.0)
     assert ss.certify(none, none).outcome == "proved"
-
-
-@pytest.mark.thorough
-def test_what_is_asked() -> None:
-    low, high = sets(ss.load("two_springs"), {"theta0": (0.5, 0.52), "mu0": (0.2, 0.3)})
-    with pytest.raises(ss.ParameterError, match="is not one of"):
-        ss.certify(low, high, "nothing")
-    with pytest.raises(ss.ParameterError, match="exchange the two"):
-        ss.certify(high, low, "no jump")
-    p = ss.load("stribeck").Parameters(theta0=0.5)
-    with pytest.raises(ss.ParameterError, match="give vary"):
-        ss.certify(p, p, "no jump")
-    assert ss.certify(p, p, "no jump", vary="mu_s").outcome == "proved"
-    with pytest.raises(ss.ParameterError, match=r"kappa has no least value in \(0, inf\); give begin"):
-        ss.certify(p, p, "no jump", vary="kappa")
-    assert ss.certify(p, p, "no jump", vary="kappa", begin=1e-3).outcome == "proved"
-    with pytest.raises(ss.ParameterError, match="independent"):
-        ss.jump_probability((low, high), correlation={("theta0", "mu0"): 0.5}, max_boxes=4, n=16, replicates=2)
-
-
-def test_slopes_over_a_box_are_about_as_narrow_as_they_are() -> None:
-    """A stiffness that stands twice, and a length whose cosine and sine are free of each other, made them four times as wide."""
-    ranges = {"theta0": (0.873, 0.908), "sigma": (0.11, 0.162), "alpha": (0.0055, 0.0081)}
-    model = ss.load("cubic_contact")
-    box = Splitting(*sets(model, ranges), "mu0", 0.0)
-    parts, z = box._parts(box.whole.low, box.whole.high), box.whole.base.z
-    slopes = box.tubes.slopes(parts, Intervals.point(z))[..., 0]
-    shares = np.random.default_rng(1).uniform(-1, 1, (3, 2000))
-    points = Parts(np.repeat(parts.fixed, 2000, axis=1), parts.centre + parts.half * shares, np.full((3, 2000), 1e-9))
-    sampled = box.tubes.floats(points, np.repeat(z, 2000, axis=1))[1]
-    low, high = sampled.min(axis=-1), sampled.max(axis=-1)
-    assert (slopes.low <= low).all()
-    assert (high <= slopes.high).all()
-    K = (slice(None), slice(0, 2))
-    assert ((slopes.high - slopes.low)[K] < 1.5 * (high - low)[K]).all()
-    by_sigma = 3 + box.free.index("sigma")
-    assert ((slopes.high - slopes.low)[:, by_sigma] < 1e-3).all()
-
-
-@pytest.mark.thorough
-def test_tolerances_of_five_quantities_are_proved() -> None:
-    """Springs of 15 %, an angle of 1°: 38,649 parts by slopes in intervals, 257 by affine ones."""
-    ranges = {
-        "theta0": (0.8901, 0.9251), "kappa": (0.000455, 0.000496), "alpha": (0.005513, 0.008118), "sigma": (0.1102, 0.1624),
-        "mu0": (0.3, 0.6),
-    }  # fmt: skip
-    low, high = sets(ss.load("cubic_contact"), ranges)
-    assert ss.certify(low, high, "no jump", max_boxes=400).outcome == "proved"
-    rng = np.random.default_rng(3)
-    inside = {name: rng.uniform(*ends, 2000) for name, ends in ranges.items()}
-    p = ss.load("cubic_contact").Parameters(**inside)
-    assert not (ss.jump_value(p, "mu0") <= inside["mu0"]).any()
-
-
-@pytest.mark.thorough
-def test_a_fold_just_above_a_box_is_no_obstacle() -> None:
-    """Where no tube goes over the fold below the box's upper end, one goes up to that end."""
-    ranges = {"theta0": (1.122806, 1.134091), "mu0": (0.863472, 0.87215), "sigma": (0.06078, 0.061391)}
-    found = ss.certify(*sets(ss.load("inclined_belt"), ranges), "no jump", max_boxes=20)
-    assert found.outcome == "proved"

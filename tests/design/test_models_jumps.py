@@ -94,43 +94,6 @@ def test_a_set_is_not_answered_for_another_model() -> None:
     assert ss.jump_value(p) == pytest.approx(0.5997681643, abs=1e-9)
 
 
-@pytest.mark.validate
-def test_gradients_are_differences() -> None:
-    model, h = ss.load("two_springs"), 1e-6
-    p = model.Parameters(theta0=0.6)
-    slopes = ss.jump_gradient(p)
-    for name in ("theta0", "sigma", "sigma_2", "theta0_2", "lambda_2"):
-        one, other = (ss.jump_value(p.replace(**{name: float(getattr(p, name)) + side * h})) for side in (-1, 1))
-        assert (other - one) / (2 * h) == pytest.approx(float(getattr(slopes, name)), rel=1e-5)
-
-
-@pytest.mark.thorough
-def test_at_an_end_of_the_range() -> None:
-    model = ss.load("cubic_contact")
-    p = model.Parameters(theta0=0.8)
-    value = ss.jump_value(p)
-    assert np.isnan(ss.jump_value(p, until=value * (1 - 1e-6)))
-    assert ss.jump_value(p, until=value * (1 + 1e-6)) == pytest.approx(value, rel=1e-11)
-    assert np.isnan(ss.jump_value(p, until=0.0))
-    assert ss.jump_value(p, begin=0.3) == pytest.approx(value, rel=1e-11)
-
-
-@pytest.mark.thorough
-def test_what_is_asked() -> None:
-    model = ss.load("two_springs")
-    p = model.Parameters(theta0=0.7)
-    for options, text in (
-        ({"direction": "x"}, "give 'up' or 'down'"), ({"direction": "down"}, "rises from its lower end"),
-        ({"begin": 0.5, "until": 0.2}, "below where mu0 begins"), ({"vary": "gamma"}, "is not a parameter of"),
-    ):  # fmt: skip
-        with pytest.raises(ss.ParameterError, match=text):
-            ss.jump_value(p, **options)
-    with pytest.raises(ss.ParameterError, match="give vary"):
-        ss.jump_value(ss.load("stribeck").Parameters(theta0=0.7))
-    found = ss.jump_value(model.Parameters(theta0=[[0.5, 0.6, 0.7]]))
-    assert found.shape == (1, 3)
-
-
 # ------------------------------------------------------------------------------------------- margins and new designs
 
 
@@ -180,13 +143,3 @@ def test_a_new_design_of_another_model_keeps_its_target() -> None:
     for arguments, text in ((("theta0", {"theta0": 1.0}), "is the target"), (("theta0", {"nu": 1.0}), "give parameters of")):
         with pytest.raises(ss.ParameterError, match=text):
             ss.redesign(p, *arguments)
-
-
-@pytest.mark.validate
-def test_a_new_design_has_no_end_below_a_target_of_any_name() -> None:
-    """Of a set at whose own mu_k the state has ended before."""
-    model = ss.load("stribeck")
-    p = model.Parameters(theta0=0.8, mu_s=0.5, mu_k=0.8)
-    better = ss.redesign(p, "theta0", {"mu_k": 0.9})
-    assert ss.jump_value(better.parameters, "mu_k", begin=0.0) == pytest.approx(0.9, abs=1e-8)
-    assert better.jump["mu_k"] == pytest.approx(0.9, abs=1e-8)

@@ -6,15 +6,12 @@ The truss snaps where P(u) = k u (l/r − 1), r² = b² + u², has its maximum o
 from __future__ import annotations
 
 import math
-import re
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.studies.jump_verdicts import ending
-from tests.support import ROOT, derived, shipped_page, written_brake
+from tests.support import ROOT, derived, written_brake
 
 pytest.importorskip("sympy")
 
@@ -159,15 +156,6 @@ def test_a_load_of_nothing_and_one_at_the_fold_have_their_page(load: float, tmp_
     assert "as P rises" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
-def test_where_nothing_is_said_to_rise_a_report_has_its_states(tmp_path: Path) -> None:
-    study = truss(tmp_path)
-    assert study.rise is not None
-    found = ss.Study(study.values, model=study.model).report()
-    assert found.jump_at is None
-    assert len(found.states) == 3
-    assert any("vary =" in one for one in found.warnings)
-
-
 @pytest.mark.thorough
 def test_a_load_may_be_negative(tmp_path: Path) -> None:
     found = weighted(tmp_path).report(**QUICKLY)
@@ -187,49 +175,6 @@ def test_where_nothing_is_applied_it_may_have_jumped_already(tmp_path: Path) -> 
     assert any("1.2 times P = 0 N" in one for one in found.warnings)
 
 
-@pytest.mark.by_hand("900000")
-@pytest.mark.thorough
-@pytest.mark.parametrize("k", [0.9e6, 3e6])
-def test_every_brake_begins_at_the_same_load(k: float, tmp_path: Path) -> None:
-    """Of a bar half as stiff the same number of the model is half of that load, at which it has snapped."""
-    end = snaps(k, 0.038, 0.0114) - 400
-    study = weighted(tmp_path, begin="-231 N", P="-230 N", k=f"[{k!r}, 3e6] N/m")
-    assert study.changed({"k": k}).report(**QUICKLY).jump_at == pytest.approx(end, rel=1e-9)
-    values = {name: np.full(2, value) for name, value in study.values.items()}
-    beside = end + np.array([-1e-6, 1e-6])
-    assert ending(study, {**values, "k": np.full(2, k), "P": beside}).tolist() == [0, 1]
-
-
-@pytest.mark.validate
-def test_brakes_below_where_it_begins_have_not_jumped(tmp_path: Path) -> None:
-    found = truss(tmp_path, P="[180, 300] N", begin="190 N").report(**QUICKLY, n=256)
-    assert found.probability is not None
-    low, high = found.probability.proved
-    assert low < (300 - LOAD) / 120 < high < low + 1e-3
-    at = truss(tmp_path, begin="200 N", k="1500 N/mm ± 5 %").report(**QUICKLY, n=64)
-    assert at.certificate is not None
-    assert at.certificate.outcome == "proved"
-
-
-def test_where_it_begins_is_compared_with_the_values_of_the_study() -> None:
-    """A value that its tolerance does not hold is the middle of that."""
-    values, model = dict(m=0.35, k=1.5e6, b=0.038, h=0.0114, P=200.0, c=70.0), str(derived(PAGE, "snapping_truss"))
-    with pytest.raises(ss.errors.ParameterError, match="begin = 100 is above P = 15"):
-        ss.Study(values, {"P": (10.0, 20.0)}, model=model, vary="P", begin=100.0)
-    study = ss.Study(values, model=model, vary="P", begin=100.0)
-    less = study.quantities["P"].scaled(50.0, False)
-    with pytest.raises(ss.errors.ParameterError, match="begin = 100 is above P = 50"):
-        study.with_quantities({**study.quantities, "P": less})
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("share", [1 - 1e-4, 1 + 1e-4])
-def test_a_sentence_tells_a_load_from_where_it_jumps(share: float, tmp_path: Path) -> None:
-    verdict = truss(tmp_path, P=f"{share * LOAD!r} N").report(**QUICKLY).verdict
-    jump, yours = (float(number) for number in re.findall(r"([0-9.]+) N", verdict))
-    assert (yours < jump) == (share < 1)
-
-
 @pytest.mark.validate
 def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Path) -> None:
     """A bar that is 12 % softer has snapped at 250 N, and would end nowhere above that."""
@@ -239,45 +184,3 @@ def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Pa
     for one in found.redesign:
         values = {**study.values, **one.after}
         assert one.jump_at == pytest.approx(snaps(values["k"], values["b"], values["h"]), rel=1e-9)
-
-
-@pytest.mark.validate
-def test_a_friction_coefficient_by_another_name_counts_among_the_tolerances(tmp_path: Path) -> None:
-    """The nearest jump is that of it alone, where nothing else has a tolerance."""
-    model = derived(shipped_page("kang_nam").replace("mu0", "f"), "renamed").as_posix()
-    rows = {name: value.split(" ±")[0] for name, value in BRAKE.items() if name != "mu0"}
-    rows |= {"model": model, "vary": "f", "f": "[0.2, 0.6]"}
-    found = ss.Study.from_file(written_brake(tmp_path, rows)).report(probability=False, **QUICKLY)
-    study = ss.Study.from_file(written_brake(tmp_path, {**BRAKE, "F_L": "420 N"}))
-    jump = ss.jump_value(study.dimensionless)
-    assert found.jump_at == pytest.approx(jump, rel=1e-9)
-    assert found.distance == pytest.approx((jump - 0.4) / 0.2, rel=1e-6)
-
-
-#: Its states are found once for every turn, since k_t might tell turns apart.
-ROD = '''"""A rod under a load, with a side spring and one that turns."""
-from spragsym.derive.model import Page, cos, sin
-
-page = Page("A rod under a load.")
-m = page.unit("m", "kg", "mass at the tip")
-k = page.unit("k", "N/m", "side spring")
-l = page.unit("l", "m", "length")
-P = page.parameter("P", "N", "load", ">= 0", 0.5, becomes="pi_load")
-e = page.parameter("e", "m", "offset of the side spring", "real", 0.01, becomes="eps")
-k_t = page.parameter("k_t", "N m", "spring that turns", ">= 0", 0.0)
-phi = page.coordinate("phi", "rad", "angle from upright")
-page.kinetic(m * l**2 * page.rate(phi) ** 2 / 2)
-page.potential(k * (l * sin(phi) - e) ** 2 / 2 + P * l * cos(phi) + k_t * phi**2 / 2)
-'''
-
-
-@pytest.mark.thorough
-def test_folds_of_which_little_is_known_are_told_so(tmp_path: Path) -> None:
-    """Nothing is said of a contact that the page does not have, nor of an undecided state."""
-    rows = {"m": "1 kg", "k": "1000 N/m", "l": "0.1 m", "e": "1 mm", "k_t": "0 N m", "P": "[40, 120] N", "vary": "P"}
-    brake = written_brake(tmp_path, {"model": derived(ROD, "rod").as_posix(), **rows})
-    text = str(ss.Study.from_file(brake).report(probability=False, **QUICKLY))
-    assert "in contact" not in text
-    assert "the undecided state" not in text
-    assert "the  state" not in text
-    assert text.count("two states meet") + text.count("state ends as it rises") == text.count("P 93.119 N  ")

@@ -10,9 +10,7 @@ import mpmath
 import pytest
 
 import spragsym as ss
-from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
-from spragsym.kang_nam.statics import adaptive_precision
 from spragsym.parameters import NAMES
 from spragsym.parameters.ranges import Range
 from tests.oracles import reference
@@ -60,44 +58,6 @@ def test_the_ends_of_ranges_that_belong_to_them() -> None:
         ss.precise.as_exact("a", Fraction(1) + Fraction(1, 10**30), half_open)
 
 
-@pytest.mark.parametrize("dps", [0, -1, 1001, True, 2.0, "9"])
-def test_digits_out_of_range(dps: Any) -> None:
-    with pytest.raises((ss.ParameterError, ss.ParameterTypeError), match="dps = "):
-        ss.precise.as_digits(dps)
-
-
-def test_digits_in_range() -> None:
-    assert [ss.precise.as_digits(dps) for dps in (1, 50, 1000)] == [1, 50, 1000]
-
-
-@pytest.mark.parametrize("degrees", [0, "180", 180, 180.5, -1])
-def test_degrees_end_where_radians_do(degrees: Any) -> None:
-    with pytest.raises(ss.ParameterError, match=r"theta0_deg = .* is not in \(0, 180"):
-        ss.precise.equilibria(theta0_deg=degrees)
-
-
-def test_degrees_are_degrees() -> None:
-    """Up to the last before 180, the same as the angle in radians to all digits."""
-    for degrees in ("179.9999999", "0.0000001", "44.5", "179"):
-        with mpmath.workdps(80):
-            theta0 = mpmath.radians(mpmath.mpf(degrees))
-        one, two = ss.precise.equilibria(theta0_deg=degrees, dps=40), ss.precise.equilibria(theta0=theta0, dps=40)
-        assert len(one) == len(two)
-        for first, second in zip(one, two, strict=True):
-            assert abs(first.x - second.x) < 1e-38 * max(1, abs(first.x))
-            assert abs(first.theta - second.theta) < 1e-38
-    with pytest.raises(ss.ParameterError, match="one of theta0"):
-        ss.precise.equilibria(theta0=1, theta0_deg=1)
-    with pytest.raises(ss.ParameterError, match="one of theta0"):
-        ss.precise.equilibria()
-
-
-def test_the_defaults_are_the_articles() -> None:
-    base = {"mu0": "0.5", "kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": 0}
-    assert ss.precise.equilibria(theta0=1) == ss.precise.equilibria(theta0=1, **base, contact=True, dps=50)
-    assert ss.precise.cusps() == ss.precise.cusps(kappa="0.007", alpha="0.007", sigma="0.1", beta=0, dps=40)
-
-
 def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int) -> None:
     """f = f′ = f″ = 0 by the balance of forces, and the geometry."""
     with mpmath.workdps(digits + 20):
@@ -110,28 +70,6 @@ def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int
                 assert abs(slope) < mpmath.mpf(10) ** (8 * order) * small
             state = cusp.theta, cusp.L, cusp.x, cusp.y
             assert reference.lack_of_a_state(state, cusp.theta0, kappa, sigma, beta) < small
-
-
-class _Spy(intervals.Balls):
-    """Arithmetic that says whether it was used."""
-
-    used = 0
-
-    def exact(self, value: Fraction) -> Any:
-        self.used += 1
-        return super().exact(value)
-
-
-def test_the_arithmetic_asked_for_is_the_one_used() -> None:
-    calls = (
-        lambda arith: ss.precise.cusps(arith=arith), lambda arith: ss.precise.equilibria(theta0=1, arith=arith),
-        lambda arith: adaptive_precision.equilibria(*[1] * 6, arith=arith),
-        lambda arith: ss.folds(ss.Parameters.article(), arith=arith),
-    )  # fmt: skip
-    for call in calls:
-        spy = _Spy()
-        call(arith=spy)
-        assert spy.used > 0
 
 
 CUSPS = [("0.007", "0.007", "0.1", 0), ("0.3", 0, "1.7", "0.4"), ("0.2", "1.5", "0.9", "0.5")]

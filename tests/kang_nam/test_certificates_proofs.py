@@ -13,91 +13,16 @@ import pytest
 import sympy as sp
 
 import spragsym as ss
-from spragsym.exact import adaptive_bits, line_roots, polynomials
+from spragsym.exact import adaptive_bits, polynomials
 from spragsym.exact.intervals import Arithmetic, Balls
 from spragsym.exact.polynomials import Undecided
 from spragsym.kang_nam.catastrophe import cusp_proofs, fold_proofs
 from spragsym.kang_nam.catastrophe.fold_enclosures import Angles, Point, SineRoot
 from spragsym.parameters import NAMES
 from tests.oracles import reference
-from tests.support import as_fraction, as_mpf, with_roots
+from tests.support import as_mpf
 
 # ------------------------------------------------------------------------------------------- proofs: the means
-
-
-def test_bits_are_doubled_until_every_sign_is_decided(arith: Arithmetic) -> None:
-    tried: list[int] = []
-
-    def attempt(bits: int) -> Fraction:
-        tried.append(bits)
-        low, high = arith.ends(arith.exact(Fraction(1, 3)))
-        assert Fraction(1, 2 ** (bits + 8)) < high - low < Fraction(8, 2**bits)  # the precision is that of the attempt
-        if bits < 1000:
-            raise (Undecided if bits < 400 else ZeroDivisionError)("not yet")
-        return Fraction(bits)
-
-    assert adaptive_bits.with_enough_bits(arith, 10, attempt, "this") == 1536
-    assert tried == [192, 384, 768, 1536]
-    tried.clear()
-    assert adaptive_bits.with_enough_bits(arith, 300, attempt, "this") == 1116
-    assert tried == [int(3.4 * 300) + 96]
-
-
-def test_bits_end_with_a_reason(arith: Arithmetic) -> None:
-    tried: list[int] = []
-
-    def attempt(bits: int) -> None:
-        tried.append(bits)
-        raise Undecided("a wall")
-
-    with pytest.raises(ss.ConvergenceError, match=r"^folds: 6144 bits do not decide it \(a wall\)"):
-        adaptive_bits.with_enough_bits(arith, 10, attempt, "folds")
-    assert tried == [192 * 2**k for k in range(6)]
-
-
-def test_a_sign_that_must_be_there(arith: Arithmetic) -> None:
-    with arith.precision(60):
-        assert adaptive_bits.decided(arith, arith.exact(Fraction(1, 9)), "x") == 1
-        assert adaptive_bits.decided(arith, arith.exact(Fraction(-1, 9)), "x") == -1
-        with pytest.raises(Undecided, match="what it is"):
-            adaptive_bits.decided(arith, arith.between(Fraction(0), Fraction(1)), "what it is")
-
-
-def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
-    with arith.precision(80), mpmath.workprec(200):
-        for k in range(-23, 25):
-            true = mpmath.pi * k / 24
-            cosine, sine = (arith.between(as_fraction(value) - Fraction(1, 2**60), as_fraction(value) + Fraction(1, 2**60))
-                            for value in (mpmath.cos(true), mpmath.sin(true)))  # fmt: skip
-            if k == 24:
-                with pytest.raises(Undecided, match="0 or π"):
-                    adaptive_bits.angle(arith, cosine, sine)
-                continue
-            low, high = arith.ends(adaptive_bits.angle(arith, cosine, sine))
-            assert low <= as_fraction(true) <= high
-            assert high - low < 1e-15
-        for side in (-1, 1):  # a cosine of either sign
-            turns = [side * (mpmath.pi / 2 + mpmath.mpf(k) / 100) for k in (-3, 0, 1)]
-            cosines, sines = ([function(turn) for turn in turns] for function in (mpmath.cos, mpmath.sin))
-            held = [arith.between(as_fraction(min(values)), as_fraction(max(values))) for values in (cosines, sines)]
-            low, high = arith.ends(adaptive_bits.angle(arith, *held))
-            assert low <= as_fraction(min(turns))
-            assert as_fraction(max(turns)) <= high
-            assert high - low < 0.05
-
-
-@pytest.mark.parametrize("size", [Fraction(1), Fraction(-1000), Fraction(1, 1000)])
-def test_floats_of_intervals_up_to_fifteen_digits(size: Fraction, arith: Arithmetic) -> None:
-    """As wide as 10⁻¹⁵ of what is larger, the number or 1; no wider."""
-    unit = max(Fraction(1), abs(size)) / 10**15
-    with arith.precision(200):
-        for share in (Fraction(1, 1000), Fraction(1, 2), Fraction(99, 100)):
-            held = arith.between(size - share * unit, size + share * unit)
-            (value,), error = adaptive_bits.as_floats(arith, [held])
-            assert value == float(size)
-            assert float(share) * 1e-15 <= error <= float(share) * 1e-15 * (1 + 1e-9) + 1.3e-16
-        with pytest.raises(Undecided, match="wider than a float"):
-            adaptive_bits.as_floats(arith, [arith.exact(size), arith.between(size - unit * 101 / 100, size + unit * 101 / 100)])
 
 
 @pytest.mark.parametrize(
@@ -110,17 +35,6 @@ def test_the_error_of_a_float_covers_its_rounding(middle: Fraction, arith: Arith
             ends = arith.ends(arith.between(middle - width, middle + width))
             (value,), error = adaptive_bits.as_floats(arith, [arith.between(*ends)])
         assert max(abs(Fraction(value) - end) for end in ends) <= Fraction(error) * max(1, abs(Fraction(value)))
-
-
-def test_floats_may_be_off_by_fifteen_digits_and_end_somewhere() -> None:
-    """By integers, which balls hold exactly."""
-    arith = Balls()
-    with arith.precision(200):
-        values, error = adaptive_bits.as_floats(arith, [arith.between(Fraction(10**15 - 1), Fraction(10**15 + 1))])
-        assert values == [1e15]
-        assert 1e-15 <= error < 1.2e-15
-        ends = [arith.exact(Fraction(sign * 2**1024)) for sign in (-1, 1)]
-        assert adaptive_bits.as_floats(arith, ends)[0] == [-math.inf, math.inf]
 
 
 # ---------------------------------------------------------------------------------------------- folds and cusps
@@ -312,94 +226,7 @@ def test_an_upright_cusp_is_one(side: int, arith: Arithmetic) -> None:
     assert upright[0] == pytest.approx([side * math.pi / 2, -math.pi / 2, 0.0], abs=1e-15)
 
 
-@pytest.mark.parametrize("alpha", ["0.007", "0.3"])
-def test_the_depth_of_a_cusp_as_a_function_of_its_sine(alpha: str) -> None:
-    """Against sin θ₀ − L sin θ with L from F_y = 0 at the angles of the cusp."""
-    arith, exact = Balls(), (Fraction(7, 1000), Fraction(alpha), Fraction(1, 10), Fraction(1, 2))
-    with arith.precision(300):
-        points = list(cusp_proofs.cusps(arith, exact, 300))
-        assert points
-        for point in points:
-            with mpmath.workdps(60):
-                theta, theta0 = (_middle(arith, value) for value in (point.theta, point.parameters[0]))
-                s, s0 = mpmath.sin(theta), mpmath.sin(theta0)
-                kappa, _, sigma, beta = (mpmath.mpf(value.numerator) / value.denominator for value in exact)
-                L = (sigma * s + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * s)
-                off = as_fraction(s0 - L * s) - cusp_proofs._cusp_y(as_fraction(s), *exact)
-            assert abs(off) < Fraction(1, 10**30)
-
-
-def test_what_may_be_upright_is_open() -> None:
-    arith, exact = Balls(), (Fraction(3, 2), Fraction(1), Fraction(1), Fraction(1))
-    with arith.precision(300):
-        polynomial = cusp_proofs.cusp_sines(*exact, bits=300)[0]
-        for low, high in ((-1, -1 + Fraction(1, 2**100)), (-1 - Fraction(1, 2**100), -1)):
-            with pytest.raises(Undecided):
-                list(cusp_proofs._cusps_at(arith, exact, SineRoot(polynomial, Fraction(low), Fraction(high))))
-
-
-def test_the_unfolding_is_full_where_the_derivatives_are_independent(arith: Arithmetic, monkeypatch: pytest.MonkeyPatch) -> None:
-    with arith.precision(100):
-        point = next(cusp_proofs.cusps(arith, (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0)), 100))
-        for rows, full in (
-            (((2, 1), (6, 3)), False),
-            (((2, 1), (6, 4)), True),
-            (((0, 1), (6, 0)), True),
-            (((0, 0), (6, 4)), False),
-        ):
-            given = [tuple(arith.exact(Fraction(value)) for value in row) for row in rows]
-            monkeypatch.setattr(cusp_proofs._catastrophe, "unfolding", lambda *_, given=given: [*given, None])
-            assert cusp_proofs.is_versal(arith, point) == full
-
-
-def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -> None:
-    """Inside of (−1, 1) and beyond, each once."""
-    roots = [Fraction(-40), Fraction(-3, 2), Fraction(-1, 2), Fraction(1, 3), Fraction(7, 2)]
-    with arith.precision(300):
-        polynomial = tuple(map(arith.exact, with_roots(*roots, lead=2)))
-        found = line_roots.roots_on_the_line(polynomial, arith.sign, arith.exact, 150)
-        found = sorted(arith.ends(root.interval(arith)) for root in found)
-        assert len(found) == len(roots)
-        for (low, high), root in zip(found, roots, strict=True):
-            assert low <= root <= high
-            assert high - low < 1e-40
-
-
-@pytest.mark.parametrize("place", [Fraction(1, 3), Fraction(7, 2), Fraction(13, 11), Fraction(11, 13), Fraction(1)])
-def test_a_root_knows_whose_it_is(place: Fraction) -> None:
-    """Inside of the first chart, beyond it, and at its end, where each counts once."""
-    polynomial = (-2 * place, 2 - place, Fraction(1))  # (t − place)(t + 2)
-    (root,) = line_roots.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True)
-    assert root.is_of((-place, Fraction(1)))
-    assert not root.is_of((Fraction(2), Fraction(1)))
-    assert not root.is_of((-1 / place - 5, Fraction(1)))
-    with Balls().precision(100):
-        low, high = Balls().ends(root.interval(Balls()))
-    assert low <= place <= high
-    assert high - low < Fraction(1, 2**70)
-
-
-@pytest.mark.parametrize("polynomial", ["", "3", "0 1", "1 1", "1/10 1", "10 1"])
-def test_no_positive_root_is_none(polynomial: str) -> None:
-    """A constant has none at all, and 0 is not positive."""
-    exact = tuple(map(Fraction, polynomial.split()))
-    assert line_roots.roots_on_the_line(exact, polynomials.exact_sign, Fraction, 60, positive=True) == []
-
-
 # -------------------------------------------------------------------------------------------- folds at coincidences
-
-
-def test_multiplicities_of_exact_roots() -> None:
-    """Of t (t − 1/2)(t − 2)² (t − 3)³ (t − 4)⁴, where the curvature vanishes at 2 and 4; 0 is not positive."""
-    arith, polynomial = Balls(), with_roots(0, Fraction(1, 2), *[2] * 2, *[3] * 3, *[4] * 4)
-    for curvature in ([with_roots(2, 4, 7)], [with_roots(2, 3, 4), with_roots(5, 4, 2)]):
-        with arith.precision(200):
-            found = fold_proofs._with_multiplicity(arith, polynomial, curvature, 192)
-            rows = sorted((float(arith.ends(one.t)[0]), one.multiplicity, one.flat) for one in found)
-            widths = [high - low for low, high in (arith.ends(one.t) for one in found)]
-        assert [row[1:] for row in rows] == [(1, False), (2, True), (3, False), (3, True)]
-        assert [row[0] for row in rows] == pytest.approx([0.5, 2, 3, 4])
-        assert max(widths) < Fraction(1, 2**150)
 
 
 @pytest.mark.parametrize("beta", [Fraction(0), Fraction(2, 5)])
@@ -460,27 +287,6 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
     grid = np.linspace(1e-3, math.pi - 1e-3, 3001)
     fixed = {name: float(value) for name, value in exact.items()}
     assert len(found) == _scanned("theta0", fixed, grid).size
-
-
-def test_a_direction_knows_what_vanishes_at_it(arith: Arithmetic) -> None:
-    """At t = √2, where cos θ = −1/3, of (t² − 2)(t − 3); of a root of intervals nothing vanishes for certain."""
-    polynomial = tuple(map(Fraction, (6, -2, -3, 1)))
-    with arith.precision(100):
-        wide = arith.between(Fraction(-1), Fraction(1))
-        root = min(
-            line_roots.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True),
-            key=lambda one: arith.ends(one.interval(arith)),
-        )
-        direction = fold_proofs._Direction(root.interval(arith), 1, False, polynomial, root)
-        assert direction.sign_of(arith, wide, lambda c, s: 3 * c + 1, "it") == 0
-        assert direction.sign_of(arith, wide, lambda c, s: (3 * c + 1) * (1 + s**5), "it") == 0
-        assert direction.sign_of(arith, arith.exact(Fraction(1, 3)), lambda c, s: 3 * c + 1, "it") == 1
-        for open_one, function in (
-            (direction, lambda c, s: c), (direction, lambda c, s: 5 * c + 4),  # c = −4/5 at t = 3
-            (fold_proofs._Direction(root.interval(arith)), lambda c, s: 3 * c + 1),
-        ):  # fmt: skip
-            with pytest.raises(Undecided, match="it"):
-                open_one.sign_of(arith, wide, function, "it")
 
 
 @pytest.mark.parametrize("vary", NAMES[1:])

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import itertools
-import math
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import Any
 
@@ -14,7 +11,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact.double_double import DoubleDouble
 from spragsym.generated import kernel
 from spragsym.kang_nam.statics import adaptive_precision, block, compiled, solver
 from spragsym.parameters import NAMES
@@ -143,66 +139,10 @@ def test_one_missing_certificate_settles_nothing(monkeypatch: pytest.MonkeyPatch
     assert out.count.tolist() == [0, 0, 0]
 
 
-def test_an_error_at_the_tolerance_is_within_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert _settled(monkeypatch, {"error": 1e-12})[0]
-    # What double-double arithmetic found is rounded to float64, θ by as much as an arc tangent of it is off: four units u.
-    for error, sure in ((1e-12, False), (1e-12 - 4.3e-16, False), (1e-12 - 4.6e-16, True)):
-        root = kernel.Root(**GOOD | {"error": error, "code": 1.0})
-        assert bool(block._sure(DoubleDouble(1.0), root)) == sure
-
-
 @pytest.mark.parametrize("t", [(0.5, 0.5, 2.0), (0.5, 2.0, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)])
 def test_roots_that_may_be_one_or_lie_below_0_settle_nothing_in_contact(monkeypatch: pytest.MonkeyPatch, t: Any) -> None:
     assert not _settled(monkeypatch, {}, t=t)[0]
     assert _settled(monkeypatch, {}, contact=False, t=t)[0] == (t[0] <= 0)
-
-
-def test_one_root_a_point(monkeypatch: pytest.MonkeyPatch) -> None:
-    """In contact: settled where it is an equilibrium for certain, and t > 0."""
-    for t, changes, wanted in (
-        (1.0, {}, True), (1.0, {"member": False}, False), (1.0, {"known": False}, False), (1.0, {"error": 2e-12}, False),
-        (0.0, {}, False), (-1.0, {}, False), (np.nan, {}, False), (1.0, {"error": 1e-12}, True),
-    ):  # fmt: skip
-        given = {name: np.array([changes.get(name, value)] * 2) for name, value in GOOD.items()} | {"code": np.ones(2)}
-        monkeypatch.setattr(block.kernel, "at_root", lambda *_, given=given: kernel.Root(**given))
-        out = state_columns.Slots(5, 3)
-        line = kernel.Balance(*[np.ones(2)] * 7)
-        settled = block._one_each(np.array([t, t]), kernel.Point(*[np.ones(2)] * 8), line, out, 2, np.float64(2.0**-53))
-        assert settled.tolist() == [wanted] * 2
-        assert out.count.tolist() == [0, 0, wanted, wanted, 0]
-        if wanted:
-            np.testing.assert_allclose(out.first["theta"][2:4], math.pi / 2)
-
-
-def test_members_move_to_the_front_whichever_they_are() -> None:
-    rng = np.random.default_rng(56)
-    for candidates, room in ((3, 3), (3, 4), (2, 4), (4, 4)):
-        members = np.array(list(itertools.product([False, True], repeat=candidates))).T
-        columns = {name: rng.integers(1, 9, members.shape) for name in state_columns.COLUMNS}
-        count, packed = state_columns.gathered(members, columns, room)
-        assert count.tolist() == members.sum(axis=0).tolist()
-        for name in state_columns.COLUMNS:
-            for point in range(members.shape[1]):
-                kept = columns[name][members[:, point], point]
-                assert packed[name][: kept.size, point].tolist() == kept.tolist()
-                rest = packed[name][kept.size :, point]
-                assert (rest == 0).all() if name == "stability" else np.isnan(rest).all()
-
-
-def test_slots_hold_what_was_put_last() -> None:
-    out = state_columns.Slots(3, 3)
-    for theta in (1.0, 2.0):
-        columns = state_columns.empty(3, 2)
-        columns["theta"][:2] = theta
-        columns["stability"][:2] = 1
-        out.put(np.array([2, 0]), np.array([2, 0]), columns)
-    out.clear()
-    assert out.count.tolist() == [0, 0, 2]
-    assert out.padded("theta")[2, :2].tolist() == [2.0, 2.0]
-    assert np.isnan(out.first["theta"][:2]).all()
-    assert out.padded("stability").dtype == np.int8
-    assert out.padded("stability")[2].tolist() == [1, 1, 0]
-    assert out.first["stability"][:2].tolist() == [0, 0]
 
 
 def test_count_counts() -> None:
@@ -262,67 +202,6 @@ def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch, contact
             np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
 
 
-@pytest.mark.parametrize("threads", [1, 2, 3])
-def test_every_thread_has_as_many_blocks_of_one_size(monkeypatch: pytest.MonkeyPatch, threads: int) -> None:
-    """Of BLOCK points or more, but less than twice as many; a thread has 12 points at least; every point is in one block."""
-    monkeypatch.setattr(solver, "BLOCK", 10)
-    kept: list[int] = []
-    monkeypatch.setattr(solver, "ThreadPoolExecutor", lambda many: (kept.append(many), ThreadPoolExecutor(many))[1])
-    for size in (0, 1, 9, 10, 11, 19, 20, 24, 35, 36, 60, 100, 101):
-        kept.clear()
-        blocks = solver._in_blocks(ss.Parameters.article(theta0=np.full(size, 0.5)), threads, 12, lambda _, *block: block)
-        used = kept[0] if kept else 1
-        assert used == max(1, min(threads, size // 12))
-        assert np.concatenate([[], *(np.arange(begin, begin + part) for begin, part in blocks)]).tolist() == list(range(size))
-        lengths = {part for _, part in blocks[:-1]}
-        assert len(lengths) <= 1
-        assert size < 10 * used or all(10 <= part < 20 for part in lengths)
-        assert len(blocks) == (used * max(1, size // (10 * used)) if size else 0)
-
-
-@pytest.mark.parametrize(("wide", "u"), [(False, 2.0**-53), (True, 2.0**-102)])
-def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyPatch, wide: bool, u: float) -> None:
-    asked = []
-    for name in ("discriminant", "one_positive", "at_root"):
-        plain = getattr(kernel, name)
-        monkeypatch.setattr(block.kernel, name, lambda *given, plain=plain: (asked.append(given[-1]), plain(*given))[1])
-    values = [np.full(3, value) for value in (0.6, 1.0, 0.1, 0.1, 0.1, 0.1)]
-    with np.errstate(all="ignore"):
-        if wide:
-            block.solve_widely(values, True, state_columns.Slots(3, 3), 0, 3)
-        else:
-            block.solve(
-                kernel.Point(np.cos(values[0]), np.sin(values[0]), *values[1:], 1), 3, state_columns.Slots(3, 3), 0, np.float64
-            )
-    assert len(asked) >= 3
-    assert all(type(value) is np.float64 and value == u for value in asked)
-
-
-#: A point with one equilibrium, one with three, and one with one, both in double-double as elsewhere.
-WIDE_POINTS = [
-    *np.array([(1.2, 0.3, 0.1, 0.1, 0.1, 0.1), (0.7, 0.7, 0.007, 0.007, 0.1, 0.0), (0.6, 1.0, 0.1, 0.1, 0.1, 0.1)]).T.copy()
-]
-
-
-def test_double_double_writes_to_its_rows() -> None:
-    out = state_columns.Slots(8, 3)
-    with np.errstate(all="ignore"):
-        block.solve_widely(WIDE_POINTS, True, out, 4, 3)
-    expected = ss.equilibria(ss.Parameters(*WIDE_POINTS))
-    assert out.count.tolist() == [0, 0, 0, 0, *expected.count, 0]
-    out.clear()
-    np.testing.assert_allclose(out.padded("theta")[4:7], expected.theta, rtol=1e-12)
-
-
-@pytest.mark.parametrize("value", [-1.0, 0.0, 1.0])
-def test_a_discriminant_within_its_error_counts_for_nothing(monkeypatch: pytest.MonkeyPatch, value: float) -> None:
-    """The second factor is then looked at: its roots, complex here, settle nothing."""
-    p = ss.Parameters.article(theta0=[1.2, 2.0], mu0=0.3)
-    assert not ss.equilibria(p, contact=False).escalated.any()
-    monkeypatch.setattr(kernel, "discriminant", lambda line, *_: kernel.Discriminant(value + 0 * line.b, 1 + 0 * line.b))
-    assert ss.equilibria(p, contact=False).escalated.all()
-
-
 #: In lift-off the spring is so short here that the trace of its stiffness is negative.
 SHORT = (0.311, 0.661, 0.143, 1.791, 2.269, 0.0)
 
@@ -371,13 +250,6 @@ def test_the_logarithm_of_a_length_beyond_float64_is_said(backend: str, size: fl
     assert said == pytest.approx(float(mpmath.log10(state.L)), rel=2e-6)
 
 
-def test_both_angle_and_friction_are_needed() -> None:
-    for solve in (ss.equilibria, ss.count):
-        for given, lacking in (({"mu0": 0.5}, "theta0"), ({"theta0": 0.5, "mu0": None}, "mu0")):
-            with pytest.raises(ss.ParameterError, match=lacking):
-                solve(ss.Parameters(**given, kappa=0.1, alpha=0.1, sigma=0.1, beta=0.1))
-
-
 LONG = (1.0, 1e200, 1e200, 1.0, 1.0, 1.0)
 
 
@@ -407,22 +279,6 @@ def test_slots_without_an_equilibrium_are_empty_whatever_memory_held(monkeypatch
         assert "Slots" not in repr(eq)
 
 
-def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With the backend that was asked for, and the roundoff of float64."""
-    p = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 49.0, 120.0]), mu0=0.5)
-    asked: list[float] = []
-    plain = kernel.one_or_three
-    monkeypatch.setattr(solver, "equilibria", None)
-    monkeypatch.setattr(solver.compiled, "count", None)
-    monkeypatch.setattr(kernel, "one_or_three", lambda point, u: (asked.append(u), plain(point, u))[1])
-    assert ss.count(p).tolist() == [3, 3, 1, 1]
-    assert asked == [2.0**-53]
-    monkeypatch.setattr(solver, "_count", None)
-    monkeypatch.setattr(solver.compiled, "count", lambda values, size: np.full(size, 3, dtype=np.int8))
-    monkeypatch.setattr(solver.backends, "chosen", lambda: ("compiled", 1))
-    assert ss.count(p).tolist() == [3, 3, 3, 3]
-
-
 def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
     """And of their states the two slots that hold one."""
     plain = adaptive_precision.equilibria
@@ -437,40 +293,6 @@ def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
     assert ss.equilibria(p).fold.tolist() == [False, False, True]
     assert ss.equilibria(p).marginal.tolist() == [[False] * 3] * 2 + [[False, True, True]]
-
-
-#: Three points beside two whose numbers are so far apart that double-double arithmetic is not what its bounds say.
-IMMODERATE = [
-    (1.2327756113845494, 4.53e21, 7.32e-53, 6.145e51, 2.6e-32, 1.748e49),
-    (1.3664280351761058, 3.45e90, 1.433e12, 3.5579e34, 1.27e29, 9.49e41),
-]
-SOME_IMMODERATE = [
-    np.insert(column, [1, 2], others) for column, others in zip(WIDE_POINTS, np.transpose(IMMODERATE), strict=True)
-]
-
-
-@pytest.mark.parametrize("size", [1, 2, 3, 5])
-def test_blocks_of_double_double_do_not_show(monkeypatch: pytest.MonkeyPatch, size: int) -> None:
-    """What is left is told by its place among the points, and the others are where their rows are."""
-    monkeypatch.setattr(solver, "WIDE_BLOCK", size)
-    out = state_columns.Slots(9, 3)
-    rows = np.array([1, 2, 4, 7, 8])
-    assert solver._solve_widely(SOME_IMMODERATE, True, out, rows).tolist() == [1, 3]
-    expected = ss.equilibria(ss.Parameters(*(column[[0, 2, 4]] for column in SOME_IMMODERATE)))
-    assert out.count[[1, 4, 8]].tolist() == expected.count.tolist()
-    assert not out.count[[0, 2, 3, 5, 6, 7]].any()
-    out.clear()
-    np.testing.assert_allclose(out.padded("theta")[[1, 4, 8]], expected.theta, rtol=1e-12)
-
-
-@pytest.mark.parametrize("name", ["numpy", "compiled"])
-def test_double_double_is_that_of_the_backend(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
-    asked: list[str] = []
-    monkeypatch.setattr(solver.backends, "chosen", lambda: (name, 1))
-    for module, its in ((solver.compiled, "compiled"), (block, "numpy")):
-        monkeypatch.setattr(module, "solve_widely", lambda *_, its=its: (asked.append(its), np.arange(5))[1])
-    assert solver._solve_widely(SOME_IMMODERATE, True, state_columns.Slots(5, 3), np.arange(5)).tolist() == [0, 1, 2, 3, 4]
-    assert asked == [name]
 
 
 def test_the_error_of_a_stored_state_covers_its_rounding() -> None:

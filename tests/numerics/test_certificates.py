@@ -14,7 +14,6 @@ import pytest
 from spragsym.exact import descartes, intervals, polynomials
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided, exact_sign
-from spragsym.exact.refinement import Cell, refine
 
 # ----------------------------------------------------------------------------------------------- polynomials
 
@@ -85,23 +84,6 @@ def test_roots_are_enclosed_to_the_bits_asked_for() -> None:
                 assert end == root or end.denominator & (end.denominator - 1) == 0
 
 
-def test_remainders_stay_coprime_integers() -> None:
-    """Without that the digits of a Sturm chain double at every step."""
-    chain = polynomials.sturm_chain(tuple(Fraction(6 * (k + 1), 5) for k in range(9)), exact_sign)
-    assert len(chain) > 4
-    for part in chain:
-        assert all(value.denominator == 1 for value in part)
-        assert math.gcd(*(int(value) for value in part)) == 1
-    assert chain[0][0] == 1
-
-
-def test_leading_zeros_go_and_nothing_else() -> None:
-    polynomial = (Fraction(0), Fraction(-1), Fraction(0), Fraction(2), Fraction(0), Fraction(0))
-    assert polynomials.sturm_chain(polynomial, exact_sign)[0] == (0, -1, 0, 2)
-    found = polynomials.real_roots(polynomial, Fraction(-1), Fraction(1), exact_sign, Fraction, 20)
-    assert len(found) == 3
-
-
 def test_interpolation_gives_the_polynomial_back(arith: Arithmetic) -> None:
     rng = random.Random(4)
     for degree in range(13):
@@ -117,20 +99,6 @@ def test_interpolation_gives_the_polynomial_back(arith: Arithmetic) -> None:
                 low, high = arith.ends(coefficient)
                 assert low <= exact <= high
                 assert high - low < 1e-20
-
-
-def test_interpolation_uses_the_smallest_nodes() -> None:
-    """Integers about 0: larger ones cost digits."""
-    asked: list[Fraction] = []
-
-    def value(t: Fraction) -> Fraction:
-        asked.append(t)
-        return t
-
-    for degree, nodes in ((0, [0]), (1, [0, 1]), (6, list(range(-3, 4))), (7, list(range(-3, 5)))):
-        asked.clear()
-        polynomials.interpolate(value, degree, Fraction)
-        assert asked == nodes
 
 
 def _blurred(arith: Arithmetic, polynomial: tuple[Fraction, ...], share: Fraction) -> tuple[Any, ...]:
@@ -219,36 +187,6 @@ def test_descartes_finds_every_root_in_the_range(roots: list[Fraction], low: Any
                 assert polynomials.has_root(polynomial, *root)
                 others = _with_roots(*(other for other in roots if other != true))
                 assert not polynomials.has_root(others, *root)
-
-
-def test_refinement_doubles_the_digits() -> None:
-    """Evaluations of x³ − 2 for 10⁴ bits: a few for every doubling, not one for every bit."""
-    calls = []
-
-    def value(n: int, k: int) -> int:
-        calls.append(k)
-        return n**3 - (2 << 3 * k)
-
-    cell = refine(Cell(1, 2, 0, 1), value, exact_sign, descartes._share, lambda _, k: 10**4 - k)
-    assert (cell.m - cell.n, cell.k, cell.above) == (1, 10**4, 1)
-    assert value(cell.n, cell.k) < 0 < value(cell.m, cell.k)
-    assert len(calls) < 70
-
-
-def test_refinement_of_intervals_doubles_the_digits(arith: Arithmetic) -> None:
-    """x² − 2 with interval coefficients to 1000 bits: bisection would ask for a thousand numbers."""
-    asked = []
-
-    def number(value: Fraction) -> Any:
-        asked.append(value)
-        return arith.exact(value)
-
-    with arith.precision(2200):
-        square = tuple(arith.exact(Fraction(value)) for value in (-2, 0, 1))
-        [(low, high)] = polynomials.real_roots(square, Fraction(-1, 7), Fraction(13, 7), arith.sign, number, 1000)
-    assert low**2 < 2 < high**2
-    assert Fraction(1, 2**1001) <= high - low <= Fraction(1, 2**1000)
-    assert len(asked) < 60
 
 
 def test_common_factors_are_exact_also_where_a_prime_divides_the_leading_coefficient() -> None:

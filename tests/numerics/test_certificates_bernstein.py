@@ -56,14 +56,6 @@ def test_roots_are_all_there_and_within_their_radius(degree: int) -> None:
     assert not set(found.row) & set(np.flatnonzero(found.undecided))
 
 
-def test_radii_are_as_small_as_rounding_allows() -> None:
-    """Roots that are far from each other, exact coefficients: a few units of the root."""
-    found = bernstein.positive_roots(rows([with_roots(Fraction(1, 2), 3, 10, -1)]), 1)
-    assert found.row.size == 3
-    assert found.t.error.max() < 1e-12
-    assert (found.t.error / found.t.value).max() < 2e-13
-
-
 def test_whatever_the_coefficients_are_the_number_is_right() -> None:
     """Coefficients with errors of 10⁻³ and two roots as close as that: a row that is decided has that number for all of them."""
     rng = np.random.default_rng(9)

@@ -72,51 +72,6 @@ def test_every_root_lies_in_the_result(n, spread):
     assert seen > N / 2
 
 
-@pytest.mark.parametrize("n", [1, 2, 3])
-def test_the_result_is_as_narrow_as_its_inputs(n):
-    """Without spread it is the solution to rounding; with one, of the values only, as wide as the exact solutions are."""
-    rng = np.random.default_rng(n)
-    N = 50
-    matrices = rng.normal(size=(n, n, N)) + 3 * np.eye(n)[:, :, None]
-    middle, right = rng.normal(size=(2, n, N))
-    slopes, reach = Intervals.point(matrices), np.full((n, N), 1.0)
-    exact = middle - np.linalg.solve(np.moveaxis(matrices, -1, 0), right.T[:, :, None])[:, :, 0].T
-    step = contractors.newton(Intervals.point(right), slopes, middle, reach)
-    assert np.abs(step.ends - np.stack([-exact, exact])).max() < 1e-12
-    assert step.dominant.all()
-    assert step.noise.max() < 1e-13
-    wide = contractors.newton(Intervals.between(right - 0.1, right + 0.1), slopes, middle, reach)
-    half = 0.1 * np.abs(np.moveaxis(np.linalg.inv(np.moveaxis(matrices, -1, 0)), 0, -1)).sum(axis=1)
-    assert np.abs(wide.ends - (np.stack([-exact, exact]) + half)).max() < 1e-12
-    assert np.abs(wide.noise - half).max() < 1e-12
-
-
-def test_a_row_tells_what_an_inverse_does_not():
-    """x + y = −1 and −2 x − 2 y = 2 about 0, |x| ≤ 1/4, |y| ≤ 1/2: each by the other; with −2 x − 2 y = 4 there is no root."""
-    slopes = Intervals.point([[[1.0, 1.0], [1.0, 1.0]], [[-2.0, -2.0], [-2.0, -2.0]]])
-    values, reach = Intervals.point([[1.0, 1.0], [-2.0, -4.0]]), np.array([[0.25, 0.25], [0.5, 0.5]])
-    ends, none = contractors.by_each_row(values, slopes, np.zeros((2, 2)), reach)
-    assert np.abs(-ends[0, :, 0] - [-1.5, -1.25]).max() < 1e-14
-    assert np.abs(ends[1, :, 0] - [-0.5, -0.75]).max() < 1e-14
-    assert none.tolist() == [True, True]  # |x + y| is at most 3/4
-    assert not contractors.by_each_row(values, slopes, np.zeros((2, 2)), 2 * reach)[1][0]
-    nearly = slopes + Intervals.between([[[0.0], [0.0]], [[0.0], [-1e-9]]], [[[0.0], [0.0]], [[0.0], [1e-9]]])
-    assert contractors.newton(values, nearly, np.zeros((2, 2)), 2 * reach).none.tolist() == [False, True]
-
-
-def test_a_diagonal_that_may_vanish_bounds_nothing():
-    """From its row nothing follows; a diagonal in [1, 4] is divided by at the end that gives the wider result."""
-    slopes = Intervals.between([[[0.0, -1.0, 1.0]]], [[[2.0, 2.0, 4.0]]])
-    for value, expected in ((4.0, (-4.0, -1.0)), (-4.0, (1.0, 4.0))):
-        ends = contractors.by_rows(Intervals.point([[value] * 3]), slopes, np.zeros((1, 3)), np.ones((1, 3)))
-        assert (ends[:, 0, :2] == np.inf).all()
-        assert np.abs([-ends[0, 0, 2] - expected[0], ends[1, 0, 2] - expected[1]]).max() < 1e-14
-    step = contractors.newton(
-        Intervals.point([[1.0, 1.0]]), Intervals.between([[[-1.0, 0.5]]], [[[2.0, 1.0]]]), np.zeros((1, 2)), np.ones((1, 2))
-    )
-    assert step.dominant.tolist() == [[False, True]]
-
-
 # ------------------------------------------------------------------------------------------------------- exclusion
 
 
@@ -162,31 +117,6 @@ def test_exact_directions_are_not_denied():
             assert contractors.no_unit_vector(Intervals.point(part * rest[:, None]), Intervals.point(matrix[:, :, None]))[0]
 
 
-def test_a_wide_matrix_denies_nothing():
-    """u = (0, 1) and M with one element in ±3/2, whose row it is that is uncertain."""
-    factors = Intervals.between([[[1.0], [-1.5]], [[0.0], [1.0]]], [[[1.0], [1.5]], [[0.0], [1.0]]])
-    for element in (-1.5, 0.0, 1.5):
-        assert not contractors.no_unit_vector(Intervals.point([[-element], [-1.0]]), factors)[0]
-
-
-def test_boxes_inside_of_boxes_and_apart():
-    unit = ends_of(np.zeros((2, 6)), np.ones((2, 6)))
-    inner = ends_of(
-        [[0.1, 0.0, 0.1, 0.1, -0.1, 0.2], [0.1, 0.1, 0.1, 0.1, 0.1, 0.2]],
-        [[0.9, 0.9, 0.9, 0.9, 0.9, 0.8], [0.9, 0.9, 1.0, 1.1, 0.9, np.nan]],
-    )
-    assert contractors.inside(inner, unit).tolist() == [True, False, False, False, False, False]
-    assert contractors.within(inner, unit).tolist() == [True, True, True, False, False, False]
-    unit, other = (
-        unit[:, :, :5],
-        ends_of(
-            [[1.1, 1.0, 0.5, -3.0, np.nan], [0.0, 0.0, 0.5, 0.0, 0.0]], [[2.0, 2.0, 0.7, -1e-9, 3.0], [1.0, 1.0, 0.7, 1.0, 1.0]]
-        ),
-    )
-    for pair in ((unit, other), (other, unit), (unit[:, ::-1], other[:, ::-1])):
-        assert contractors.apart(*pair).tolist() == [True, False, False, True, False]
-
-
 # -------------------------------------------------------------------------------------------------------- matrices
 
 
@@ -206,28 +136,6 @@ def test_products_hold_the_exact_ones(spread):
                 size = sum(max(map(abs, part)) for part in parts)
                 assert least - size / 2**48 - Fraction(1, 2**990) <= -Fraction(float(ends[0, i, j, k])) <= least
                 assert most <= Fraction(float(ends[1, i, j, k])) <= most + size / 2**48 + Fraction(1, 2**990)
-
-
-def test_inverses_of_what_has_none_are_the_unit_matrix():
-    """Zeros, NaN and infinities; their neighbours keep theirs, be they large or small."""
-    for n in (2, 3, 4):
-        good = np.eye(n) * 2 + 0.5
-        bad = [np.zeros((n, n)), np.full((n, n), np.nan), np.full((n, n), np.inf)]
-        matrices = np.moveaxis(np.array([good, *bad, good * 1e-150, good * 1e150]), 0, -1)
-        inverses = contractors.inverse(matrices)
-        for k, scale in ((0, 1.0), (4, 1e-150), (5, 1e150)):
-            assert np.allclose(inverses[:, :, k] @ good * scale, np.eye(n), rtol=0, atol=1e-12)
-        assert (inverses[:, :, 1:4] == np.eye(n)[:, :, None]).all()
-        for wrong in (np.nan, np.inf, -np.inf):
-            partly = np.moveaxis(np.array([good, good]), 0, -1)
-            partly[0, 0, 1] = wrong
-            inverses = contractors.inverse(partly)
-            assert np.allclose(inverses[:, :, 0] @ good, np.eye(n), rtol=0, atol=1e-12)
-            assert (inverses[:, :, 1] == np.eye(n)).all()
-        diagonal = np.diag(-np.arange(1.0, n + 1))[:, :, None]
-        assert np.abs(contractors.inverse(diagonal)[:, :, 0] + np.diag(1 / np.arange(1.0, n + 1))).max() < 1e-15
-    ranks = np.ones((3, 3, 1)) + np.diag([1.0, 0.0, 0.0])[:, :, None]
-    assert (contractors.inverse(ranks) == np.eye(3)[:, :, None]).all()
 
 
 # ---------------------------------------------------------------------------------------------- one look at boxes
@@ -250,11 +158,6 @@ class Lines(boxes.Plain):
 def ends_of(low, high):
     """−low and high of boxes, shape (2, n, N)."""
     return np.stack([-np.asarray(low, dtype=float), np.asarray(high, dtype=float)])
-
-
-def roots_of(system, region, values):
-    """Of points that are no boxes."""
-    return certified_roots.roots(system, boxes.search(system, region, values, values), region, values, values)
 
 
 def holds(ends, root):
@@ -324,26 +227,6 @@ def test_halves_make_up_the_box():
         assert (share != 0.5).all()
 
 
-def test_a_box_is_cut_where_the_residuals_change_most():
-    """By the slope times the width, each residual's change for itself; by the width where the slopes are not known."""
-    ends = ends_of(np.zeros((2, 4)), [[1.0, 1.0, 4.0, 1.0], [1.0, 2.0, 1.0, 1.0]])
-    slopes = np.zeros((2, 2, 4))
-    slopes[:, :, 0] = [[3.0, 1.0], [0.0, 1e-3]]  # 3/4 + 0 against 1/4 + 1
-    slopes[:, :, 1] = [[3.0, 1.0], [2.0, 1.0]]  # 3/5 + 2/4 against 2/5 + 2/4
-    slopes[:, :, 2] = [[np.nan, 1.0], [0.0, 1.0]]
-    slopes[:, :, 3] = [[1.0, -9.0], [1.0, 2.0]]
-    halves = boxes._halves(boxes.Pairs(ends, np.arange(4)), Intervals.point(slopes), np.zeros((2, 4), dtype=bool))
-    cut = (halves.ends[:, :, :4] != ends).any(axis=0)
-    assert cut.argmax(axis=0).tolist() == [1, 0, 0, 1]
-
-
-def test_what_is_narrow_is_not_cut():
-    ends = ends_of([[1.0], [5.0]], [[2.0], [5.0 + 2.0**-46]])
-    slopes = Intervals.point([[[1.0], [2.0**60]], [[0.0], [1.0]]])
-    halves = boxes._halves(boxes.Pairs(ends, np.zeros(1, dtype=int)), slopes, np.zeros((2, 1), dtype=bool))
-    assert (halves.ends[:, 1] == ends[:, 1]).all()
-
-
 def test_room_stays_inside_of_what_was_given():
     given = ends_of([[0.0, 0.0, 0.0]], [[1.0, 1.0, 1.0]])
     narrowed = boxes._with_room(ends_of([[0.4, -1.0, np.nan]], [[0.6, 0.5, 0.5]]), given, 0.0)
@@ -353,193 +236,6 @@ def test_room_stays_inside_of_what_was_given():
     assert low[1:].tolist() == [0.0, 0.0]  # what is not known is not narrowed
     noisy = boxes._with_room(ends_of([[0.4]], [[0.6]]), given[:, :, :1], 0.05)
     assert -noisy[0, 0, 0] < low[0]
-
-
-def test_reach_is_no_less_than_the_distance():
-    rng = np.random.default_rng(24)
-    low = rng.normal(size=(1, 500)) * 10.0 ** rng.integers(-5, 5, (1, 500))
-    high = low + rng.uniform(0, 2, (1, 500)) * 10.0 ** rng.integers(-16, 2, (1, 500))
-    middle = Intervals.between(low, high).middle
-    reach = contractors.distance(ends_of(low, high), middle)
-    for k in range(500):
-        least, at, most = fractions([low[0, k], middle[0, k], high[0, k]])
-        exact = max(most - at, at - least)
-        assert exact <= Fraction(float(reach[0, k])) <= exact * (1 + Fraction(1, 2**50)) + Fraction(1, 2**990)
-
-
-def divided(points, before, now, noise, closed, work=(), budget=100, nodes=None):
-    """Lists of (box, node) that one division leaves, and of those that it gives up."""
-    search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), budget, boxes.NARROW)
-    for node, looks in work:
-        search.work[node] = looks
-    count = now.shape[2]
-    nodes = np.zeros(count, dtype=np.int64) if nodes is None else np.array(nodes)
-    slopes = Intervals.point(np.tile(np.eye(2)[:, :, None], (1, 1, count)))
-    left = search._divided(boxes.Pairs(before, nodes), boxes.Pairs(now, nodes), noise, slopes, closed)
-    parts = left, boxes.joined(search.undecided, 2)
-    return [[(part.ends[:, :, k].tolist(), int(part.nodes[k])) for k in range(len(part))] for part in parts]
-
-
-ONE, TWO = (tree(np.array(values), np.array(values)) for values in ([[0.0]] * 3, [[0.0, 1.0], [5.0, 5.0], [0.0, 0.0]]))
-UNIT = ends_of([[-0.5], [-0.5]], [[0.5], [0.5]])
-OPEN = np.zeros((2, 1), dtype=bool)
-
-
-def sized(width, other=1.0):
-    """A box beside 1 of these widths."""
-    return ends_of([[1.0 - width], [1.0 - other]], [[1.0], [1.0]])
-
-
-def test_what_got_much_narrower_is_looked_at_again_and_other_boxes_are_halved():
-    quiet = np.zeros((2, 1))
-    wide = sized(0.5, 0.5)
-    for now, closed, again in (
-        (sized(0.5, 0.5), OPEN, False), (sized(0.3, 0.5), OPEN, False), (sized(0.29, 0.5), OPEN, True),
-        (sized(0.35, 0.35), OPEN, True), (sized(0.1, 0.5), np.array([[True], [False]]), False),
-        (sized(0.1, 0.2), np.array([[True], [False]]), True),
-    ):  # fmt: skip
-        left, undecided = divided(ONE, wide, now, quiet, closed)
-        assert not undecided
-        if again:
-            assert left == [(now[:, :, 0].tolist(), 0)]
-        else:
-            assert len(left) == 2
-            assert {node for _, node in left} == {0}
-            assert np.max([box for box, _ in left], axis=0).tolist() == now[:, :, 0].tolist()
-
-
-def test_a_box_of_one_point_is_given_up_where_halving_helps_no_more():
-    """By its width alone, by its width and the noise, or because its point has cost enough; each at its border."""
-    narrow, small, share = boxes.NARROW, boxes.SMALL, boxes.SPREAD
-    cases = [
-        (sized(narrow, narrow), [0, 0], 0, True),
-        (sized(narrow, 1.001 * narrow), [0, 0], 0, False),
-        (sized(small, small), [share * small, 0], 0, True),
-        (sized(small, small), [0, share * small * 1.01], 0, True),
-        (sized(small, small), [0.99 * share * small] * 2, 0, False),
-        (sized(small, 2 * small), [1, 1], 0, False),
-        (sized(0.5, 0.5), [1, 1], 0, False),
-        (sized(0.5, 0.5), [0, 0], 101, True),
-        (sized(0.5, 0.5), [0, 0], 100, False),
-        # In proportion to each unknown, and absolutely where that is below 1.
-        (ends_of([[1000.0], [0.0]], [[1000.0 + 990 * narrow], [narrow]]), [0, 0], 0, True),
-        (ends_of([[1000.0], [0.0]], [[1000.0 + 990 * narrow], [2 * narrow]]), [0, 0], 0, False),
-        (ends_of([[-1000.0 - 990 * narrow], [0.001]], [[-1000.0], [0.001 + narrow / 2]]), [0, 0], 0, True),
-    ]
-    for box, noise, looks, given_up in cases:
-        left, undecided = divided(ONE, box, box, np.array(noise, dtype=float)[:, None], OPEN, [(0, looks)])
-        assert (len(left), len(undecided)) == ((0, 1) if given_up else (2, 0)), (box, noise, looks)
-
-
-def test_points_are_parted_where_they_move_the_root_or_cost_much():
-    """Of a node of two points; their box stays as it is, and is not given up."""
-    quiet, share = np.zeros((2, 1)), boxes.SPREAD
-    for noise, looks, parted in (
-        (quiet, 0, False), (quiet, boxes.NODE_BUDGET, False), (quiet, boxes.NODE_BUDGET + 1, True),
-        (np.array([[share], [0.0]]), 0, True), (np.array([[0.99 * share], [0.0]]), 0, False),
-    ):  # fmt: skip
-        left, undecided = divided(TWO, UNIT, UNIT, noise, OPEN, [(0, looks)], budget=10**6)
-        assert not undecided
-        if parted:
-            assert left == [(UNIT[:, :, 0].tolist(), 1), (UNIT[:, :, 0].tolist(), 2)]
-        else:
-            assert [node for _, node in left] == [0, 0]
-    # What has become too narrow is given up for both at once, unless it is the parameters that keep it open.
-    tiny = sized(boxes.NARROW, boxes.NARROW)
-    left, undecided = divided(TWO, tiny, tiny, quiet, OPEN)
-    assert (left, [node for _, node in undecided]) == ([], [0])
-    left, undecided = divided(TWO, tiny, tiny, quiet + share * boxes.NARROW, OPEN)
-    assert ([node for _, node in left], undecided) == ([1, 2], [])
-    # Boxes of both kinds in one go.
-    both = np.concatenate([UNIT, UNIT, UNIT], axis=2)
-    noise = np.array([[1.0, 0.0, 0.0], [0.0] * 3])
-    left, undecided = divided(TWO, both, both, noise, np.zeros((2, 3), dtype=bool), [(2, 5)], 4, [0, 1, 2])
-    assert [node for _, node in left] == [1, 2, 1, 1]
-    assert undecided == [(UNIT[:, :, 0].tolist(), 2)]
-
-
-def test_a_look_keeps_what_it_can_neither_prove_nor_rule_out():
-    """(x − a)(x − b) with roots 0.1 and 3 about boxes that hold the one, none, both, or touch the one."""
-    values = np.array([[0.1], [3.0], [0.5]])
-    points = tree(values, values)
-    search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 100, boxes.NARROW)
-    low = np.array([[0.0, 1.0, -5.0, 0.1], [0.0, 0.0, -5.0, 0.0]])
-    high = np.array([[0.2, 1.2, 5.0, 0.14], [0.2, 5.0, 5.0, 0.2]])
-    left = search.look(boxes.Pairs(ends_of(low, high), np.zeros(4, dtype=np.int64)))
-    unique = boxes.joined(search.unique, 2)
-    assert (search.looks, search.work.tolist()) == (4, [4])
-    assert len(unique) == 2
-    assert len(boxes.joined(search.where, 2)) == 2
-    # Widened, so that the root on the border is inside.
-    assert (unique.ends > ends_of(low, high)[:, :, [0, 3]]).all()
-    assert len(left) == 2
-    assert (np.max(left.ends, axis=2) >= [[2.0, 2.0], [3.0, 1.5]]).all()
-
-
-def test_no_box_is_widened_beyond_the_limits():
-    asked = []
-
-    class Limited(Lines):
-        def jacobian(self, unknowns, parameters):
-            asked.append(unknowns.ends.max(axis=2))
-            return super().jacobian(unknowns, parameters)
-
-    values = np.array([[0.1], [3.0], [0.5]])
-    limits = np.array([[0.01, 9.0], [4.0, 9.0]])
-    found = boxes.search(Limited(), ends_of([[0.0], [-1.0]], [[4.0], [2.0]]), values, values, limits=limits)
-    assert len(found.unique) >= 2
-    assert (np.max(asked, axis=0) <= limits).all()
-    assert np.max(asked, axis=0)[0, 0] == 0.01
-    assert np.max(asked, axis=0)[1, 1] > 2.0
-
-
-@pytest.mark.thorough
-def test_batches_do_not_show(monkeypatch):
-    """Nor are they larger than twice what is asked for; each box is looked at once."""
-    values = np.stack([np.linspace(-2, 2, 16), np.linspace(-1.9, 3, 16), np.linspace(0, 1, 16)])
-    seen, sizes = [], []
-    look = boxes._Search.look
-
-    def watched(self, pairs):
-        sizes.append(len(pairs))
-        return look(self, pairs)
-
-    monkeypatch.setattr(boxes._Search, "look", watched)
-    for chunk in (1, 3, 50, 2048):
-        monkeypatch.setattr(boxes, "CHUNK", chunk)
-        sizes.clear()
-        roots = roots_of(Lines(), np.full((2, 2, 1), 4.0), values)
-        seen.append((sum(sizes), roots.middle.round(9).tolist(), roots.point.tolist()))
-        assert 0 < min(sizes) <= max(sizes) <= 2 * chunk
-        assert sum(sizes) == boxes.search(Lines(), np.full((2, 2, 1), 4.0), values, values).looks
-    assert seen[0] == seen[1] == seen[2] == seen[3]
-    assert seen[0][2] == sorted([*range(16), *range(16)])
-
-
-def test_regions_of_points_are_searched_together():
-    """The box around all of them is, once; and without any parameter."""
-    values = np.array([[0.1, 0.2], [3.0, 4.0], [0.5, 0.5]])
-    region = ends_of([[0.0, -1.0], [-3.0, -3.0]], [[1.0, 5.0], [3.0, 3.0]])
-    roots = roots_of(Lines(), region, values)
-    assert roots.point.tolist() == [0, 1, 1]
-    assert np.abs(roots.middle[0] - [0.1, 0.2, 4.0]).max() < 1e-12
-    assert not roots.left_point.size
-
-
-def test_what_is_hopeless_or_contracted_away_is_dropped():
-    class Half(Lines):
-        def hopeless(self, unknowns, parameters):
-            return unknowns.high[0] < 1
-
-        def contracted(self, unknowns, parameters):
-            ends = unknowns.ends.copy()
-            ends[0, 0] = np.minimum(ends[0, 0], -2.0)  # x >= 2
-            return ends
-
-    values = np.array([[0.1], [3.0], [0.5]])
-    assert np.abs(roots_of(Half(), np.full((2, 2, 1), 4.0), values).middle[0] - [3.0]).max() < 1e-12
-    with pytest.raises(NotImplementedError):
-        boxes.Plain().residuals(*[Intervals.point(np.zeros((2, 1)))] * 2)
 
 
 # ------------------------------------------------------------------------------------------------- from boxes to roots
@@ -632,64 +328,3 @@ def test_relative_errors():
         at = Fraction(float(middle[0, k]))
         exact = max(Fraction(float(ends[1, 0, k])) - at, at + Fraction(float(ends[0, 0, k]))) / max(1, abs(at))
         assert exact <= Fraction(float(error[k])) <= exact * (1 + Fraction(1, 10**12)) + Fraction(1, 2**990)
-
-
-# -------------------------------------------------------------------------------------------------- trees of points
-
-
-@pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 8, 9, 100])
-def test_a_tree_parts_its_points_evenly(count):
-    """Each node has a box around its points, both children share them out, and no leaf has two."""
-    rng = np.random.default_rng(count)
-    low = rng.normal(size=(2, count)) * [[1.0], [100.0]]
-    high = low + rng.uniform(0, 0.1, (2, count))
-    made = tree(low, high)
-    assert sorted(made.points(0).tolist()) == [*range(count)]
-    assert made.size[0] == count
-    assert made.size.size == 2 * made.order.size - 1
-    assert made.order.size == 1 << made.depth
-    assert made.order.size < 2 * count
-    for node in range(made.size.size):
-        mine = made.points(node)
-        assert mine.size == made.size[node]
-        if not mine.size:
-            continue
-        assert made.bounds.low[:, node].tolist() == low[:, mine].min(axis=1).tolist()
-        assert made.bounds.high[:, node].tolist() == high[:, mine].max(axis=1).tolist()
-        places, children = made.children(np.array([node])) if node < made.order.size - 1 else (np.empty(0, int), np.empty(0, int))
-        assert not places.any()
-        assert children.tolist() == [
-            child for child in (2 * node + 1, 2 * node + 2) if node < made.order.size - 1 and made.size[child]
-        ]
-        if children.size:
-            parts = [made.points(int(child)).tolist() for child in children]
-            assert sorted(point for part in parts for point in part) == sorted(mine.tolist())
-            # The first is full before the second has any.
-            assert len(parts[0]) == min(mine.size, made.order.size >> int(np.log2(node + 1)) + 1)
-        else:
-            assert mine.size == 1
-
-
-def test_points_are_parted_in_the_parameter_that_is_spread_most():
-    """Of the spread of all of them: 0.1 of 0.1 comes before 1 of 1000; and by its lower ends."""
-    first = np.array([0.0, 1000.0, 1.0, 1001.0, 0.5, 1000.5, 1.5, 1001.5])
-    second = np.array([0.0, 0.0, 0.1, 0.1, 0.01, 0.01, 0.09, 0.09])
-    made = tree(np.stack([first, second]), np.stack([first, second]))
-    halves = [sorted(made.points(node).tolist()) for node in (1, 2)]
-    assert halves == [[0, 2, 4, 6], [1, 3, 5, 7]]
-    quarters = [sorted(made.points(node).tolist()) for node in (3, 4, 5, 6)]
-    assert quarters == [[0, 4], [2, 6], [1, 5], [3, 7]]
-    same = tree(np.zeros((2, 4)), np.zeros((2, 4)))
-    assert sorted(same.order.tolist()) == [0, 1, 2, 3]
-
-
-def test_points_below_some_nodes():
-    values = np.array([[0.0, 3.0, 1.0, 2.0, 10.0]])
-    made = tree(values, values)
-    places, points = made.below(np.array([2, 0, 1]))
-    assert points[places == 0].tolist() == [4]
-    assert sorted(points[places == 1].tolist()) == [0, 1, 2, 3, 4]
-    assert sorted(points[places == 2].tolist()) == [0, 1, 2, 3]
-    assert [part.size for part in made.below(np.empty(0, dtype=np.int64))] == [0, 0]
-    places, children = made.children(np.array([0, 1, 2]))
-    assert sorted(zip(places.tolist(), children.tolist(), strict=True)) == [(0, 1), (0, 2), (1, 3), (1, 4), (2, 5)]

@@ -9,12 +9,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact.interval_arrays import Intervals
-from spragsym.models.mechanics.balance import Balance
-from spragsym.models.statics.regions import region
-from spragsym.models.statics.remarks import of_boxes
 from tests.oracles.model_references import turned_spring
-from tests.support import ROOT, few, model_of, replaced
+from tests.support import ROOT, few, model_of
 
 pytest.importorskip("sympy")
 
@@ -125,30 +121,6 @@ def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
             with mp.workdps(50):
                 for state in turned_spring(model.Parameters(**p), contact):
                     assert all(low <= value <= high for value, (low, high) in zip(map(float, state), eq.region, strict=True))
-
-
-@pytest.mark.validate
-def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open() -> None:
-    line = "page.torsion(k_t, mass, anchor, rest=theta0)\n"
-    more = "page.torsion(k_t, mass, (-anchor[0], anchor[1]), rest=theta0)\n"
-    two = model_of(replaced(PAGE, (line, line + more)), "two_torsions")
-    eq = ss.equilibria(two.Parameters(), contact=False)
-    assert eq.whole.all()
-    assert eq.complete or any("resists turning" in remark for remark in eq.remarks)
-
-
-def test_what_is_open_is_said_in_words(model: Any) -> None:
-    """A box of each kind: around the anchor, across the contact's border, of no size, and of some."""
-    balance = Balance(model, False)
-    given = np.array([[model.base[name]] for name in balance.parameters])
-    region(balance, Intervals.point(given))
-    low = np.array([[np.cos(0.8) - 1e-4, 0.2, 0.2, 0.1, 0.1], [np.sin(0.8) - 1e-4, -1e-4, 0.3, 0.2, 0.2]])
-    high = low + np.array([2e-4, 2e-4, 1e-12, 1e-4, 0.1])
-    told = of_boxes(balance, np.repeat(given, 5, axis=1), np.stack([-low, high]))
-    assert [text[:6] for text in told] == ["1 of 5"] * 5
-    for text, word in zip(told, ("resists turning", "touches", "one place", "along", "ended before"), strict=True):
-        assert word in text
-    assert not of_boxes(balance, given[:, :0], np.empty((2, 2, 0)))
 
 
 STIFF = [

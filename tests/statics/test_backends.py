@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.statics import adaptive_precision, backends, compiled, solver
+from spragsym.kang_nam.statics import adaptive_precision, backends, compiled
 from tests.oracles.families import EXTREMES, FAMILIES
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
@@ -64,24 +64,6 @@ def test_underflow_is_left_to_the_ladder(backend: str) -> None:
     assert not ss.equilibria(article.replace(mu0=0.0, alpha=0.0, beta=0.0)).escalated
 
 
-def test_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(solver, "A_THREAD", dict.fromkeys(solver.A_THREAD, 1000))
-    p = FAMILIES["random"](np.random.default_rng(23), 3000)
-    results = []
-    for threads in (1, 2):
-        ss.set_backend("compiled", threads=threads)
-        results.append(ss.equilibria(p))
-    np.testing.assert_array_equal(results[0].theta, results[1].theta)
-    np.testing.assert_array_equal(results[0].error, results[1].error)
-
-
-def test_choice_by_itself() -> None:
-    assert ss.get_backend() == "auto"
-    assert backends.chosen() == ("compiled", 1)
-    ss.set_backend("numpy")
-    assert backends.chosen() == ("numpy", 1)
-
-
 def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "available", lambda: False)
     assert backends.chosen() == ("numpy", 1)
@@ -97,12 +79,6 @@ def test_count_is_that_of_equilibria(backend: str) -> None:
         assert (ss.count(p) == ss.equilibria(p).count).all(), name
     shaped = ss.Parameters.article(theta0=np.radians([[30.0], [49.0]]), mu0=[0.5, 0.0, 0.7])
     assert ss.count(shaped).tolist() == ss.equilibria(shaped).count.tolist()
-
-
-@pytest.mark.parametrize("arguments", [("cuda",), ("compiled", 0), ("compiled", True)])
-def test_bad_choice(arguments: tuple[object, ...]) -> None:
-    with pytest.raises(ss.ParameterError):
-        ss.set_backend(*arguments)  # type: ignore[arg-type]  # wrong on purpose
 
 
 def test_import_loads_nothing_heavy() -> None:

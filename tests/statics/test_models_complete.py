@@ -9,9 +9,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.errors import ParameterError, ParameterTypeError
-from spragsym.models.mechanics.balance import Balance
-from spragsym.models.statics.remarks import spans
-from tests.conftest import Run
 from tests.support import few, model_of
 
 #: Two springs without length that couple both directions, on a belt that hardens.
@@ -96,27 +93,6 @@ def test_a_box_that_makes_no_sense(within: Any, error: type[Exception]) -> None:
         ss.equilibria(model.Parameters(theta0=1.0), within=within)
 
 
-@pytest.mark.validate
-def test_a_range_that_was_cut_is_not_complete() -> None:
-    model = ss.load("kang_nam").search
-    p = model.Parameters(theta0=1.0)
-    cut, asked = ss.folds(p, "mu0"), ss.folds(p, "mu0", between={"mu0": (0.0, 10.0)})
-    assert cut.mu0.tolist() == asked.mu0.tolist()  # both by search
-    assert (cut.complete, asked.complete) == (False, True)
-    assert any("mu0 in [0, 10]" in text for text in cut.remarks)
-    assert "from 0 to 10" in str(asked)
-    assert not ss.cusps(p).complete
-    assert ss.cusps(p, between={"mu0": (0.0, 1.0)}).complete
-
-
-@pytest.mark.thorough
-def test_commands_say_what_was_searched(run: Run) -> None:
-    assert "searched mu0 in [0, 10]" in run("folds", "--method", "search", "--theta0", "60")
-    assert "searched within x in [0, 0.5]" in run("equilibria", "--theta0", "30", "--within", "x=0:0.5")
-    assert "Folds along mu0: none" in run("folds", "--theta0", "60", "--vary", "mu0=4:5")
-    assert "none" not in run("folds", "--model", "stick_slip", "--vary", "V")
-
-
 @pytest.mark.by_hand("trolley", "stribeck", "hertz_contact")
 @pytest.mark.parametrize(
     "name",
@@ -132,18 +108,3 @@ def test_nothing_is_incomplete_without_a_reason(name: str) -> None:
         for search in (ss.folds, ss.flutter_onsets):
             found = search(p, vary)
             assert found.complete == (not found.remarks)
-
-
-def test_angles_that_were_searched_say_that_they_are_radians() -> None:
-    """The command line takes degrees: a remark that was typed back searched a fiftieth of what it said."""
-    assert spans(Balance(ss.load("sprag_rod"), contact=True), [-1.0], [2.0]) == "phi in [-1, 2] rad"
-    assert spans(Balance(ss.load("two_springs"), contact=True), [0, 0], [1, 1]) == "x in [0, 1], y in [0, 1]"
-
-
-def test_a_remedy_is_true_of_the_page() -> None:
-    with pytest.raises(
-        ss.ParameterError, match=r"mu0 = -0\.1 .*: a belt that runs the other way is the mirror image of the mechanism$"
-    ):
-        ss.load("sprag_rod").Parameters(mu0=-0.1)
-    with pytest.raises(ss.ParameterError, match="give the supplement of theta0"):
-        ss.Parameters(mu0=-0.1)

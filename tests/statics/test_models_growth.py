@@ -132,25 +132,6 @@ def test_what_the_article_calls_stable_after_the_jump_grows() -> None:
 
 
 @pytest.mark.thorough
-def test_words_of_a_path_are_those_of_its_states() -> None:
-    """Each state of a path, in Python and as printed, beyond the jump too."""
-    p = ss.Parameters.article(theta0=np.radians(40.0))
-    values = np.linspace(0.0, 0.9, 5)
-    for method in ("closed", "search"):
-        path = ss.quasi_static_path(p, "mu0", values, method=method)
-        for row, mu0 in enumerate(values):
-            eq = ss.equilibria(p.replace(mu0=mu0))
-            slot = int(np.nanargmin(np.abs(eq.x - path.x[row])))
-            assert (path.kind[row], bool(path.stable[row])) == (eq.kind[slot], bool(eq.stable[slot]))
-            assert abs(path.growth[row] - eq.growth[slot]) < 1e-13
-    for method in ("closed", "search"):
-        told = CliRunner().invoke(cli, ["path", "--theta0", "40", "--vary", "mu0=0:0.9:5", "--method", method, "--json"])
-        rows = json.loads(told.stdout)["states"]
-        assert [row["stability"] for row in rows] == ["stable", "stable", "stable", "flutter", "flutter"]
-        assert {row["undamped"] for row in rows} == {"stable"}
-
-
-@pytest.mark.thorough
 def test_columns_are_those_of_the_search_in_shapes_and_lift_off() -> None:
     """Points, slots and regimes of closed forms, against the search; parameters of the motion alone may have the shape."""
     p = ss.Parameters.article(theta0=np.radians([[30.0], [49.0]]), V=[0.1, 0.5, 5.0], beta=0.2)
@@ -165,29 +146,3 @@ def test_columns_are_those_of_the_search_in_shapes_and_lift_off() -> None:
             for name in ("kind", "stability", "stable", "marginal"):
                 assert getattr(closed, name)[place][one].tolist() == getattr(search, name)[place][other].tolist()
     assert (closed.region.shape, closed.whole.shape, closed.complete) == ((2, 3, 2, 2), (2, 3), True)
-
-
-@pytest.mark.thorough
-def test_growth_at_the_ends_of_floats_is_no_error() -> None:
-    rng = np.random.default_rng(8)
-    for _ in range(60):
-        values = {name: 10 ** rng.uniform(-300, 300) for name in ("mu0", "kappa", "alpha", "sigma", "beta", "V", "d")}
-        try:
-            eq = ss.equilibria(ss.Parameters(theta0=rng.uniform(0.01, 3.1), **values))
-        except ss.ConvergenceError:
-            continue
-        known = eq.kind[: int(eq.count)]
-        assert set(known.tolist()) <= {"stable", "divergent", "flutter", "marginal"}
-        assert (eq.stable[: int(eq.count)] == (known == "stable")).all()
-
-
-def test_a_path_says_what_grows() -> None:
-    """Where the law of friction falls the state of `stribeck` grows, though (27) calls it stable."""
-    model = ss.load("stribeck")
-    path = model.quasi_static_path(model.Parameters(theta0=1.0), "V", [0.3, 0.6])
-    eq = ss.equilibria(model.Parameters(theta0=1.0, V=path.values))
-    for row in range(2):
-        slot = int(np.abs(eq.x[row] - path.x[row]).argmin())
-        assert path.kind[row] == eq.kind[row, slot]
-    assert (path.stability == ss.Stability.STABLE).all()
-    assert "flutter" in path.kind

@@ -352,7 +352,3 @@ def test_nothing_jumps_at_a_pitchfork(start, beside, way):
     fork = ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0)).theta0[0]
     values = [fork + off for off in beside][::way]
     assert not same_path("theta0", values, start, mu0=0.0, alpha=0.0).jumps
-
-
-def test_a_path_of_one_value():
-    assert same_path("theta0", [1.0], "small").x.shape == (1,)

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import os
 import sys
-import threading
-import time
 from typing import Any
 
 import mpmath
@@ -35,11 +32,6 @@ def test_bounds_hold_at_any_precision() -> None:
         ((1.25, 0.0, 0.5, 0.25, 1.0, 0.5), (1, 8, 40, 150), False),
     ):  # fmt: skip
         assert max(worst_shares(point, precisions, contact=contact).values()) <= 1
-
-
-def test_the_message_names_degrees() -> None:
-    with pytest.raises(ss.ConvergenceError, match=r"theta0=90 degrees, .*L or y holds 0"):
-        precise.equilibria(theta0_deg=90, kappa="0.1", alpha=0, sigma="0.1", beta=0, contact=False)
 
 
 # ----------------------------------------------------------------------------------------------- global precisions
@@ -99,45 +91,6 @@ def test_results_do_not_depend_on_the_callers_precisions() -> None:
             assert (flint.ctx.prec, mpmath.iv.prec, mpmath.mp.dps) == (11, 11, 7)
     finally:
         flint.ctx.prec, mpmath.iv.prec = before
-
-
-def _run_threads(number: int, seconds: float) -> None:
-    """Threads that compute everything again and again, while this one uses mpmath at its own precision."""
-    expected = _everything()
-    faults: list[str] = []
-    until = time.monotonic() + seconds
-
-    def work() -> None:
-        while time.monotonic() < until and not faults:
-            try:
-                found = _everything()
-                faults.extend(name for name in expected if found[name] != expected[name])
-            except BaseException as error:  # whatever it is, the test must say so
-                faults.append(repr(error))
-
-    switch = sys.getswitchinterval()
-    threads = [threading.Thread(target=work) for _ in range(number)]
-    sys.setswitchinterval(1e-5)
-    try:
-        with mpmath.workdps(41):
-            third = mpmath.mpf(1) / 3
-            for thread in threads:
-                thread.start()
-            while any(thread.is_alive() for thread in threads):
-                if mpmath.mp.dps != 41 or mpmath.mpf(1) / 3 != third or mpmath.iv.prec != 53:
-                    faults.append("a precision changed")
-                time.sleep(0.001)
-    finally:
-        for thread in threads:
-            thread.join()
-        sys.setswitchinterval(switch)
-    assert not faults, faults[:5]
-
-
-@pytest.mark.validate
-def test_eight_threads() -> None:
-    """``SPRAGSYM_SECONDS=300`` for five minutes of them."""
-    _run_threads(8, float(os.environ.get("SPRAGSYM_SECONDS", "5")))
 
 
 # -------------------------------------------------------------------------------------- points without an answer

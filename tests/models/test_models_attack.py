@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -56,17 +55,6 @@ SHALLOW = {
 }  # fmt: skip
 
 
-@pytest.mark.by_hand("True")
-@pytest.mark.thorough
-@pytest.mark.parametrize("contact", [pytest.param(True, marks=pytest.mark.thorough), False])
-def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool) -> None:
-    """Forces deep in the belt are infinite, and in lift-off, where the law is multiplied by 0, none is."""
-    outcome = equilibria(penalty, DRAWN["penalty"], SHALLOW, contact, np.random.default_rng(1))
-    assert outcome["wrong"] == []
-    assert outcome["undecided"] == 0
-    assert int(ss.equilibria(penalty.Parameters(**SHALLOW), contact).count) == (3 if contact else 1)
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend: str) -> None:
@@ -93,51 +81,6 @@ def test_a_shallow_penetration_keeps_its_digits() -> None:
 
 
 # ------------------------------------------------------------------------------------------------ arguments
-
-WRONG: dict[str, tuple[Callable[[Any, Any], Any], str]] = {
-    "another model's parameters": (
-        lambda m, p: ss.equilibria(ss.load("trolley").Parameters(theta0=1.0)),
-        "no set of parameters of kang",
-    ),
-    "no parameters": (lambda m, p: ss.folds(None), "p = None is no set of parameters of kang_nam"),
-    "their class": (lambda m, p: m.bifurcation_set(type(p)), "no set of parameters of kang_nam"),
-    "a regime by name": (lambda m, p: ss.equilibria(p, contact="lift-off"), "contact = 'lift-off' is neither True"),
-    "a regime by number": (lambda m, p: ss.equilibria(p, contact=2), "contact = 2 is neither True"),
-    "a list of names": (lambda m, p: ss.folds(p, vary=["theta0"]), "is not a parameter of this model"),
-    "one name": (lambda m, p: ss.cusps(p, ("mu0", "mu0")), "give two different parameters"),
-    "a range by itself": (lambda m, p: ss.folds(p, between=(0.5, 1.0)), "between = .* is no mapping"),
-    "one end": (lambda m, p: ss.folds(p, between={"theta0": (1,)}), "is no range"),
-    "a range of text": (lambda m, p: ss.folds(p, between={"theta0": "ab"}), "not text"),
-    "an endless range": (lambda m, p: ss.folds(p, vary="mu0", between={"mu0": (0, np.inf)}), "is not in"),
-    "beyond the range": (lambda m, p: ss.folds(p, between={"theta0": (0, 9)}), "leaves the range of theta0"),
-    "a start of a path": (lambda m, p: m.quasi_static_path(p, "mu0", [0.1, 0.2], start=[0.0]), "start = .* slots 0 to 0"),
-    "one end of a bracket": (lambda m, p: ss.fate_boundary(p, vary="mu0", bracket=(1,)), "is no range; give its two ends"),
-    "a saddle of one number": (lambda m, p: ss.basin_boundary(p, plane=("x", "vx"), saddle=[1.0]), "saddle has the shape"),
-    "a start beyond numbers": (
-        lambda m, p: ss.simulate(p, y0=1e200, backend="scipy", t_end=1.0),
-        "stopped at t = 0",
-    ),
-}
-
-
-@pytest.mark.parametrize("case", WRONG)
-def test_arguments_that_make_no_sense(case: str) -> None:
-    model = ss.load("kang_nam").search
-    ask, words = WRONG[case]
-    with pytest.raises(ss.SpragsymError, match=words):
-        ask(model, model.Parameters(theta0=1.0))
-
-
-@pytest.mark.thorough
-def test_a_plane_of_which_one_parameter_moves_no_fold() -> None:
-    """V is none of the statics' of the article: its folds in (V, mu0) are lines, at the folds of the closed form."""
-    model, p = ss.load("kang_nam").search, ss.Parameters(theta0=0.8)
-    found = model.bifurcation_set(p, ("V", "mu0"), n=3)
-    assert found.vary == ("V", "mu0")
-    (curve,) = found.curves
-    assert curve.mu0 == pytest.approx(ss.jump_value(p, "mu0"), rel=1e-12)
-    # Every point of a line is an extremum: none of them is looked for.
-    assert not any("boxes" in text for text in found.remarks)
 
 
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])

@@ -234,20 +234,6 @@ def test_an_angle_of_the_page_may_stand_by_itself(models: dict[str, Any], contac
     assert math.isclose((change[1] - change[0]) / 0.1, slopes[0][model.about["by_parameters"].index("theta0")])
 
 
-@pytest.mark.parametrize("name", ["still", "bumps", "arm"])
-def test_both_integrators_agree_and_energy_balances(models: dict[str, Any], name: str) -> None:
-    """Parameters that the motion does not contain, borders that are curved: heyoka met none of both."""
-    pytest.importorskip("heyoka")
-    model = models[name]
-    ends = []
-    for backend in ("heyoka", "scipy"):
-        tr = ss.simulate(model.Parameters(), start=[0.4] * (2 * len(model.coordinates)), t_end=60.0, backend=backend, rtol=1e-10)
-        energy = tr.energy()
-        assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-6
-        ends.append(tr.state[:, -1])
-    assert np.allclose(*ends, atol=1e-5)
-
-
 @pytest.mark.thorough
 def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     """Virtual work: N ∂(−gap)/∂q, and friction along the slide alone."""
@@ -273,30 +259,3 @@ def test_a_fraction_by_itself_is_exact() -> None:
         model = model_of(text.replace("/ 6", f"/ {number}"), "rod")
         eq = ss.equilibria(model.Parameters())
         assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(squared))
-
-
-def test_a_law_whose_slope_is_a_quotient_of_an_angle(models: dict[str, Any]) -> None:
-    """φ″ = N sin φ + μ N cos φ − τ φ with μ = 2 μ₀/π atan(d (V − φ′ cos φ)): its derivatives have cos φ in a denominator."""
-    model, eta, mu0, V, d, tau = models["rubbing_arm"], 0.9, 0.5, 0.5, 10.0, 0.0025
-    given = {"eta": eta, "mu0": mu0, "V": V, "d": d, "tau": tau}
-    order = [given[name] for name in model.parameters]
-
-    def turning(phi: Any, rate: Any) -> Any:
-        push = (mpmath.cos(phi) - eta) ** (mpmath.mpf(4) / 3)
-        mu = 2 * mu0 / mpmath.pi * mpmath.atan(d * (V - rate * mpmath.cos(phi)))
-        return push * (mpmath.sin(phi) + mu * mpmath.cos(phi)) - tau * phi
-
-    for phi, rate in ((0.3, 0.1), (-0.2, -0.7), (0.1, 0.8)):
-        side = math.copysign(1, V - rate * math.cos(phi))
-        slopes = np.ravel(np.array(model.algebra.regime_jacobian(phi, rate, *order, 1, side), dtype=float))
-        want = [float(mpmath.diff(turning, (phi, rate), order)) for order in ((1, 0), (0, 1))]
-        assert np.allclose(slopes, want, rtol=1e-9)
-
-
-@pytest.mark.validate
-def test_curves_of_folds_of_different_turns_are_not_joined(models: dict[str, Any]) -> None:
-    """An arm that turns around many times has a curve of folds in each turn; they end at the borders of the plane."""
-    model = models["rubbing_arm"]
-    found = model.bifurcation_set(model.Parameters(), ("eta", "mu0"), 16, between={"eta": (0.5, 1.2), "mu0": (0, 1)})
-    assert len(found.curves) > 10
-    assert max(np.ptp(np.asarray(curve.phi)) for curve in found.curves) < math.pi / 2

@@ -2,58 +2,15 @@
 
 from __future__ import annotations
 
-import ast
 import math
-import re
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli import cli
-from spragsym.files import storage
 from spragsym.generated import scales
 from spragsym.generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 from spragsym.models.load import shipped
 from spragsym.parameters import RANGES, range_of
-from tests.support import ROOT
-
-
-def literals(path: Path) -> set[str]:
-    """Strings of a module that are not docstrings."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    docstrings = {
-        id(node.body[0].value)
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Module | ast.FunctionDef | ast.ClassDef) and isinstance(node.body[0], ast.Expr)
-    }
-    return {
-        node.value
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docstrings
-    }
-
-
-def test_no_meaning_is_typed_again() -> None:
-    """A phrase of the nomenclature stands in no string of the runtime, so that a change of it is seen everywhere."""
-    phrases = {quantity.meaning.lower() for quantity in QUANTITIES.values() if " " in quantity.meaning}
-    assert "friction coefficient at full slip" in phrases
-    folders = [path for path in (ROOT / "spragsym").iterdir() if not path.is_symlink()]
-    files = [file for path in folders for file in (path.rglob("*.py") if path.is_dir() else [path]) if file.suffix == ".py"]
-    assert len(files) > 50
-    for file in files:
-        # Parsed where a phrase may be in it, strings that are joined taken as one.
-        joined = re.sub(r'"\s*f?"', "", file.read_text(encoding="utf-8").lower())
-        for text in literals(file) if any(phrase in joined for phrase in phrases) else ():
-            assert text.lower().rstrip(".") not in phrases, f"{file.relative_to(ROOT)}: {text!r}"
-
-
-def test_help_and_files_say_what_the_nomenclature_says() -> None:
-    assert "Friction coefficient at full slip." in CliRunner().invoke(cli, ["equilibria", "--help"]).output
-    said = ss.load("kang_nam").quantities
-    assert storage.attributes("y", said) == {"units": "L_0", "long_name": "displacement across the belt, negative into the belt"}
-    assert storage.attributes("kappa", said) == {"units": "L_0*k_c", "long_name": "preload that presses the mass on the belt"}
 
 
 @pytest.mark.parametrize("name", shipped())
@@ -104,22 +61,3 @@ def test_ranges_keep_out_what_has_no_meaning() -> None:
         ss.Parameters(**{**base, "theta0": math.pi})
     assert str(RANGES["theta0"]) == "(0, pi)"
     assert str(range_of("V_dim")) == "(-inf, inf)"
-
-
-def test_a_domain_that_is_not_one_is_refused() -> None:
-    pytest.importorskip("sympy")
-    from spragsym.derive.emit.quantities import Interval, interval
-
-    assert interval(">= 0") == Interval(0.0, low_open=False)
-    assert interval("(0, pi)") == Interval(0.0, math.pi)
-    assert interval("[-1, 1]") == Interval(-1.0, 1.0, False, False)
-    with pytest.raises(ValueError, match="is not a domain"):
-        interval("positive")
-
-
-def test_a_name_is_given_once() -> None:
-    pytest.importorskip("sympy")
-    from spragsym.derive.kang_nam import nomenclature
-
-    with pytest.raises(ValueError, match="kappa stands in the nomenclature twice"):
-        nomenclature._define("kappa", "k", "another preload")

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import itertools
-import json
 import math
-import shutil
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -16,7 +14,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.errors import StoreError
 from spragsym.exact import ball_functions, wide_balls
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.interval_functions import atan2
@@ -159,26 +156,6 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, b
     assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-5)
 
 
-@pytest.mark.parametrize("rtol", [1e-9, 1e-12])
-def test_a_jump_is_crossed_once_however_loose_the_tolerance(model: Any, rtol: float) -> None:
-    """The level of the border is curved in the state: by the error of a step a motion begins behind it in the new mode."""
-    pytest.importorskip("heyoka")
-    p = model.Parameters(theta0=2.205926133607513, mu0=0.0, kappa=0.30704, alpha=0.02441, sigma=0.08657, tau=1.725e-4, gamma=3.44)
-    start = [-1.0095703714247501, 1.4616892648305715, 0.2977184895486993, -1.058684974734116]
-    ends = [ss.simulate(p, start=start, t_end=1.0, backend=name, rtol=rtol).state[:, -1] for name in ("heyoka", "scipy")]
-    assert np.abs(ends[0] - ends[1]).max() < 100 * rtol
-
-
-def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
-    """The torque points away from the ray on both sides, as the energy has its largest value there."""
-    p = model.Parameters(tau=0.5, mu0=0.3)
-    for sign in (1, -1):
-        tr = ss.simulate(p, start=behind(p, -0.1 * sign, 0.05 * sign), t_end=2.0)
-        off = np.sin(0.8) * tr.x - np.cos(0.8) * tr.y
-        assert (np.sign(off[0]) == np.sign(off)).all()
-        assert abs(off[-1]) > 0.2
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize(("vary", "between"), [("tau", (0.0, 0.5)), ("theta0", (0.1, 3.0))])
 def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tuple[float, float]) -> None:
@@ -244,21 +221,6 @@ def test_angles_of_rectangles_hold_all_and_jump_nowhere() -> None:
                 assert plain.width[i] <= max(corners) - min(corners) + 2e-14
 
 
-@pytest.mark.parametrize("turn", [-3.14159265, -2.0, -1e-9, 0.0, 1e-300, 0.3, 1.5707963267948966, 3.1, 3.14159265358979])
-def test_angles_of_balls_hold_them(turn: float) -> None:
-    with mpmath.workdps(60):
-        pair = [mpmath.sin(turn), mpmath.cos(turn)]
-        wide = [wide_balls.WideBalls.exact(np.array([float(part)])) * 0.7 for part in pair]
-        found = wide_balls.XP.atan2(*wide)
-        exact = mpmath.atan2(*(mpmath.mpf(float(part)) for part in pair))
-        middle = mpmath.mpf(float(found.middle.high[0])) + mpmath.mpf(float(found.middle.low[0]))
-        assert abs(middle - exact) <= found.radius[0] < 1e-29
-        sine, cosine = (ball(float(part), 160) for part in pair)
-        low, high = (mpmath.mpf(end.numerator) / end.denominator for end in Balls().ends(ball_functions.XP.atan2(sine, cosine)))
-        assert low <= exact <= high
-        assert high - low < 1e-44
-
-
 def test_balls_that_meet_the_ray_are_unknown() -> None:
     across = wide_balls.WideBalls.around(Intervals.between([-1e-3], [2e-3]))
     assert np.isnan(wide_balls.XP.atan2(across, wide_balls.WideBalls.exact(np.array([-1.0]))).radius).all()
@@ -302,26 +264,6 @@ def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model
 
 
 # ---------------------------------------------------------------------------------------------- other languages, older folders
-
-
-def without_torsions(folder: Path, about: dict[str, Any]) -> None:
-    del about["torsions"]
-
-
-def in_three_modules(folder: Path, about: dict[str, Any]) -> None:
-    about["files"]["statics.py"] = about["files"].pop("algebra.py")
-    (folder / "algebra.py").rename(folder / "statics.py")
-
-
-@pytest.mark.parametrize(("older", "named"), [(without_torsions, "41 degrees"), (in_three_modules, r"algebra\.py")])
-def test_a_folder_of_an_older_version_is_refused(model: Any, tmp_path: Path, older: Any, named: str) -> None:
-    folder = tmp_path / "old"
-    shutil.copytree(model.where, folder)
-    about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
-    older(folder, about)
-    (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
-    with pytest.raises(StoreError, match=f"{named}.*derive the page again"):
-        ss.load(folder)
 
 
 @pytest.mark.thorough

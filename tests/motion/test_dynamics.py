@@ -15,7 +15,6 @@ from spragsym.dynamics import (
     flows,
     integrators,
     simulate,
-    variations_scipy,
     with_compiled,
     with_heyoka,
     with_scipy,
@@ -59,16 +58,6 @@ def test_compiled_is_scipy_step_for_step(base: dict[str, Trajectory]) -> None:
     np.testing.assert_allclose(compiled.t, scipy.t, atol=1e-7)
     np.testing.assert_allclose(compiled.states, scipy.states, atol=1e-8)
     assert base["compiled"].rms() == pytest.approx(base["scipy"].rms(), rel=1e-8)
-
-
-@pytest.mark.parametrize("backend", BACKENDS[1:])
-def test_chunks_of_steps_do_not_show(backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = simulate(BASE, **BELT, t_end=100.0, backend=backend)
-    monkeypatch.setattr({"compiled": with_compiled, "heyoka": with_heyoka}[backend], "CHUNK", 7)
-    pieces = simulate(BASE, **BELT, t_end=100.0, backend=backend)
-    np.testing.assert_array_equal(pieces.t, whole.t)
-    np.testing.assert_array_equal(pieces.state, whole.state)
-    np.testing.assert_array_equal(pieces.events.t, whole.events.t)
 
 
 @pytest.mark.parametrize("backend", [pytest.param("scipy", marks=pytest.mark.thorough), *BACKENDS[1:]])
@@ -243,12 +232,6 @@ def test_a_motion_is_given_up_after_as_many_steps_as_asked(backend: str) -> None
             simulate(BASE, **BELT, backend=backend, max_steps=wrong)
 
 
-def test_a_scale_that_heyoka_cannot_step_at_is_named_as_such() -> None:
-    pytest.importorskip("heyoka")
-    with pytest.raises(ss.ConvergenceError, match="left the range of numbers; give values of a more common size"):
-        simulate(BASE.replace(mu0=1e150), **BELT, backend="heyoka")
-
-
 @pytest.mark.usefixtures("ctrl_c")
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="timers are of POSIX")
 def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
@@ -326,10 +309,6 @@ def test_values_between_samples_are_those_of_a_run_that_ends_there() -> None:
     assert tr.after(10.0).integral(1.0) == pytest.approx(40.0, abs=1e-12)
 
 
-def test_events_can_be_left_out() -> None:
-    assert simulate(BASE, **BELT, t_end=50.0, events=False).events is None
-
-
 BAD = [
     ({"V": -0.1}, "V = -0.1.* is not in"), ({"V": np.nan}, "V = nan"), ({"d": 0.0}, "d = 0 is not in"),
     ({"d": np.inf}, "d = inf"), ({"rtol": 1e-15}, "rtol = .* is not in .*float64"), ({"rtol": 0.5}, "rtol = 0.5 is not in"),
@@ -344,48 +323,6 @@ BAD = [
 def test_bad_arguments(bad: dict[str, float], message: str) -> None:
     with pytest.raises(ss.ParameterError, match=message):
         simulate(BASE, **{**BELT, **bad})
-
-
-@pytest.mark.parametrize("bad", [{"V": "fast"}, {"d": [1.0, 2.0]}, {"t_end": True}, {"x0": 1j}])
-def test_arguments_of_the_wrong_type(bad: dict[str, object]) -> None:
-    with pytest.raises(ss.ParameterTypeError, match=next(iter(bad))):
-        simulate(BASE, **{**BELT, **bad})
-
-
-def test_arrays_and_missing_parameters_are_errors() -> None:
-    with pytest.raises(ss.ParameterTypeError, match=r"theta0 has the shape \(2,\)"):
-        simulate(ss.Parameters.article(theta0=[0.5, 0.6]), **BELT)
-    with pytest.raises(ss.ParameterError, match="theta0 is missing"):
-        simulate(ss.Parameters.article(), **BELT)
-
-
-def test_measures_refuse_what_they_cannot_measure(base: dict[str, Trajectory]) -> None:
-    tr = base["scipy"]
-    for bad, named in (({"transient": 500.0}, "transient = 500"), ({"of": "z"}, "of = 'z'"), ({"about": "median"}, "'median'")):
-        with pytest.raises(ss.ParameterError, match=named):
-            tr.rms(**bad)
-    with pytest.raises(ss.ParameterError, match="not within the trajectory"):
-        tr(500.1)
-
-
-def test_scipy_is_the_fallback(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(integrators.importlib.util, "find_spec", lambda name: None)
-    if with_compiled.available():
-        assert simulate(BASE, **BELT, t_end=5.0).backend == "compiled"
-    monkeypatch.setattr(with_compiled, "available", lambda: False)
-    assert simulate(BASE, **BELT, t_end=5.0).backend == "scipy"
-    with pytest.raises(ss.BackendError, match="was not built"):
-        simulate(BASE, **BELT, t_end=5.0, backend="compiled")
-    with pytest.raises(ss.MissingExtraError, match=r"spragsym\[fast\]"):
-        simulate(BASE, **BELT, t_end=5.0, backend="heyoka")
-
-
-@pytest.mark.thorough
-def test_the_gap_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    tr = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
-    monkeypatch.setattr(with_scipy, "GAP", 1e-10)
-    wide = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
-    assert np.abs(tr.state[:, -1] - wide.state[:, -1]).max() < 1e-9
 
 
 @pytest.mark.thorough
@@ -429,19 +366,6 @@ def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
         assert turns[0].t == 0
         assert [turn.direction for turn in turns] == [(-1) ** (i + 1) for i in range(len(turns))]
         assert len(turns) > 3
-
-
-def test_derivatives_that_nobody_asks_for_are_left_out() -> None:
-    field, none, unit = SPRAG, np.zeros((2, 8)), np.eye(2, 8)
-    constants = BASE.model.prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
-    few, all_of_them = (
-        variations_scipy.Flight(field).fly(np.array([0.0, 0.01, 0.6, 0.0]), constants, 12.0, each) for each in (none, unit)
-    )
-    assert few.crossings
-    assert not few.by_parameters.any()
-    assert all_of_them.by_parameters.any()
-    np.testing.assert_allclose(few.by_state, all_of_them.by_state, rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose([turn.t for turn in few.turns], [turn.t for turn in all_of_them.turns], rtol=1e-11)
 
 
 def test_files_hold_the_trajectory(tmp_path) -> None:

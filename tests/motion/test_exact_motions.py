@@ -53,12 +53,6 @@ page.damper(a * (x**2 / L**2 - 1), along=x)
 """
 
 
-#: Stick-slip beside a mass that nothing moves, which comes first.
-QUIET = SCALED.replace('x = page.coordinate("x"', 'q = page.coordinate("q", "m", "quiet")\nx = page.coordinate("x"').replace(
-    "page.kinetic(", "page.kinetic(m * page.rate(q) ** 2 / 2 + "
-).replace("page.spring(", "page.spring(k, along=q)\npage.spring(", 1)  # fmt: skip
-
-
 @pytest.fixture(scope="module")
 def scaled() -> Any:
     return model_of(SCALED, "scaled")
@@ -116,14 +110,6 @@ def test_the_period_of_a_bouncing_mass_is_the_least(start: tuple[float, float]) 
     assert found.period == pytest.approx(2 * touch + 2 * np.pi - 2 * np.arctan(touch), abs=1e-9)
 
 
-def test_the_largest_rate_is_that_between_samples_too() -> None:
-    """A mass on a spring: x = cos t from x = 1, and a speed of 1 where x = 0."""
-    free = ss.load("stick_slip").Parameters(mu_s=0.0, zeta=0.0)
-    motion = ss.simulate(free, x0=1.0, t_end=50.0)
-    assert motion.largest(10.0, of="vx") == pytest.approx(1.0, abs=1e-9)
-    assert motion.largest(10.0, of="vx", about="mean") == pytest.approx(1 + abs(motion.mean(10.0, of="vx")), abs=1e-9)
-
-
 @pytest.mark.parametrize("epsilon", [2.0, 5.0])
 def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float) -> None:
     """Liouville: they add up to the mean divergence, −ε(⟨x²⟩ − 1). A multiplier of 1e-37 is lost in rounding."""
@@ -132,24 +118,6 @@ def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float) -> None:
     divergence = -epsilon * (found.outcome.cycle_rms**2 - 1)
     assert abs(found.exponents.sum() - divergence) <= found.error.sum()
     assert found.error[0] == 0
-
-
-@pytest.mark.thorough
-@needs_a_quick_integrator
-def test_a_first_coordinate_that_stands_still_is_named() -> None:
-    """Its cycle is there, and no longer motion finds it: that was the advice."""
-    p = model_of(QUIET, "quiet").Parameters(V=0.2)
-    with pytest.raises(ss.ConvergenceError, match=r"q stands still while x moves.* first coordinate is x"):
-        ss.cycle(p, patient=False)
-    assert "q stands still while x moves" in ss.fate(p, t_end=400.0).why
-
-
-def test_a_basin_takes_no_start_that_the_model_has_not() -> None:
-    """One across the belt was left out in silence."""
-    p = ss.load("stick_slip").Parameters(V=2.5)
-    assert ss.basin(p, x=[0.0], vx=[0.0], t_end=20.0).attractor.shape == (1, 1)
-    with pytest.raises(ss.ParameterTypeError, match="y0 is no argument"):
-        ss.basin(p, x=[0.0], vx=[0.0], y0=0.7, t_end=20.0)
 
 
 @needs_a_quick_integrator

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import errno
 import itertools
 import json
 import os
-import re
-import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from io import FileIO
 from pathlib import Path
@@ -23,9 +20,9 @@ import pytest
 
 import spragsym as ss
 from spragsym.dynamics import integrators
-from spragsym.errors import DamageWarning, StoreError, SweepError
+from spragsym.errors import StoreError, SweepError
 from spragsym.files import locks, storage
-from spragsym.files.journal import journal, path_of
+from spragsym.files.journal import path_of
 from spragsym.sweeps import rms_sweep
 from tests.oracles import sweep_attacks as attack
 from tests.support import ROOT, needs_posix
@@ -96,58 +93,6 @@ def test_a_failure_of_the_motion_is_a_result(monkeypatch: pytest.MonkeyPatch) ->
     found = rms_sweep(P, **SHORT)
     np.testing.assert_array_equal(np.isnan(found.rms), np.arange(12) == 3)
     assert found.reason[3] == "ConvergenceError: it cannot be followed"
-
-
-def test_numbers_out_of_range_are_a_result() -> None:
-    found = rms_sweep(P.replace(theta0=1.0), 0.5, 10.0, vx0=[0.0, 1e308], t_end=3.0, transient=1.0, backend="scipy")
-    assert np.isnan(found.rms).tolist() == [False, True]
-    assert "ConvergenceError" in found.reason[1]
-
-
-def interrupted(surfaces: Exception | None) -> Callable[[], object]:
-    """Ctrl-C within a library that makes something else of it, or nothing."""
-
-    def failure() -> None:
-        with suppress(KeyboardInterrupt):
-            signal.raise_signal(signal.SIGINT)
-        if surfaces is not None:
-            raise surfaces
-
-    return failure
-
-
-@pytest.mark.usefixtures("ctrl_c")
-@pytest.mark.parametrize("surfaces", [ImportError("within an import"), ss.ConvergenceError("a callback stopped"), None])
-def test_ctrl_c_is_one_whatever_a_library_makes_of_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, surfaces: Exception | None
-) -> None:
-    former = signal.getsignal(signal.SIGINT)
-    failing_at(monkeypatch, 3, interrupted(surfaces))
-    with pytest.raises(KeyboardInterrupt, match=r"3 of 12 points are kept in .*, and the same call goes on from there"):
-        rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
-    assert len(points_of(tmp_path / "rms.csv")) == 3
-    assert signal.getsignal(signal.SIGINT) is former
-
-
-@pytest.mark.parametrize(
-    ("gives", "message"),
-    [
-        (lambda function, tasks: [], "left out 12 of 12"),
-        (lambda function, tasks: [None for _ in tasks], "gave None"),
-        (lambda function, tasks: [function(task) for task in [*tasks, tasks[0]]], "returned once only"),
-        (lambda function, tasks: 1 / 0, "stopped with ZeroDivisionError"),
-    ],
-)
-def test_a_map_that_is_none_is_one_error(gives: Any, message: str) -> None:
-    with pytest.raises(SweepError, match=message):
-        rms_sweep(P, **SHORT, workers=gives)
-
-
-def test_a_map_may_give_results_in_any_order(recorded: attack.Recorded) -> None:
-    def backwards(function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[Any]:
-        return (function(task) for task in reversed(list(tasks)))
-
-    assert attack.same(rms_sweep(P, **SHORT, workers=backwards), rms_sweep(P, **SHORT, workers=recorded))
 
 
 # ---------------------------------------------------------------------------------------------------------- workers
@@ -261,37 +206,6 @@ def wait_for(condition: Callable[[], bool], seconds: float = 30.0) -> None:
 # --------------------------------------------------------------------------------------------------- two on one store
 
 
-def test_who_is_first_is_told_where_a_lock_hides_the_first_byte(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As on Windows."""
-
-    class Locked(FileIO):
-        def readall(self) -> bytes:
-            if not self.tell():
-                raise PermissionError(13, "Permission denied", str(self.name))
-            return super().readall() or b""
-
-    path_open: Any = Path.open
-
-    def opened(path: Path, *mode: str, **options: Any) -> Any:
-        return Locked(path) if path.suffix == ".partial" else path_open(path, *mode, **options)
-
-    with journal(tmp_path / "rms.csv", "another sweep", 2), monkeypatch.context() as windows:
-        windows.setattr(Path, "open", opened)
-        with pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"):
-            rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
-
-
-@pytest.mark.parametrize("number", [errno.ENOLCK, errno.EOPNOTSUPP, errno.ENOSYS])
-def test_a_file_system_without_locks_is_warned_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int) -> None:
-    def lock(descriptor: int, blocking: bool) -> bool:
-        raise OSError(number, os.strerror(number))
-
-    monkeypatch.setattr(locks, "lock_descriptor", lock)
-    with pytest.warns(UserWarning, match="lies on a file system without locks .* start one only"):
-        storage.write_text(tmp_path / "rms.csv", "written\n")
-    assert storage.read_text(tmp_path / "rms.csv") == "written\n"
-
-
 def test_a_killed_process_holds_nothing(tmp_path: Path, begin: Begin, recorded: attack.Recorded) -> None:
     path = tmp_path / "rms.csv"
     code = (
@@ -335,58 +249,7 @@ def test_damaged_results_are_refused(tmp_path: Path) -> None:
     assert outcomes[".csv: refused, and named"] > 35
 
 
-def test_damaged_lines_are_named_by_number(tmp_path: Path, recorded: attack.Recorded) -> None:
-    path = tmp_path / "rms.csv"
-    lines = attack.journal_bytes(path, recorded, 6).split(b"\n")
-    lines[3], lines[5] = b'[6, [], ""]', lines[5].replace(b"0.", b"1.", 1)
-    path_of(path).write_bytes(b"\n".join(lines))
-    with pytest.warns(DamageWarning, match=r"csv\.partial: 2 damaged lines \(4, 6\).*the 4 points of the other lines are good"):
-        found = rms_sweep(P, **SHORT, store=path, workers=recorded)
-    assert attack.same(found, rms_sweep(P, **SHORT, workers=recorded))
-
-
-@pytest.mark.parametrize(
-    "content", [b'{"fingerprint": "0123"}\n[0, [1.0], ""]\n', b"\xff\xfe\x00\n" * 9, b"no journal", bytes(1000)]
-)
-def test_what_is_no_journal_is_left_alone(tmp_path: Path, content: bytes) -> None:
-    path_of(tmp_path / "rms.csv").write_bytes(content)
-    with pytest.raises(StoreError, match=r"rms\.csv\.partial is damaged, no journal, or one of an older version.*remove it"):
-        rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
-    assert path_of(tmp_path / "rms.csv").read_bytes() == content
-
-
-@pytest.mark.parametrize("ending", ["nc", "csv"])
-@pytest.mark.parametrize("content", [b"", b"\x89HDF\r\n\x1a\n" + bytes(500), b"theta0,rms\n1,2\n"])
-def test_what_is_no_result_is_named(tmp_path: Path, ending: str, content: bytes) -> None:
-    path = tmp_path / f"rms.{ending}"
-    path.write_bytes(content)
-    with pytest.raises(StoreError, match=re.escape(f"{path} has no checksum")):
-        rms_sweep(P, **SHORT, store=path)
-    assert path.read_bytes() == content
-
-
 # ------------------------------------------------------------------------------------------------- links, full disks
-
-
-@needs_posix
-def test_a_link_to_a_file_not_there_yet_is_written_through(tmp_path: Path, recorded: attack.Recorded) -> None:
-    (tmp_path / "disk").mkdir()
-    link, path = tmp_path / "rms.csv", tmp_path / "disk" / "real.csv"
-    link.symlink_to(path)
-    found = rms_sweep(P, **SHORT, store=link, workers=recorded)
-    assert link.is_symlink()
-    assert path.is_file()
-    found.save(link)
-    assert link.is_symlink()
-    assert attack.same(found, rms_sweep(P, **SHORT, store=path))
-    assert [file.name for file in path.parent.iterdir()] == ["real.csv"]
-
-
-@needs_posix
-def test_a_link_to_itself_is_an_error(tmp_path: Path) -> None:
-    (tmp_path / "rms.csv").symlink_to(tmp_path / "rms.csv")
-    with pytest.raises(ss.ParameterError, match=r"rms\.csv"):
-        rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
 
 
 @pytest.mark.thorough
@@ -415,15 +278,6 @@ def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: 
     assert sorted(file.name for file in tmp_path.iterdir()) == sorted([path.name, whole.name])
 
 
-@pytest.mark.thorough
-def test_disks_that_fill(tmp_path: Path) -> None:
-    try:
-        outcomes = attack.attack_disks(np.random.default_rng(3), 6)
-    except PermissionError as error:
-        pytest.skip(str(error))  # to mount one takes root: the test above does without
-    assert outcomes["said so"] > 0
-
-
 def test_a_file_that_another_program_shows_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As on Windows, which neither renames nor removes open files, and replaces none that a spreadsheet has open."""
     path, opened = tmp_path / "rms.csv", []
@@ -449,34 +303,3 @@ def test_a_file_that_another_program_shows_is_kept(tmp_path: Path, monkeypatch: 
     assert storage.read_text(path) == "before\n"
     storage.write_text(path, "after\n")
     assert storage.read_text(path) == "after\n"
-
-
-# --------------------------------------------------------------------------------------------------- these tests
-
-
-@pytest.mark.skipif(os.name != "posix", reason="nohup is of POSIX")
-def test_processes_of_tests_hear_ctrl_c_also_under_nohup(begin: Begin) -> None:
-    former = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        code = "import time; print('here', flush=True); time.sleep(100)"
-        process = begin([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        assert process.stdout is not None
-        process.stdout.readline()
-        process.send_signal(signal.SIGINT)
-        assert process.wait(timeout=30) == -signal.SIGINT
-    finally:
-        signal.signal(signal.SIGINT, former)
-
-
-@pytest.mark.thorough
-def test_without_a_place_for_what_is_compiled_nothing_is_said(tmp_path: Path) -> None:
-    """heyoka keeps compiled code in the home's cache; here its folder would have to lie in a file. It says so on stdout."""
-    pytest.importorskip("heyoka")
-    (tmp_path / "file").write_text("", encoding="utf-8")
-    motion = "ss.simulate(ss.Parameters.article(theta0=0.7), V=0.5, d=10.0, t_end=1.0, backend='heyoka')"
-    script = f"import spragsym as ss; {motion}"
-    environment = os.environ | {"HEYOKA_CACHE_DIR": str(tmp_path / "file" / "cache")}
-    done = subprocess.run(
-        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True, timeout=120
-    )
-    assert done.stdout + done.stderr == ""

@@ -9,19 +9,16 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import Event, batch_heyoka, flows, integrators, measures, motions, simulate
-from spragsym.dynamics.classify import classified, classify
+from spragsym.dynamics import Event, batch_heyoka, integrators, simulate
 from spragsym.dynamics.field import Field
 from spragsym.dynamics.motions import Measured, Motions
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.errors import SweepError
-from spragsym.kang_nam.statics.solver import equilibria
-from spragsym.sweeps import Regime, rms_sweep
+from spragsym.sweeps import rms_sweep
 
 pytest.importorskip("heyoka")
 BELT = {"V": 0.5, "d": 10.0}
-MODEL = ss.load("kang_nam")
 RNG = np.random.default_rng(15)
 
 
@@ -85,11 +82,6 @@ def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.Monkey
         assert_same(found, row, expected, place)
 
 
-def test_nothing_but_broken_motions() -> None:
-    one = problems(1)[0]
-    assert sorted(batch_heyoka.watch(Motions.of([broken(one)] * 9)).errors) == list(range(9))
-
-
 def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.MonkeyPatch) -> None:
     """A motion that begins in another mode than its own passes y = 0 in the wrong direction."""
     some = problems(9)
@@ -106,21 +98,6 @@ def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.Monk
     assert not found.errors
     for row in (0, 1, 2, 3, 5, 6, 7, 8):
         assert_same(found, row, expected, row)
-
-
-#: Some motions to 60 need more steps than this.
-LIMIT = 95
-
-
-def test_too_many_steps_are_counted_for_each() -> None:
-    some = problems(12, max_steps=LIMIT)
-    counted = [simulate_steps(problem) for problem in some]
-    found = batch_heyoka.watch(Motions.of(some))
-    # A lane's steps may differ by a few from those of the integrator of one motion: none is so close to the limit.
-    assert all(abs(steps - LIMIT) > 1 for steps in counted)
-    assert sorted(found.errors) == [row for row, steps in enumerate(counted) if steps > LIMIT] != []
-    assert len(found.errors) < 12
-    assert all(f"max_steps = {LIMIT} steps were made by t = " in str(error) for error in found.errors.values())
 
 
 def simulate_steps(problem: Problem) -> int:
@@ -145,71 +122,6 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
         assert max(abs(found.low[row]), abs(found.high[row])) == pytest.approx(tr.largest(0.0), abs=1e-8)
         assert found.events[row].tolist() == [len(tr.events.of(kind)) for kind in Event]
         np.testing.assert_allclose(found.course(row).maxima, tr.course().maxima, atol=1e-7)
-
-
-@pytest.mark.thorough
-def test_a_long_motion_keeps_its_latest_turning_points_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    problem = problems(1, t_end=600.0, t_record=10.0)[0]
-    whole = batch_heyoka.watch(Motions.of([problem])).course(0)
-    assert len(whole.maxima) > 15
-    assert whole.since == whole.begin
-    for module in (measures, motions):
-        monkeypatch.setattr(module, "KEPT", 12)
-    for backend in ("heyoka", "scipy"):
-        short = integrators.measure(Motions.of([problem]), backend).course(0)
-        assert len(short.maxima) == len(short.maxima_t) == len(short.integrals) - 1 == 12
-        assert short.since == short.maxima_t[0] > short.begin
-        np.testing.assert_allclose(short.maxima, whole.maxima[-12:], atol=1e-6)
-        np.testing.assert_allclose(short.integrals, whole.integrals[-13:], rtol=1e-6, atol=1e-6)
-        np.testing.assert_allclose(short.reach, whole.reach, atol=1e-6)
-
-
-@pytest.mark.parametrize("together", [1, 3, 1000])
-def test_how_many_motions_are_one_task_does_not_show(monkeypatch: pytest.MonkeyPatch, together: int) -> None:
-    p = ss.Parameters.article(theta0=np.linspace(0.2, 2.9, 40))
-    expected = rms_sweep(p, **BELT, t_end=60.0, backend="heyoka")
-    monkeypatch.setattr("spragsym.sweeps.many._together", lambda *_: together)
-    anchored = rms_sweep(p, **BELT, t_end=60.0, backend="heyoka")
-    for name in ("rms", "spread", "largest", "mean_y", "regime", "rate", "contact_lost"):
-        np.testing.assert_array_equal(getattr(anchored, name), getattr(expected, name))
-
-
-def test_starts_at_the_anchor_fail_alone_in_a_task(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("spragsym.sweeps.many._together", lambda *_: 5)
-    p = ss.Parameters.article(theta0=1.0)
-    x0 = np.array([0.0, np.cos(1.0), 0.1, 0.2, np.cos(1.0), 0.3, 0.4])
-    found = rms_sweep(p, **BELT, x0=x0, y0=np.where(x0 == np.cos(1.0), np.sin(1.0), 0.0), t_end=20.0)
-    assert (found.regime == Regime.FAILED).tolist() == (x0 == np.cos(1.0)).tolist()
-    alone = rms_sweep(p, **BELT, x0=0.3, t_end=20.0)
-    assert found.rms[5] == alone.rms
-
-
-def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
-    """What every regime asks for first is asked of all at once: it must pass over none that the classifier would tell of."""
-    rest = equilibria(ss.Parameters.article(theta0=0.6, mu0=0.5 * (1 - np.exp(-5.0))))
-    start = (float(rest.x[0]), float(rest.y[0]), 0.0, 0.0)
-    still = MODEL.prepare(ss.Parameters.article(theta0=0.6, **BELT), start=start, t_end=60.0, t_record=20.0, rtol=1e-10)
-    high = replace(still, start=(0.0, 0.4, 0.0, 0.0))
-    some = Motions.of([still, high, *problems(60)])
-    found = batch_heyoka.watch(some)
-    told = dict(classified(found, some, "heyoka"))
-    assert told[0].regime == Regime.EQUILIBRIUM
-    assert 0 < len(told) < len(some)
-    for row in range(len(some)):
-        problem = some.problem(row)
-        alone = classify(found.course(row), problem, flows.onward(problem, "heyoka"))
-        assert (told[row].regime if row in told else Regime.UNSETTLED) == alone.regime
-
-
-def test_a_cycle_is_told_from_few_turns() -> None:
-    problem = MODEL.prepare(
-        ss.Parameters.article(theta0=np.radians(42), **BELT), start=(0, 0, 0, 0), t_end=2000, t_record=1850, rtol=1e-10
-    )
-    found = batch_heyoka.watch(Motions.of([problem]))
-    assert found.maxima[0] < 10
-    ((_, outcome),) = classified(found, Motions.of([problem]), "heyoka")
-    assert outcome.regime == Regime.APPROACHES_CYCLE
-    assert outcome.period == pytest.approx(34.26737, abs=1e-5)
 
 
 def test_a_failure_of_the_machine_names_the_task(monkeypatch: pytest.MonkeyPatch) -> None:

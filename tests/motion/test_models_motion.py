@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import copy
 import importlib
 import importlib.util
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -86,45 +84,6 @@ def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
         assert abs(np.log(size[-1] / size[0]) / tr.t[-1] + change / 2) < 1e-3
 
 
-def test_arguments_that_make_no_sense() -> None:
-    model = ss.load("trolley")
-    p = model.Parameters(theta0=1.0)
-    with pytest.raises(ss.ParameterTypeError, match="did you mean x_a0"):
-        ss.simulate(p, xa0=1.0)
-    with pytest.raises(ss.ParameterTypeError, match=r"kappa is no argument but a parameter; .*p\.replace\(kappa="):
-        ss.simulate(p, kappa=0.01)
-    with pytest.raises(ss.ParameterError, match="it is x0, y0, x_a0, vx0, vy0, vx_a0"):
-        ss.simulate(p, start=[0.0, 0.0])
-    with pytest.raises(ss.ParameterError, match="theta0 is missing"):
-        ss.simulate(model.Parameters())
-    with pytest.raises(ss.ParameterError, match="both ends of spring 1 on one point"):
-        ss.simulate(p, x0=float(np.cos(1.0)), y0=float(np.sin(1.0)))
-    with pytest.raises(AttributeError, match="no 'z'"):
-        ss.simulate(p, t_end=1.0).z  # noqa: B018  # the access is the test
-
-
-def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
-    model = ss.load("trolley")
-    tr = ss.simulate(model.Parameters(theta0=1.0), t_end=5.0, estimate_error=True)
-    assert tr.error is not None
-    assert tr.error.max() < 1e-6
-    tr.save(tmp_path / "tr.csv")
-    text = (tmp_path / "tr.csv").read_text(encoding="utf-8")
-    assert "trolley" in text
-    assert "x_a" in text
-
-
-# ------------------------------------------------------------------------------------------------ sweeps
-
-
-def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
-    model = ss.load("kang_nam").search
-    x0 = np.array([0.1, float(np.cos(1.0))])
-    sweep = ss.rms_sweep(model.Parameters(theta0=1.0), t_end=10.0, x0=x0, y0=float(np.sin(1.0)))
-    assert np.isfinite(sweep.rms).tolist() == [True, False]
-    assert "on one point" in sweep.reason[1]
-
-
 # ------------------------------------------------------------------------------------------------ the command line
 
 
@@ -138,46 +97,6 @@ def test_a_state_that_oscillates_does_not_pass_for_stable(run: Run) -> None:
         assert (row[header.index("stability")] == "stable") == (damper == "0.9")
         growth.append(float(row[header.index("growth")]))
     assert growth[0] > 0 > growth[1]
-
-
-@pytest.mark.thorough
-def test_the_motion_of_a_model_is_drawn(tmp_path: Path, run: Run) -> None:
-    pytest.importorskip("matplotlib")
-    words = ("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20")
-    run(*words, "--plot", str(tmp_path / "motion.svg"))
-    drawn = (tmp_path / "motion.svg").read_text(encoding="utf-8")
-    assert drawn.count('<g id="axes_') == 3 * 3  # coordinates: over time, plane, spectrum
-    assert "the ending must be .pdf, .png or .svg" in run(*words, "--plot", str(tmp_path / "motion.doc"), code=2)
-
-
-@pytest.mark.thorough
-def test_a_component_is_drawn_by_its_name() -> None:
-    """A trolley's third component is x_a, an article's is vx."""
-    figures = pytest.importorskip("spragsym.figures")
-    model = ss.load("trolley")
-    motion = ss.simulate(model.Parameters(theta0=0.8), t_end=5.0, vx0=0.3, backend="scipy")
-    for name in motion.components:
-        line = figures.draw_motion(motion, name, pytest.importorskip("matplotlib.figure").Figure().add_subplot())
-        assert line.get_ydata()[[0, -1]] == pytest.approx(getattr(motion, name)[[0, -1]])
-
-
-def test_help_names_the_unit_of_time_of_the_model(run: Run) -> None:
-    model = ss.load("stick_slip")
-    unit = model.about["scales"]["time"].replace("**", "^")
-    assert "k_c" not in unit
-    assert f"in {unit}" in " ".join(run("simulate", "--model", "stick_slip", "--help").split())
-
-
-def test_a_motion_can_be_copied_and_sent_to_another_process() -> None:
-    model = ss.load("stick_slip")
-    motion = ss.simulate(model.Parameters(), t_end=5.0)
-    assert np.array_equal(copy.deepcopy(motion).x, motion.x)  # as a pickle takes it apart
-
-
-def test_commands_name_what_is_wrong_with_a_model(run: Run) -> None:
-    assert "did you mean trolley" in run("simulate", "--model", "troley", code=2)
-    assert "did you mean --alpha_a" in run("simulate", "--model", "trolley", "--theta0", "49", "--alphaa", "1", code=2)
-    assert "--theta0" in run("simulate", "--model", "trolley", code=2)
 
 
 def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():

@@ -45,14 +45,6 @@ def test_what_takes_long_says_what_it_is_at(ask: Callable[[], Any], expected: st
     assert any(expected in text for text in said_by(ask))
 
 
-def test_each_value_of_a_critical_value_is_told_with_what_is_done_there_and_who_listens_may_stop_it() -> None:
-    def stop(text: str) -> None:
-        raise InterruptedError(text)
-
-    with pytest.raises(InterruptedError, match=r"^lowest end at sigma = 0\.08$"), ss.show_progress(to=stop):
-        BELT.critical_value(P, "sigma", (0.08, 0.2), **FLAT)
-
-
 def test_parts_stand_within_parts_and_leave_with_them() -> None:
     told: list[str] = []
     with ss.show_progress("all", told.append):
@@ -66,17 +58,6 @@ def test_parts_stand_within_parts_and_leave_with_them() -> None:
     assert told == ["all: 1.00", "all: 1 of 2", "all: lost", "all: second"]
 
 
-def test_within_a_block_another_one_is_told_until_its_end() -> None:
-    outer: list[str] = []
-    inner: list[str] = []
-    with ss.show_progress(to=outer.append):
-        with ss.show_progress(to=inner.append), doing("one"):
-            pass
-        with doing("two"):
-            pass
-    assert (outer, inner) == (["two"], ["one"])
-
-
 def test_what_other_threads_compute_is_not_told() -> None:
     def other() -> None:
         with doing("elsewhere"):
@@ -84,19 +65,3 @@ def test_what_other_threads_compute_is_not_told() -> None:
 
     thread = threading.Thread(target=other)
     assert said_by(lambda: (thread.start(), thread.join())) == []
-
-
-def test_a_terminal_sees_the_text_as_it_is(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setenv("FORCE_COLOR", "1")
-    with ss.show_progress(), doing("{}", "[bold] in brackets"):
-        pass
-    shown = capsys.readouterr()
-    assert "[bold] in brackets" in shown.err
-    assert shown.out == ""
-
-
-def test_what_is_no_text_or_function_is_refused() -> None:
-    wrong: list[dict[str, Any]] = [{"part": print}, {"to": "stderr"}]
-    for asked in wrong:
-        with pytest.raises(ss.ParameterTypeError, match="to=print"), ss.show_progress(**asked):
-            pass

@@ -6,12 +6,10 @@ import ast
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
 import time
-from collections import namedtuple
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -22,7 +20,6 @@ import pytest
 import spragsym as ss
 from spragsym.dynamics import Event, Regime, simulate
 from spragsym.files import storage
-from spragsym.kang_nam.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from tests.support import ROOT, needs_a_quick_integrator, needs_posix
 
@@ -51,22 +48,6 @@ def test_a_sweep_is_a_map_of_simulate(backend: str | None) -> None:
 
 
 @pytest.mark.thorough
-def test_results_broadcast() -> None:
-    p = ss.Parameters.article(theta0=P.theta0[:2, None, None])
-    found = rms_sweep(p, np.array([0.2, 0.5, 1.0])[:, None], 10.0, x0=[0.0, 0.1], t_end=20.0, transient=5.0)
-    assert found.rms.shape == (2, 3, 2)
-    single = rms_sweep(p.replace(theta0=P.theta0[1]), 1.0, 10.0, x0=0.1, t_end=20.0, transient=5.0)
-    assert found.rms[1, 2, 1] == single.rms
-    assert found.to_dataset().rms.dims == ("theta0", "V", "x0")
-
-
-def test_an_empty_sweep_is_empty(tmp_path: Path) -> None:
-    nothing = P.replace(theta0=np.zeros(0))
-    for _ in ("computed", "loaded"):
-        assert rms_sweep(nothing, **SHORT, store=tmp_path / "rms.csv").rms.shape == (0,)
-
-
-@pytest.mark.thorough
 def test_the_same_bits_from_any_map() -> None:
     one = rms_sweep(P, **SHORT)
     assert_same(one, rms_sweep(P, **SHORT, workers=2))
@@ -75,21 +56,6 @@ def test_the_same_bits_from_any_map() -> None:
         assert_same(one, rms_sweep(P, **SHORT, workers=pool.map))
         # Futures, as an engine's own map gives them.
         assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
-
-
-@needs_a_quick_integrator
-def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> None:
-    # Not at the fold, 44.56 degrees: from rest at x = y = 0 the mass overshoots the middle one before that.
-    theta0 = np.radians(np.arange(40.0, 44.1, 0.5))
-    p = ss.Parameters.article(theta0=theta0)
-    found = rms_sweep(p, 0.5, 10.0)
-    middle = equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0)))).x[:, 1]
-    small = found.rms < 0.5
-    assert small.any()
-    assert (~small).any()
-    np.testing.assert_array_equal(small, found.largest < middle)
-    assert (np.diff(small.astype(int)) <= 0).all()  # once it jumps it stays
-    assert found.rms[~small].min() > 5 * found.rms[small].max()
 
 
 @pytest.mark.thorough
@@ -116,10 +82,6 @@ def test_sensitivity_brackets_the_jump() -> None:
 
 
 # -------------------------------------------------------------------------------------------------- the store
-
-
-def _never(function: object, points: object) -> Iterator[object]:
-    raise AssertionError("the work has started")
 
 
 def interrupted(path: Path, points: int) -> Path:
@@ -267,63 +229,6 @@ def test_files_say_what_they_hold(tmp_path: Path) -> None:
     found.save(tmp_path / "rms.csv")
     table = np.genfromtxt(tmp_path / "rms.csv", delimiter=",", names=True, comments="#")
     assert table["rms"].tolist() == found.rms.tolist()
-
-
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [("rms.txt", "neither in .nc nor in .csv"), ("missing/rms.nc", "does not exist"), ("folder.nc", "is a folder")],
-)
-def test_unwritable_paths_are_errors_before_the_work(tmp_path: Path, name: str, message: str) -> None:
-    (tmp_path / "folder.nc").mkdir()
-    with pytest.raises(ss.ParameterError, match=message):
-        rms_sweep(P, **SHORT, store=tmp_path / name, workers=_never)
-
-
-@needs_posix
-def test_a_read_only_folder_is_an_error_before_the_work() -> None:
-    with pytest.raises(ss.ParameterError, match="cannot be written"):
-        rms_sweep(P, **SHORT, store="/proc/rms.nc" if Path("/proc").is_dir() else "/rms.nc", workers=_never)
-
-
-def test_a_full_disk_is_an_error_before_the_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    usage = namedtuple("usage", "total used free")
-    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage(10**9, 10**9, 0))
-    with pytest.raises(ss.ParameterError, match="0 MB are free; make room"):
-        rms_sweep(P, **SHORT, store=tmp_path / "rms.nc", workers=_never)
-
-
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        ({"V": [0.5, -1.0]}, r"V\[1\] = -1"), ({"d": np.nan}, "d = nan"), ({"V": [0.5, 0.6]}, "do not broadcast"),
-        ({"transient": 60.0}, "transient = 60 is not below t_end = 60"), ({"workers": 0}, "workers = 0"),
-        ({"rtol": 0.0}, "rtol = 0"), ({"x0": np.inf}, "x0 = inf"),
-    ],
-)  # fmt: skip
-def test_bad_arguments_leave_nothing(bad: dict[str, object], message: str, tmp_path: Path) -> None:
-    with pytest.raises(ss.ParameterError, match=message):
-        rms_sweep(P, **{**SHORT, **bad}, store=tmp_path / "a.csv")
-    assert not list(tmp_path.iterdir())
-
-
-def test_bad_types_and_missing_parameters() -> None:
-    with pytest.raises(ss.ParameterTypeError, match=r"workers = 1\.5"):
-        rms_sweep(P, **SHORT, workers=1.5)
-    with pytest.raises(ss.ParameterError, match="theta0 is missing"):
-        rms_sweep(ss.Parameters.article(), 0.5, 10.0)
-    with pytest.raises(ss.ParameterError, match="ascending axis"):
-        sensitivity(P.replace(theta0=0.5), V=[0.5], d=[10.0])
-    with pytest.raises(ss.ParameterTypeError, match="one axis"):
-        basin(P.replace(theta0=0.5), 0.5, 10.0, x=[[0.0]], vx=0.0)
-
-
-def test_progress_goes_to_stderr_only_when_asked(capsys: pytest.CaptureFixture[str]) -> None:
-    rms_sweep(P, **SHORT)
-    assert capsys.readouterr() == ("", "")
-    rms_sweep(P, **SHORT, progress=True)
-    out, err = capsys.readouterr()
-    assert out == ""
-    assert "6/6" in err
 
 
 @pytest.mark.thorough

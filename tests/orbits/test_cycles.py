@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
 import importlib
 import itertools
 import json
 import math
-import time
 import types
-from collections.abc import Callable
 from fractions import Fraction
 from importlib.util import find_spec
 from pathlib import Path
@@ -22,8 +19,7 @@ import pytest
 
 import spragsym as ss
 from benchmarks import bench_auto
-from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
-from spragsym.cycles import branch as branches
+from spragsym.cycles import attractors, finding, growth_rates, saddles
 from spragsym.cycles.orbit import cycle_of
 from spragsym.dynamics import bifurcation_functions, multipliers, shooting
 from spragsym.dynamics.field import Border, Field
@@ -43,9 +39,6 @@ SPRAG = ss.load("kang_nam").field
 pytestmark = pytest.mark.skipif(not find_spec("heyoka"), reason="branches take SciPy minutes")
 
 BELT = {"V": 0.5, "d": 10.0}
-
-#: Where the motion from rest changes its fate, as the test of fates confirms.
-FATE = 0.7210117285507
 
 
 def at(degrees: float, **changes: float) -> ss.Parameters:
@@ -118,23 +111,6 @@ def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> Non
     assert one.crossings
     for name in ("state", "by_state", "by_parameters"):
         assert np.abs(getattr(one, name) - getattr(other, name)).max() < 1e-9
-
-
-@pytest.mark.thorough
-def test_both_integrators_find_the_same(slow: ss.Cycle) -> None:
-    other = ss.cycle(at(42.0), **BELT, near=slow, backend="scipy")
-    assert np.abs(other.state - slow.state).max() < 1e-10
-    assert abs(other.period - slow.period) < 1e-10
-    assert np.abs(other.multipliers - slow.multipliers).max() < 1e-9
-
-
-def test_a_strongly_unstable_cycle_by_multiple_shooting() -> None:
-    worst = ss.cycle(at(35.5), **BELT, near=(3.31193203, 1.56224915, 0.0, 0.02077165), patient=False)
-    assert -150 < worst.multipliers[1].real < -140
-    assert worst.error < 1e-10
-    assert worst.residual < 1e-12
-    assert abs(worst.multipliers[0] - 1) < 1e-8
-    assert not worst.stable
 
 
 @pytest.mark.thorough
@@ -245,20 +221,6 @@ def test_switching_at_a_fold_goes_to_its_other_side(folding: ss.CycleBranch) -> 
     assert other.amplitude**4 - 2 * other.amplitude**2 == pytest.approx(other.values[0], abs=1e-10)
 
 
-def test_a_figure_is_full_up_to_the_change_of_stability(folding: ss.CycleBranch) -> None:
-    """The stable part was drawn to the next point beyond the fold, in the line style of what is stable."""
-    figures = pytest.importorskip("spragsym.figures", reason="the extra plot is not installed")
-    ((place, fold),) = folding.changes()
-    assert (fold.kind, {bool(side) for side in folding.stable[place - 1 : place + 1]}) == ("fold", {True, False})
-    left, right = figures.branch_figure(folding).axes[:2]
-    for axis, least in ((left, np.sqrt(0.5)), (right, 2 * np.pi)):  # of x = cos t, at r = 1
-        full = next(line for line in axis.lines if line.get_linestyle() == "-").get_xydata()
-        full = full[np.isfinite(full).all(axis=1)]
-        assert full[:, 0].min() == pytest.approx(-1, abs=1e-9)
-        assert full[:, 1].min() == pytest.approx(least, abs=1e-6)
-        assert axis.get_xlabel()
-
-
 @pytest.mark.parametrize("apart", few([0.2, 0.05, 0.02], 0.05))
 def test_two_folds_within_a_step_are_seen(apart: float) -> None:
     """Circles with e = s³ / 3 − apart² s, s = r² − 1.5: nothing changes its sign from one point to the next."""
@@ -365,16 +327,6 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
         assert theirs[speed][1] == pytest.approx(top, rel=1e-4)  # AUTO's is the largest on its mesh
 
 
-def test_a_turn_where_two_stretches_meet_is_no_round(slow: ss.Cycle) -> None:
-    """It may be listed twice, at one time or a rounding apart."""
-    loop = slow.loop
-    first = next(turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0)
-    for apart in (0.0, 1e-14):
-        again = first._replace(t=first.t + apart)
-        twice = types.SimpleNamespace(guess=loop.guess, turns=lambda again=again: [first, again, *loop.turns()[1:]], field=SPRAG)
-        assert shooting.once_round(twice, lambda *_: pytest.fail("a round was tried")) is twice  # type: ignore[arg-type]  # stands for a loop
-
-
 # ------------------------------------------------------------------------------------------------------ branches
 
 
@@ -426,15 +378,6 @@ def test_the_branches_that_the_diagram_draws_are_of_cycles(every: int) -> None:
         assert again.rms == pytest.approx(line["rms"][nearest], rel=1e-6)
         assert again.stable == bool(line["stable"][nearest])
         assert {event[0] for event in line["events"]} <= kinds
-
-
-@pytest.mark.validate
-def test_the_end_of_a_range_is_reached_along_the_branch() -> None:
-    """At 44 degrees the branch has another sheet, behind two folds and a doubling, which a step to the end must not skip."""
-    start = ss.cycle(at(49.0), **BELT, near=(3.178893595172, 2.120311377456, 0.0, 0.035253616447), patient=False)
-    branch = ss.cycle_branch(start, "theta0", np.radians([44.0, 60.0]), points=100)
-    assert np.degrees([event.value for event in branch.of("fold")]) == pytest.approx([45.5602, 44.2501], abs=1e-3)
-    assert np.degrees([event.value for event in branch.of("period_doubling")]) == pytest.approx([45.2146], abs=1e-3)
 
 
 @pytest.mark.thorough
@@ -508,18 +451,6 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     assert not bifurcation_functions.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
 
 
-@pytest.mark.validate
-def test_nothing_is_invented_beside_large_multipliers() -> None:
-    """Cycles doubled twice, followed to where a multiplier has grown to 1e8: beside it there is neither a fold nor a torus."""
-    branch = ss.cycle_branch(drawn(77), "V", (0.29, 0.367), points=120)
-    for low in (0.309, 0.2501):
-        branch = ss.cycle_branch(branch.switch(branch.of("period_doubling")[0]), "V", (low, 0.367), points=40, longest=0.1)
-    sizes = [float(np.abs(each.multipliers).max()) for each in branch.cycles]
-    assert max(sizes) > 5e7
-    assert not branch.of("fold", "torus")
-    assert all(np.abs(event.cycle.multipliers).max() < 1e3 for event in branch.of("period_doubling"))
-
-
 @pytest.fixture(scope="module")
 def next_to_a_grazing() -> ss.CycleBranch:
     """A branch of doubled cycles that ends 1e-8 after a grazing and a doubling, and 2e-11 before its halves fold."""
@@ -530,15 +461,6 @@ def next_to_a_grazing() -> ss.CycleBranch:
     state = (2.896574687183739, 0.6385699327244739, 0.0, 0.4451951304086741)
     begun = ss.cycle(p, V=0.4427840555969569, d=12.501497517120324, near=state)
     return ss.cycle_branch(begun, "theta0", (1.0564, 1.0567))
-
-
-@pytest.mark.validate
-def test_a_branch_of_doubled_cycles_ends_where_its_halves_are_hardly_apart(next_to_a_grazing: ss.CycleBranch) -> None:
-    """It went on over its end, and back to where it began, with the end as a fold."""
-    assert [event.kind for event in next_to_a_grazing.events].count("period_doubling") == 1
-    (end,) = (event for event in next_to_a_grazing.of("end") if "half" in event.how)
-    assert end.value == pytest.approx(1.0566308634197736, abs=1e-11)
-    assert not next_to_a_grazing.of("fold")
 
 
 @pytest.mark.thorough
@@ -552,26 +474,6 @@ def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: 
     assert abs(doubling.value - 1.0566308519693666) < doubling.error < 1e-10
 
 
-@pytest.mark.validate
-def test_a_closed_branch_is_walked_once() -> None:
-    """On the way round the states go on along the orbit: it was walked on and on, with the same folds again and again."""
-    branch = ss.cycle_branch(drawn(0), "V", (0.31, 0.62), points=150)
-    assert not branch.of("end")
-    assert [round(event.value, 4) for event in branch.of("fold")] == [0.5662, 0.3448]
-
-
-@pytest.mark.validate
-def test_as_many_points_are_followed_as_is_said(next_to_a_grazing: ss.CycleBranch) -> None:
-    """Steps that fail are no points."""
-    begun = next_to_a_grazing.cycles[0]
-    branch = ss.cycle_branch(begun, "theta0", (1.0, 1.1), points=16)
-    place = int(np.argmin(np.abs(branch.values - begun.parameters["theta0"]) + np.abs(branch.periods - begun.period)))
-    followed = {0: place, -1: len(branch.values) - 1 - place}
-    ends = [side for side in followed if branch.events[side].how == "16 points were followed"]
-    assert ends
-    assert all(followed[side] == 16 for side in ends)
-
-
 @pytest.mark.thorough
 def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
     """The turn that touches it is none of the first point's, and below the border again at the second one."""
@@ -583,53 +485,7 @@ def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
         assert sorted(event.value for event in each.of("grazing")) == pytest.approx([0.2758161630417, 0.2759937273693], abs=1e-11)
 
 
-@pytest.mark.validate
-def test_each_half_of_a_doubled_cycle_touches_where_it_does() -> None:
-    """Both turns, half a period apart, are nearly one: Newton's method went from the one to where the other touches."""
-    begun = drawn(1460)
-    for step in (0.08, 0.05):
-        branch = ss.cycle_branch(begun, "mu0", (0.30788222934008197, 0.45727350567221176), points=120, longest=step)
-        last = sorted(event.value for event in branch.of("grazing") if event.cycle.period > 129)
-        assert last == pytest.approx([0.3890081170342, 0.3896431483109], abs=1e-10)
-
-
-def test_a_family_of_cycles_at_one_value_has_no_events() -> None:
-    """x stays 0 and y swings by itself, as far as one likes: two multipliers are 1, and what is told from them is rounding."""
-    model = ss.load("mode_coupling")
-    onsets = ss.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 3.0)})
-    branch = ss.cycle_branch(ss.cycle(onset=onsets, index=0), "mu0", (0.2, 0.3), points=30)
-    assert branch.values == pytest.approx(0.25 / -math.expm1(-5.0), abs=1e-12)
-    assert {(event.kind, event.how) for event in branch.events} == {("end", branches.VERTICAL)}
-
-
-def test_a_cycle_of_another_model_is_refused(slow: ss.Cycle, branch: ss.CycleBranch) -> None:
-    damped, other = ss.load("damped"), ss.load("stick_slip")
-    own, (doubling,) = damped.Parameters(theta0=0.73), branch.of("period_doubling")
-    for asked in (
-        lambda: ss.cycle(own, near=slow),
-        lambda: ss.cycle(other.Parameters(V=0.2), near=slow), lambda: ss.diagram(own, "theta0", (0.7, 0.75), starts=[slow]),
-    ):  # fmt: skip
-        with pytest.raises(ss.ParameterTypeError, match=r"a cycle of kang_nam, not of (damped|stick_slip)"):
-            asked()
-    with pytest.raises(ss.ParameterError, match=r"starts: a cycle at mu0 = 0\.5, the diagram at 0\.3"):
-        ss.diagram(at(42.0).replace(mu0=0.3, **BELT), "theta0", (0.7, 0.75), starts=[slow])
-    short = ss.cycle_branch(slow, "theta0", (0.732, 0.734), points=2)
-    with pytest.raises(ss.ParameterError, match="none of this branch's"):
-        short.switch(doubling)
-
-
 # --------------------------------------------------------------------------------------------- fates and exponents
-
-
-@pytest.mark.validate
-def test_rounding_does_not_decide_between_a_cycle_and_itself() -> None:
-    """It had two labels, since its fates were not known to be one yet."""
-    given = random_motions.fate_of(142)
-    p = ss.Parameters(**{name: value for name, value in given["values"].items() if name not in BELT})
-    speeds = {name: given["values"][name] for name in BELT}
-    with pytest.raises(ss.ConvergenceError, match="between those it is undecided") as told:
-        ss.fate_boundary(p, vary=given["vary"], bracket=given["bracket"], start=given["start"], **speeds)
-    assert "as rounding decides" not in str(told.value)
 
 
 @pytest.mark.thorough
@@ -637,32 +493,6 @@ def test_a_motion_that_cannot_be_followed_is_undecided() -> None:
     found = ss.fate(at(42.0), V=0.5, d=1e6, t_end=1000.0)
     assert found.kind == "undecided"
     assert found.why.startswith("the motion can't be followed: ")
-
-
-def test_the_time_scale_is_that_of_a_state_that_is_named() -> None:
-    """It begins at an equilibrium that repels; deviations die out at another one."""
-    p = at(42.0)
-    near = saddles.equilibrium_near(SPRAG, p.given(**BELT).scalars(*p.ranges), np.array([1.3, -0.1, 0.0, 0.0]))
-    why = ss.fate(p, **BELT, start=near, t_end=2000.0).why
-    assert "comes to rest" not in why
-    assert "at steady sliding, x = 0.135231, y = -0.0134205, deviations die out" in why
-
-
-@pytest.mark.validate
-def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
-    found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **BELT)
-    assert found.saddle == "equilibrium"
-    assert found.value == pytest.approx(FATE, abs=1e-12)
-    for sign in (-1, 1):
-        p = ss.Parameters.article(theta0=found.value + sign * 1e-9)
-        reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).largest(300.0)
-        assert (reach > 1.0) == (sign > 0)
-    friction = ss.sliding_friction(0.5, 0.5, 10.0)
-    rest = ss.equilibria(ss.Parameters.article(theta0=found.value, mu0=friction))
-    (divergent,) = np.flatnonzero(rest.stability == ss.Stability.DIVERGENT)
-    assert found.state[:2] == pytest.approx([rest.x[divergent], rest.y[divergent]], abs=1e-9)
-    with pytest.raises(ss.ParameterError, match="one attractor"):
-        ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.70, 0.71), **BELT)
 
 
 @pytest.mark.thorough
@@ -676,73 +506,12 @@ def test_one_cycle_at_both_ends_is_one_fate() -> None:
         )
 
 
-@pytest.mark.thorough
-def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where an attractor can't be followed over all of the bracket, it is taken for another one until the bracket is narrow."""
-    followed = fate_boundaries.followed
-
-    def near(field: Any, known: Any, values: Any, backend: str) -> Any:
-        if abs(known.values[0] - values[0]) > 1e-9:
-            raise ss.ConvergenceError("too far")
-        return followed(field, known, values, backend)
-
-    def told(one: Any, other: Any, around: Any) -> bool:
-        return (one.period < middle) == (other.period < middle)
-
-    monkeypatch.setattr(fate_boundaries, "followed", near)
-    monkeypatch.setattr(fate_boundaries, "same_limit", told)
-    p, settings = ss.Parameters.article(), {"vary": "theta0", "bracket": (0.733, 0.7334), "start": (2.54, 3.36, 0.0, 0.36)}
-    periods = [ss.cycle(p.replace(theta0=value), **BELT, near=settings["start"]).period for value in settings["bracket"]]
-    middle = sum(periods) / 2
-    with pytest.raises(ss.ParameterError, match=r"cycle of period 34\.\d+ at the other, which is one attractor"):
-        ss.fate_boundary(p, **settings, **BELT)
-    monkeypatch.setattr(fate_boundaries, "LONGEST", 1e4)
-    with pytest.raises(ss.ConvergenceError, match="leave it open whether there are others; give a narrower bracket"):
-        ss.fate_boundary(p, **settings, **BELT)
-
-
 def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     """The arguments of a random call of the campaign."""
     given = random_motions.fate_of(number)
     values = dict(given["values"])
     belt = {name: values.pop(name) for name in ("V", "d")}
     return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize("number", few([56, 174], 174))
-def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
-    """Irregular transients at the ends: by another tolerance, or begun 1e-12 beside, they come to something else."""
-    p, settings = of_call(number)
-    with pytest.raises(ss.ConvergenceError, match=r"or, as rounding decides, to "):
-        ss.fate_boundary(p, **settings)
-
-
-@pytest.mark.validate
-def test_a_motion_that_takes_longer_has_no_other_fate() -> None:
-    """One of four that begin within rounding settles after t = 40 000 only; that rounding decides was said of it."""
-    p, settings = of_call(189)
-    with pytest.raises(ss.ParameterError, match=r"to a cycle of period 41\.1\d+ at the other, which is one attractor"):
-        ss.fate_boundary(p, **settings)
-
-
-@pytest.mark.validate
-def test_the_error_of_a_boundary_knows_how_it_moves_with_the_start() -> None:
-    """Motions stay irregular for long before they settle: by another integrator it lies 2e-12 off, and 1.6e-13 was said."""
-    p, settings = of_call(104)
-    found = ss.fate_boundary(p, **settings)
-    assert 1e-12 < found.error < 1e-11
-
-
-@pytest.mark.validate
-def test_a_side_that_rounding_decides_is_undecided() -> None:
-    """Both sides were said to come to the cycle of period 35.9; by another integrator they do not.
-
-    What rounding makes of the motion depends on the processor: on some both sides come to nothing by the end.
-    """
-    found = ss.basin_boundary(random_motions.basin_of(0), step=0.05, points=2)
-    assert all("as rounding decides" in told or told.startswith("nothing that is decided") for told in found.sides[3])
-    assert not found.boundary[3]
 
 
 @pytest.mark.thorough
@@ -752,24 +521,6 @@ def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
         ss.ParameterError, match=r"21\.\d+ at one end and to a cycle of period 42\.\d+ at the other, which is one"
     ):
         ss.fate_boundary(p, **settings | {"bracket": (0.0017, 0.0022)})
-
-
-def test_a_boundary_beside_others_is_told_where_rounding_does_not_decide(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One more change of the fate 1e-6 below, and back, by any tolerance: then the boundary stands, and the others beside it."""
-    island = (0.3 - 1.001e-6, 0.3 - 0.999e-6)
-
-    def judged(field: Any, values: Any, start: Any, backend: str, *, times: Any = (), rtol: float = 0.0) -> attractors.Verdict:
-        other = values[0] >= 0.3 or island[0] < values[0] < island[1]
-        return attractors.Verdict(ss.Outcome(ss.Regime.EQUILIBRIUM, rest=(float(other), 0.0)), np.zeros(4), 2000.0, ("x", "y"))
-
-    monkeypatch.setattr(fate_boundaries, "judged", judged)
-    monkeypatch.setattr(fate_boundaries, "attractor", lambda field, values, verdict, backend: verdict.outcome.rest)
-    monkeypatch.setattr(fate_boundaries, "followed", lambda field, known, values, backend: known)
-    monkeypatch.setattr(fate_boundaries, "same", lambda field, one, other: one == other)
-    monkeypatch.setattr(fate_boundaries, "_saddle", lambda *_: ("unknown", np.zeros(4), math.nan, math.nan))
-    found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.2, 0.4), **BELT)
-    assert abs(found.value - 0.3) < found.error < 1e-12
-    assert [low < island[0] < high or low < island[1] < high for low, high in found.others] == [True, True]
 
 
 @pytest.mark.thorough
@@ -839,15 +590,6 @@ def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Path) -> None:
     assert all(f"# {line}\n" in text for line in ("model: kang_nam", "x0: 0.0", "vy0: 0.0", "t_end: 10000.0"))
 
 
-@pytest.mark.thorough
-def test_the_map_is_drawn_by_one_command(tmp_path: Path, run: Run) -> None:
-    out, picture = tmp_path / "map.csv", tmp_path / "map.svg"
-    more = ["--t-end", "2000", "-q", "-o", str(out), "--plot", str(picture)]
-    assert "4 rest" in run("fates", "--theta0", "30,35", "--mu0", "0.4,0.5", *more)
-    assert "rest" in picture.read_text()
-    assert "a map over two parameters" in run("fates", "--theta0", "30,35", "--mu0", "0.4", *more, code=2)
-
-
 @pytest.mark.parametrize("name", few(["damped", "kang_nam"], "damped"))
 def test_the_time_scale_is_that_on_which_motions_die_out(name: str) -> None:
     p = ss.load(name).Parameters(theta0=np.radians(30.0), d=2.0)
@@ -859,45 +601,11 @@ def test_the_time_scale_is_that_on_which_motions_die_out(name: str) -> None:
     assert sizes[0] - sizes[1] == pytest.approx(1.0, rel=0.05)
 
 
-@pytest.mark.thorough
-def test_a_map_of_fates_leaves_the_trivial_exponent_out() -> None:
-    found, row = ss.fate(at(44.0), **BELT, t_end=500.0), ss.fate_map(at(44.0), **BELT, t_end=500.0)
-    told = float(str(row.why).removeprefix("an exponent of ").split(" ±")[0])
-    assert told == pytest.approx(row.exponent, rel=0.02)  # of a short motion it is not the one that is nearest to 0
-    assert row.exponent == np.delete(found.exponents, found.trivial)[0]
-
-
 def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:
     assert saddles.growth_of_cycle(slow) is None
     p = ss.Parameters.article(theta0=np.radians(54.0))
     doubled = ss.cycle(p, **BELT, near=(2.326445826, 3.364354753, 0.0, 0.3058563602), patient=False)
     assert saddles.growth_of_cycle(doubled) == pytest.approx(np.log(abs(doubled.multipliers[1])) / doubled.period, rel=1e-9)
-
-
-@pytest.mark.validate
-def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate() -> None:
-    """One is found over the parameter by verdicts and bisection, the other over starts by the saddle's manifold."""
-    p = ss.Parameters.article(theta0=FATE)
-    found = ss.basin_boundary(p, **BELT, to=((-0.1, 0.1), (-0.1, 0.1)), points=1)
-    at_rest = found.points[np.argmin(np.abs(found.points[:, 1]))]
-    assert np.abs(at_rest).max() < 1e-7
-    assert found.error.max() < 1e-10
-    differ = np.abs(found.points).max(axis=1) < 1e-7
-    assert (found.boundary == differ).all()  # at its neighbours both sides come to the cycle: that is manifold, and no boundary
-    assert [text.split()[0] for text in found.sides[differ][0]] == ["rest", "a"]
-    assert set(found.sides[~differ].ravel()) == {"a cycle of period 34.1824"}
-    reach = [ss.simulate(p, **BELT, x0=off, rtol=1e-12, t_end=1000.0).largest(300.0) for off in (-1e-6, 1e-6)]
-    assert min(reach) < 1 < max(reach)
-    with pytest.raises(ss.ParameterError, match="one divergent equilibrium is needed"):
-        ss.basin_boundary(at(60.0), **BELT)
-
-
-@pytest.mark.validate
-def test_a_point_beside_which_basins_alternate_is_no_boundary() -> None:
-    """By another integrator both sides come to one cycle there; a millionth aside one was seen to come to rest."""
-    found = ss.basin_boundary(random_motions.basin_of(16), step=0.05, points=2)
-    assert not found.boundary[4]
-    assert ", and nearer by " in found.sides[4, 0]
 
 
 @pytest.mark.thorough
@@ -916,19 +624,6 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize(("degrees", "kind"), [(42.0, "cycle"), (35.0, "rest"), (60.0, "undecided"), (70.0, "undecided")])
-def test_exponents_that_are_not_resolved_decide_nothing(degrees: float, kind: str) -> None:
-    """The last two are transients with a positive exponent; at 42 degrees two exponents are below their errors."""
-    found = ss.lyapunov(at(degrees), **BELT, start=(0, 0, 0, 0), t_end=4000.0)
-    assert found.kind == kind, found.why
-    if kind == "undecided":
-        assert "not told from 0" in found.why
-        assert found.exponents[0] > found.error[0] > 0
-    else:
-        assert (np.abs(found.exponents - found.limit) < found.error + 1e-12).all()
-
-
 def test_errors_of_means_hold_for_correlated_noise_and_for_beats() -> None:
     """Of 400 runs of a first-order autoregression 95 in 100 hold, and all of an oscillation."""
     rng, held = np.random.default_rng(3), []
@@ -945,29 +640,6 @@ def test_errors_of_means_hold_for_correlated_noise_and_for_beats() -> None:
 # -------------------------------------------------------------------------------------------------- clear outcomes
 
 
-ANCHOR = (math.cos(math.radians(42)), math.sin(math.radians(42)), 0.0, 0.0)
-#: A question that has no answer, of the slow cycle, and what its error says of it.
-NO_ANSWERS: list[tuple[Callable[[ss.Cycle], Any], type[Exception], str]] = [
-    (lambda _: ss.cycle(at(35.0), **BELT, patient=False), ss.ConvergenceError, "decays to rest at x"),
-    (lambda _: ss.cycle(at(60.0), **BELT, patient=False), ss.ConvergenceError, "no cycle"),
-    (lambda _: ss.cycle(at(42.0), **BELT, near=(1.0, 2.0)), ss.ParameterError, "shape"),
-    (lambda _: ss.cycle(at(42.0), **BELT, near=ANCHOR), ss.ParameterError, "not defined there"),
-    (lambda _: ss.lyapunov(at(42.0), **BELT, start=ANCHOR), ss.ParameterError, "not defined there"),
-    (lambda slow: ss.cycle_branch(slow, "theta0", (0.1, 0.2)), ss.ParameterError, "no range around"),
-    (lambda slow: ss.cycle_branch(slow, "gamma", (0.1, 0.2)), ss.ParameterError, "not one of"),
-    (lambda slow: ss.cycle_branch(slow, "kappa", (0.0, 0.01)), ss.ParameterError, "kappa = 0 is not in"),
-    *((lambda slow, bad=bad: ss.cycle_branch(slow, "theta0", (0.7, 0.75), **bad), ss.ParameterError, next(iter(bad)))
-      for bad in ({"longest": math.nan}, {"longest": -0.1}, {"longest": 0.0}, {"points": -1}, {"points": 0}, {"points": 2.5})),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("number", range(len(NO_ANSWERS)))
-def test_what_has_no_answer_says_why(number: int, slow: ss.Cycle) -> None:
-    call, error, words = NO_ANSWERS[number]
-    with pytest.raises(error, match=words):
-        call(slow)
-
-
 @pytest.mark.thorough
 def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
     p = at(60.0, kappa=0.001)
@@ -981,64 +653,6 @@ def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
     assert found.zero.all()
     with pytest.raises(ss.ParameterError, match="lift-off at both ends"):
         ss.fate_boundary(p, vary="theta0", bracket=(1.04, 1.05), **BELT, start=start)
-
-
-@pytest.mark.validate
-def test_where_the_belt_stands_still() -> None:
-    still = {"V": 0.0, "d": 10.0}
-    with pytest.raises(ss.ConvergenceError, match="decays to rest"):
-        ss.cycle(at(42.0), **still)
-    with pytest.raises(ss.ParameterError, match=r"rest at x = [-\d.]+, y = [-\d.]+ at the other, which is one"):
-        ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7, 0.75), **still)
-    found = ss.lyapunov(at(42.0), **still, start=(0.5, 0.0, 0.0, 0.0), t_end=500.0)
-    assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
-    assert found.trace < 0
-    edge = ss.basin_boundary(at(42.0), **still, points=1)  # at V = 0 there is no friction at rest: a saddle of the springs alone
-    springs = ss.equilibria(at(42.0, mu0=0.0))
-    assert np.abs(springs.x - edge.saddle[0]).min() < 1e-9
-
-
-@pytest.mark.validate
-def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
-    """Deviations shrink by e^−300 and more where the mass sticks: what rounding loses is not told as an exponent."""
-    steep = {"V": 0.5, "d": 1e4}
-    found = ss.cycle(at(42.0), **steep, near=(2.5, 3.4, 0.0, 0.36))
-    assert found.residual < 1e-12
-    exponents = ss.lyapunov(at(42.0), **steep, start=(0.5, 0.0, 0.0, 0.0), t_end=250.0)
-    assert exponents.exponents.sum() == pytest.approx(exponents.trace, rel=1e-9)
-    assert ss.basin_boundary(at(42.0), **steep, points=1).error.max() < 1e-8
-    branch = ss.cycle_branch(slow, "d", (9.9, 1e4), points=3)
-    assert "points were followed" in branch.of("end")[-1].how
-
-
-@pytest.mark.thorough
-def test_failures_of_loaded_models_are_told_as_well() -> None:
-    for name in ("kang_nam", "stick_slip"):
-        model = ss.load(name).search
-        p = model.Parameters(V=0.0, **({"theta0": math.radians(42.0)} if name == "kang_nam" else {}))
-        with pytest.raises(ss.ConvergenceError, match=r"rest at x = [-\d.e]+(, y = [-\d.]+)?;"):
-            ss.cycle(p)
-        found = ss.lyapunov(p, t_end=300.0)
-        assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
-    damped = ss.load("stick_slip").Parameters(zeta=0.5)
-    with pytest.raises(ss.ConvergenceError, match=r"it is at rest at x = 0\.1923"):
-        ss.cycle(damped)
-
-
-@pytest.mark.parametrize(("V", "d"), [(0.0, 10.0), pytest.param(0.5, 1e4, marks=pytest.mark.thorough)])
-def test_extremes_end_in_time(V: float, d: float) -> None:
-    found = None
-    with contextlib.suppress(ss.ConvergenceError):
-        found = ss.cycle(at(42.0), V=V, d=d, patient=False)
-    assert found is None or found.residual < 1e-12
-
-
-@pytest.mark.thorough
-def test_a_branch_reaches_the_end_of_what_a_parameter_may_be() -> None:
-    start = ss.cycle(at(42.0, alpha=2e-5), **BELT, near=(3.1, 2.96, 0.0, -0.344), patient=True)
-    branch = ss.cycle_branch(start, "alpha", (0.0, 4e-5))
-    assert {event.how for event in branch.of("end")} == {"the range ends"}
-    assert 0.0 in branch.values
 
 
 # ------------------------------------------------------------------------------------------------ proofs and files
@@ -1085,37 +699,6 @@ def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, provin
     assert told.decimals()["period"].text in str(told)
 
 
-#: What is changed of the claim of a true cycle, so that there is none.
-NO_CYCLES: dict[str, Any] = {
-    "half of a round": lambda claim: {
-        "period": claim["period"] / 2,
-        "crossings": [c for c in claim["crossings"] if c[0] < claim["period"] / 2],
-    },
-    "a motion from rest": lambda claim: {"state": [0.0, 0.0, 0.0, 0.0]},
-    "a state that is far off": lambda claim: {"state": [x + 0.4 for x in claim["state"]]},
-    "a crossing that is left out": lambda claim: {"crossings": claim["crossings"][1:]},
-    "a crossing too many": lambda claim: {"crossings": sorted([*claim["crossings"], [claim["period"] / 7, 0]])},
-    "a crossing of the other border": lambda claim: {"crossings": [[t, 1 - i] for t, i in claim["crossings"]]},
-    "no crossings": lambda claim: {"crossings": []},
-    "no way to correct": lambda claim: {"slopes": np.ones((4, 4)).tolist()},
-    "below the fold, where the cycle is gone": lambda claim: {"values": [*claim["values"][:1], 0.05, *claim["values"][2:]]},
-    "another angle, where none is near": lambda claim: {"values": [math.radians(75.0), *claim["values"][1:]]},
-}
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("name", NO_CYCLES)
-def test_what_is_no_cycle_is_refused_within_a_minute(name: str, slow: ss.Cycle, proving: types.SimpleNamespace) -> None:
-    claim, begun = proving.proofs.claim_of(slow, 25), time.process_time()
-    changed = NO_CYCLES[name](claim)
-    assert all(claim[key] != value for key, value in changed.items())
-    with pytest.raises((proving.ball_proof.NotProved, ss.ParameterError)) as refused:
-        proving.ball_proof.shown(SPRAG, claim | changed)
-    assert "touch" not in str(refused.value)  # the orbit crosses all borders fast
-    assert "grazing" not in str(refused.value)
-    assert time.process_time() - begun < 60
-
-
 @pytest.mark.parametrize("duration", [-0.25, math.nan])
 def test_balls_are_carried_onward_only(duration: float, proving: types.SimpleNamespace) -> None:
     flint, accuracy = proving.flint, [proving.ball_flow.Accuracy(20, 53)] * 2
@@ -1136,31 +719,6 @@ def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Pat
     assert told["period"] == pytest.approx(slow.period, abs=1e-10)
     assert [event["kind"] for event in told["branch_events"]] == ["end", "end"]
     assert picture.exists()
-
-
-def test_the_axes_of_a_branch_are_named(branch: ss.CycleBranch) -> None:
-    figures = pytest.importorskip("spragsym.figures.oscillation")
-    left, right = figures.branch_figure(branch).axes
-    assert left.get_xlabel() == right.get_xlabel() == r"$\theta_0$ (deg)"
-    assert (left.get_ylabel(), right.get_ylabel()) == ("RMS of $x$", "period")
-
-
-@pytest.mark.thorough
-def test_a_loaded_model_on_the_command_line(tmp_path: Path, run: Run) -> None:
-    picture, model, asked = tmp_path / "branch.svg", ss.load("stick_slip"), ["cycles", "--model", "stick_slip", "-V", "0.2"]
-    told = json.loads(run(*asked, "--near", "0.61,0", "--vary", "V=0.195:0.21", "--plot", str(picture), "--json"))
-    assert told["period"] == pytest.approx(ss.cycle(model.Parameters(V=0.2)).period, abs=1e-10)
-    assert [event["V"] for event in told["branch_events"]] == [0.195, 0.21]
-    assert "spring_force" not in told
-    assert picture.exists()
-    assert "34.267370011" in run("cycles", "--model", "kang_nam", "--theta0", "42", "--near", "2.54,3.36,0,0.36")
-    assert "2 numbers" in run(*asked, "--near", "0.6,0,0", code=2)
-
-
-def test_a_force_that_a_model_has_not_is_named() -> None:
-    model = ss.load("stick_slip")
-    with pytest.raises(ss.ParameterError, match="spring_force is no force of this model, which has none"):
-        _ = ss.cycle(model.Parameters(V=0.2)).spring_force
 
 
 @pytest.mark.thorough

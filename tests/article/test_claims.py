@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import ast
-import dataclasses
 import itertools
-import json
-import re
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -21,7 +18,6 @@ from scipy.optimize import brentq, root
 import spragsym as ss
 from spragsym import claims
 from spragsym.claims import Status
-from spragsym.claims.report import page
 from spragsym.cli import cli
 from spragsym.cli.check import check as check_command
 from spragsym.dynamics import simulate
@@ -502,23 +498,6 @@ def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:
     assert any(line in told for told in claims.drifted(rows, [row | change]))
 
 
-def test_a_unit_of_the_last_recorded_digit_is_no_drift() -> None:
-    """Libraries of other machines round it otherwise; two units are a drift."""
-    rows = claims.run([one for one in claims.STATEMENTS if one.id == "claim-mu-cr"])
-    (row,) = (row for row in claims.recorded() if row["id"] == "claim-mu-cr")
-    unit = 10.0 ** (1 - row["digits"])
-    one, two = ({**row, "values": {**row["values"], "mu_cr": row["values"]["mu_cr"] + n * unit}} for n in (1, 2))
-    assert claims.drifted(rows, [one]) == []
-    assert len(claims.drifted(rows, [two])) == 1
-
-
-def test_what_does_not_hold_is_not_reproduced() -> None:
-    statement = dataclasses.replace(claims.STATEMENTS[0], compute=lambda: claims.Found(False, {"n": 1}))
-    (row,) = claims.run([statement])
-    assert row.status == "not reproduced"
-    assert row.outcome.startswith("does not hold")
-
-
 def test_every_row_names_a_test_and_a_command_that_exist() -> None:
     tree = ast.parse(Path(__file__).read_text(encoding="utf-8"))
     tests = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
@@ -541,72 +520,10 @@ def few(monkeypatch: pytest.MonkeyPatch, change: dict[str, Any] | None = None) -
     monkeypatch.setattr(claims, "recorded", lambda: rows)
 
 
-def test_check_claims(monkeypatch: pytest.MonkeyPatch) -> None:
-    few(monkeypatch)
-    result = CliRunner().invoke(check_command, ["--claims", "--json"])
-    assert result.exit_code == 0
-    assert [row["id"] for row in json.loads(result.stdout)] == ["fig-3", "claim-mu-cr"]
-    result = CliRunner().invoke(check_command, ["--claims"])
-    assert result.exit_code == 0
-    assert "0.5741" in result.stdout
-    few(monkeypatch, {"status": "reproduced"})
-    result = CliRunner().invoke(check_command, ["--claims"])
-    assert result.exit_code == 1
-    assert "claim-mu-cr: status is 'corrected', not 'reproduced'" in result.stderr
-
-
 COMMITTED = (ROOT / "docs" / "reproduction.md").read_text(encoding="utf-8")
-
-
-def sections_of(text: str, mark: str) -> dict[str, str]:
-    """What stands below each heading of a level, by title."""
-    parts = re.split(rf"^{mark} (.*)$", text, flags=re.MULTILINE)
-    return dict(zip(parts[1::2], parts[2::2], strict=True))
 
 
 def test_the_report_is_as_committed(tmp_path: Path) -> None:
     result = CliRunner().invoke(check_command, ["--report", str(tmp_path / "page.md")])
     assert result.exit_code == 0
     assert (tmp_path / "page.md").read_text(encoding="utf-8") == COMMITTED, "spragsym check --report docs/reproduction.md"
-
-
-def test_the_report_gives_every_row_of_both_records() -> None:
-    """The committed page, read back: statuses, outcomes, numbers and both forms of what is misprinted."""
-    ledger = {row["id"]: row for row in json.loads((ROOT / "generated/ledger.json").read_text(encoding="utf-8"))["rows"]}
-    parts = sections_of(COMMITTED, "##")
-    claimed = re.findall(r"^\| \[([\w.-]+)\]\(#\S+\) \| .* \| ([a-z ]+) \|$", parts["Claims"], re.MULTILINE)
-    assert claimed == [(id, row["status"]) for id, row in record().items()]
-    printed = re.findall(r"^\| ([\w-]+) \| [^|]* \| ([a-z]+) \|", parts["Equations"], re.MULTILINE)[1:]
-    assert printed == [(id, row["status"]) for id, row in ledger.items()]
-    # One sentence at the top, whose numbers are those of the tables below it.
-    first = COMMITTED.split("\n")[2]
-    assert re.fullmatch(r"\*\*[^.]+\.\*\*", first)
-    told, said = ([status for _, status in rows] for rows in (printed, claimed))
-    counted = [told.count("confirmed") + told.count("definition"), told.count("approximation"), told.count("misprint")]
-    kinds = ("reproduced", "input not stated", "misprint", "corrected", "not reproduced")
-    numbers = [len(told), *counted, len(said), *map(said.count, kinds)]
-    assert list(map(int, re.findall(r"\d+", first))) == numbers
-    in_full = sections_of(parts["Claims in full"], "###")
-    assert in_full.keys() == record().keys()
-    for id, row in record().items():
-        assert f"**{row['status']}**: {row['outcome']}." in in_full[id]
-        assert {name for name, _ in re.findall(r"^- (.+?): (.*)$", in_full[id], re.MULTILINE)} >= row["values"].keys()
-    misprinted = {id for id, row in ledger.items() if row["status"] in ("misprint", "approximation")}
-    shown = sections_of(parts["Misprints and approximations"], "###")
-    assert {re.search(r"\(([\w-]+)\)(?:: an approximation)?$", title)[1] for title in shown} == misprinted  # type: ignore[index]  # there is a match
-    for title, text in shown.items():
-        (row,) = (row for id, row in ledger.items() if f"({id})" in title)
-        assert f"{row['printed']} \\\\\n" in text
-        assert f"{row['derived']}\n" in text
-    assert "No picture of the article was at hand" in COMMITTED
-    assert "identical" not in COMMITTED
-
-
-def test_the_report_follows_the_records(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Another outcome in the record is another page: nothing of it is written by hand."""
-    changed = [row | ({"status": "not reproduced"} if row["id"] == "fig-13a" else {}) for row in claims.recorded()]
-    monkeypatch.setattr("spragsym.claims.report.recorded", lambda: changed)
-    text = page()
-    assert "27 hold as stated" in text
-    assert "1 could not be reproduced" in text
-    assert re.search(r"^\| \[fig-13a\].* not reproduced \|$", text, re.MULTILINE)

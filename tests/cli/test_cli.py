@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import io
 import json
-import math
 import os
 import re
 import shlex
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import click
 import numpy as np
@@ -26,13 +23,9 @@ from hypothesis import strategies as st
 import spragsym as ss
 from spragsym import cli as command_line
 from spragsym import progress
-from spragsym.cli import COMMANDS, cli, main
-from spragsym.cli.points import print_points
-from spragsym.cli.spans import Span
-from spragsym.cli.tables import print_table
-from spragsym.files import storage
+from spragsym.cli import main
 from tests.conftest import Run
-from tests.support import LONG_MOTIONS_TAKE_MINUTES, NO_ENVIRONMENT, ROOT, few, needs_posix
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, few, needs_posix
 
 #: Exit codes that are documented.
 DONE, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -64,18 +57,6 @@ def start(begin: Callable[..., subprocess.Popen[str]]) -> Start:
 # -------------------------------------------------------------------------------------------------------- results
 
 
-def test_every_digit_that_a_table_shows_is_right(capsys: pytest.CaptureFixture[str]) -> None:
-    assert invoke("equilibria", "--theta0", "49") == DONE
-    shown, silence = capsys.readouterr()
-    assert silence == ""
-    header, *rows = shown.splitlines()
-    assert header.split()[:2] == ["state", "stability"]
-    assert [row.split()[:3] for row in rows] == [["contact", "flutter", "stable"], ["lift-off", "divergent", "divergent"]]
-    digits = rows[0].split()[header.split().index("x")]
-    assert float(digits) == pytest.approx(1.21742364817816844590957746961, abs=0.51 * 10.0 ** -len(digits.partition(".")[2]))
-    assert not any(row.endswith(" ") for row in (header, *rows))
-
-
 def test_bifurcation_json(run: Run) -> None:
     found = json.loads(run("bifurcation", "--json"))
     turns = np.radians([row["theta0_deg"] for row in found["folds"]["points"]])
@@ -90,78 +71,11 @@ def test_the_friction_of_the_jump_is_told_where_the_angle_is_given(asked: list[s
     assert ("mu0_jump: mu0 of the jump at this angle" in run("critical", *asked)) == at_this_angle
 
 
-@pytest.mark.validate
-def test_what_is_undecided_is_not_called_none(run: Run) -> None:
-    text = run("critical", "--model", "trolley", "--theta0", "40")
-    for line in ("mu0_lowest: no jump below this mu0", "mu0_cusp: mu0 of the lowest cusp"):
-        assert re.search(rf"^{line}\s+unknown$", text, re.MULTILINE)
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("kind", few(["pdf", "png", "svg"], "svg"))
-def test_bifurcation_draws(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    pytest.importorskip("matplotlib")
-    assert invoke("bifurcation", "--plot", str(tmp_path / f"a.{kind}")) == DONE
-    assert (tmp_path / f"a.{kind}").stat().st_size > 1000
-    shown, said = capsys.readouterr()
-    assert shown.startswith("Folds")
-    assert said == f"drew {tmp_path}/a.{kind}\n"
-
-
 @pytest.mark.usefixtures("checked")
 def test_check_prints_every_row(run: Run) -> None:
     rows = json.loads(run("check", "--json"))
     assert len(rows) == 53
     assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
-
-
-@pytest.mark.usefixtures("checked")
-def test_check_of_single_rows(run: Run) -> None:
-    rows = [row["id"] for row in json.loads(run("check", "--row", "eq-9", "--row", "def-", "--json"))]
-    assert "eq-9" in rows
-    assert len(rows) > 3
-    assert all(row == "eq-9" or row.startswith("def-") for row in rows)
-    for row, remedy in (("eq-99", "eq-9"), ("fig-7", "--claims")):
-        assert remedy in run("check", "--row", row, code=USAGE)
-
-
-def test_check_fails_where_a_row_is_not_as_recorded(checked: list[Any], monkeypatch: pytest.MonkeyPatch, run: Run) -> None:
-    from spragsym.derive.kang_nam import check as derivation
-
-    monkeypatch.setattr(derivation, "run", lambda: checked[1:])
-    assert "eq-1 is not as recorded" in run("check", code=FAILED)
-
-
-@pytest.mark.parametrize(
-    ("asked", "said"), [(["--row", "eq-9"], "deriving the equations"), (["--claims", "--row", "claim-mu-cr"], "claim-mu-cr")]
-)
-def test_a_check_that_takes_long_says_what_it_is_at(
-    asked: list[str], said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    from spragsym.claims import ledger
-    from spragsym.derive.kang_nam import check as derivation
-
-    def slowly(run: Callable[..., Any]) -> Callable[..., Any]:
-        return lambda *arguments: (time.sleep(0.2), run(*arguments))[1]
-
-    monkeypatch.setattr("spragsym.progress.LONG", 0.02)
-    monkeypatch.setattr(derivation, "run", slowly(lambda: []))
-    monkeypatch.setattr(ledger, "_row", slowly(ledger._row))
-    invoke("check", *asked)
-    assert re.search(rf"{said}.*: 0 s so far", capsys.readouterr().err)
-
-
-@pytest.mark.parametrize("theta0_deg", few(["30", "49", "1e-9", "179.99"], "49", "179.99"))
-@pytest.mark.parametrize("command", ["equilibria", "bifurcation"])
-def test_tables_fit_a_terminal_of_80_columns(command: str, theta0_deg: str, run: Run) -> None:
-    angle = ["--theta0", theta0_deg] if command == "equilibria" else ["--mu0", str(float(theta0_deg) / 100)]
-    assert max(map(len, run(command, *angle).splitlines())) <= 80
-
-
-def test_angles_have_one_heading(run: Run) -> None:
-    """Every heading of an angle, in every command, ends in _deg."""
-    text = run("equilibria", "--theta0", "30") + run("bifurcation", "--alpha", "0.7", "--undamped")
-    assert set(re.findall(r"\S*theta\S*\b", text)) == {"theta0_deg", "theta_deg"}
 
 
 # ------------------------------------------------------------------------------------------------ files in the way
@@ -190,16 +104,6 @@ WRITING = {
 
 #: Those that are told a folder.
 FOLDERS = ("figures", "export", "derive")
-
-
-def test_every_option_that_names_a_file_is_known_here() -> None:
-    """A command that writes stands in WRITING, and has --force."""
-    for name in COMMANDS:
-        command = cli.get_command(click.Context(cli), name)
-        assert command is not None
-        flags = {flag for option in command.params for flag in option.opts}
-        paths = [option for option in command.params if isinstance(option.type, click.Path) and not option.type.exists]
-        assert bool(paths) == (name in WRITING) == ("--force" in flags)
 
 
 def in_the_way(command: str, folder: Path) -> tuple[list[str], Path]:
@@ -236,25 +140,6 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
     assert target.read_bytes()[:8] != b"precious"
 
 
-@pytest.mark.parametrize("command", ["check", "sweep", "explore", "export"])
-@pytest.mark.usefixtures("checked")
-def test_what_is_there_already_is_no_obstacle(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    arguments, name = WRITING[command]
-    place = str(tmp_path) if command in FOLDERS else str(tmp_path / name)
-    assert invoke(*arguments, place) == DONE
-    before = (tmp_path / name).read_bytes()
-    assert invoke(*arguments, place) == DONE
-    assert (tmp_path / name).read_bytes() == before
-
-
-def test_force_that_fails_keeps_the_old_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    target = tmp_path / "a.csv"
-    target.write_text("precious", encoding="utf-8")
-    assert invoke("sweep", *MOTION, "--rtol", "0", "--quiet", "--force", "-o", str(target)) == USAGE
-    assert target.read_text(encoding="utf-8") == "precious"
-    assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
-
-
 # ------------------------------------------------------------------------------------------- nothing to compute
 
 EMPTY = ["30:60:0", "30:60:-1", "30:60:1", "", ",", "30:60:", "::", "nan:60:3", "30:inf:3"]
@@ -271,119 +156,6 @@ def test_an_empty_axis_is_an_error_that_leaves_nothing(
     assert said.count("\n") == 1
     assert flag.strip("-") in said or {"-V": "--speed", "-d": "--creep"}[flag] in said
     assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize("count", ["0", "-2", "1.5", "x"])
-@pytest.mark.parametrize("command", ["sweep", "figures"])
-def test_no_processes_is_an_error_that_leaves_nothing(command: str, count: str, tmp_path: Path, run: Run) -> None:
-    """A journal that is left behind would refuse the next sweep to that file."""
-    target = ["--theta0", "49", "-o", str(tmp_path / "a.csv")] if command == "sweep" else ["--out", str(tmp_path)]
-    assert "--workers" in run(command, *target, "-j", count, code=USAGE)
-    assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.by_hand("3000")
-@pytest.mark.parametrize("t_end", ["100", "0.5", pytest.param("3000", marks=pytest.mark.thorough)])
-def test_the_window_follows_the_end(t_end: str, tmp_path: Path, run: Run) -> None:
-    """The last quarter is what is measured, where nothing else is said: of 2000 that which the article shows."""
-    motion = ["--theta0", "49", "--t-end", t_end, "--backend", "scipy"]
-    tr = ss.simulate(ss.Parameters.article(theta0=math.radians(49)), V=0.5, d=10.0, t_end=float(t_end), backend="scipy")
-    assert json.loads(run("simulate", *motion, "--json"))["rms"] == tr.rms(0.75 * float(t_end))
-    run("sweep", *motion, "-q", "-o", str(tmp_path / "a.csv"))
-    assert f"# transient: {0.75 * float(t_end)}\n" in (tmp_path / "a.csv").read_text(encoding="utf-8")
-
-
-# ------------------------------------------------------------------------------------------------- files of a sweep
-
-
-@pytest.mark.thorough
-def test_a_file_has_the_degrees_that_were_typed(tmp_path: Path, run: Run) -> None:
-    xarray = pytest.importorskip("xarray")
-    pandas = pytest.importorskip("pandas")
-    typed = [30.0, 49.3, 63.7, 179.9]
-    for kind in ("csv", "nc"):
-        options = ["--t-end", "20", "--backend", "scipy", "-q", "-o", str(tmp_path / f"a.{kind}")]
-        run("sweep", "--theta0", ",".join(map(str, typed)), *options)
-    with xarray.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
-        assert data.theta0_deg.values.tolist() == typed
-        assert (data.theta0_deg.units, data.theta0.units) == ("degree", "rad")
-        assert data.theta0_deg.dims == data.theta0.dims == ("theta0",)
-        np.testing.assert_array_equal(data.theta0, np.radians(typed))
-        rms = data.rms.values
-    table = np.genfromtxt(tmp_path / "a.csv", delimiter=",", names=True, comments="#")
-    assert table["theta0_deg"].tolist() == typed
-    np.testing.assert_array_equal(table["rms"], rms)
-    assert pandas.read_csv(tmp_path / "a.csv", comment="#").theta0_deg.tolist() == typed
-
-
-@pytest.mark.thorough
-@given(st.lists(st.text(max_size=30), min_size=1, max_size=4))
-def test_any_text_is_one_cell_to_every_reader(words: list[str]) -> None:
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "a.csv"
-        cells = [storage.plain(word) for word in words]
-        given_columns = {"theta0": np.ones(len(cells)), "reason": np.array(cells), "rms": np.zeros(len(cells))}
-        storage.write(path, dict, lambda: given_columns, {"a": "b, c"}, dict.fromkeys(given_columns, ("1", "any")))
-        kinds = [float, "U99", float]
-        table = np.genfromtxt(path, delimiter=",", names=True, comments="#", dtype=kinds, encoding="utf-8", ndmin=1)
-        assert table.dtype.names == ("theta0", "reason", "rms")
-        assert table["rms"].tolist() == [0] * len(cells)
-        columns, attributes = storage.read(path)
-        assert columns["reason"].tolist() == np.array(cells).tolist()
-        assert attributes["a"] == "b, c"
-
-
-# ----------------------------------------------------------------------------------------------- help and version
-
-
-@pytest.mark.parametrize("command", [[], *([name] for name in COMMANDS)], ids=["spragsym", *COMMANDS])
-def test_help_has_examples_and_exit_codes(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    assert invoke(*command, "-h") == DONE
-    text, silence = capsys.readouterr()
-    assert silence == ""
-    assert "Examples:" in text
-    assert "Exit codes: 0" in text
-    # Each example names a command that exists, with options that it has.
-    for name, options in re.findall(r"^ +spragsym (\w+)(.*)$", text.split("Examples:")[1].split("Exit codes")[0], re.MULTILINE):
-        known = {flag for option in cli.get_command(click.Context(cli), name).params for flag in option.opts}  # type: ignore[union-attr]  # there is such a command
-        assert set(re.findall(r"(?<= )--?[a-zA-Z][\w-]*", options.split("|")[0])) <= known
-
-
-def test_the_list_of_commands_is_whole(run: Run) -> None:
-    listed = run("--help").split("Commands:")[1]
-    assert all(f"{name} " in listed and summary in listed for name, (_, summary) in COMMANDS.items())
-
-
-def test_options_have_one_meaning_everywhere() -> None:
-    """An option of one name has one short form and one type wherever it stands, but for numbers that are axes of a sweep."""
-    seen: dict[str, set[tuple[str, ...]]] = {}
-    for name in COMMANDS:
-        command = cli.get_command(click.Context(cli), name)
-        assert command is not None
-        for option in command.params:
-            for flag in (flag for flag in option.opts if flag.startswith("--")):
-                seen.setdefault(flag, set()).add(tuple(sorted(option.opts)))
-    assert {flag: forms for flag, forms in seen.items() if len(forms) > 1} == {}
-
-
-def test_version_is_that_of_the_package(start: Start) -> None:
-    process = start("--version")
-    assert process.communicate(timeout=60) == (f"spragsym, version {ss.__version__}\n", "")
-    assert process.returncode == DONE
-
-
-def test_no_command_is_usage(capsys: pytest.CaptureFixture[str]) -> None:
-    assert invoke() == USAGE
-    shown, said = capsys.readouterr()
-    assert shown == ""
-    assert said.startswith("Usage: spragsym")
-
-
-@pytest.mark.thorough
-def test_completion_of_commands_and_options(start: Start) -> None:
-    for words, place, meant in (("spragsym equi", "1", "equilibria"), ("spragsym equilibria --ka", "2", "--kappa")):
-        process = start(_SPRAGSYM_COMPLETE="bash_complete", COMP_WORDS=words, COMP_CWORD=place)
-        assert meant in process.communicate(timeout=60)[0]
 
 
 # --------------------------------------------------------------------------------------------------------- errors
@@ -451,15 +223,6 @@ def test_a_typo_gets_the_name_that_was_meant(typed: str, meant: str, run: Run) -
     assert said.count("\n") == 1
 
 
-@pytest.mark.parametrize("place", [0, 1, 3])
-def test_debug_shows_the_traceback_wherever_it_stands(place: int, run: Run) -> None:
-    arguments = ["equilibria", "--theta0", "-3"]
-    arguments.insert(place, "--debug")
-    said = run(*arguments, code=USAGE)
-    assert "Traceback" in said
-    assert said.splitlines()[-1].startswith("spragsym: --theta0 = -3")
-
-
 @pytest.mark.parametrize(
     ("error", "code", "words"),
     [
@@ -490,32 +253,6 @@ def test_exit_codes(error: BaseException, code: int, words: str, monkeypatch: py
 ONE = ["equilibria", "--theta0", "30"]
 
 
-@pytest.mark.thorough
-def test_a_reader_that_leaves_is_no_error(start: Start) -> None:
-    """As under ``head``."""
-    process = start(*ONE, "--json")
-    assert process.stdout is not None
-    process.stdout.close()  # before anything is written
-    assert process.stderr is not None
-    said = process.stderr.read()
-    process.stderr.close()
-    assert process.wait(timeout=60) == DONE
-    assert said == ""
-
-
-@pytest.mark.thorough
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a disk that is always full")
-@pytest.mark.parametrize("arguments", [ONE, [*ONE, "--json"], ["--version"], ["--help"], [*ONE, "--help"]], ids=" ".join)
-def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
-    with open("/dev/full", "w", encoding="utf-8") as full:
-        call = [sys.executable, "-m", "spragsym", *arguments]
-        done = subprocess.run(call, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
-        assert done.returncode == FAILED
-        assert re.fullmatch(r"spragsym: .*No space left on device.*\n", done.stderr)
-        # An error that can't be said is an error still.
-        assert subprocess.run([*call[:3], "nonsense"], stderr=full, timeout=60).returncode == USAGE
-
-
 @needs_posix
 @pytest.mark.parametrize("stream", few(["<&-", ">&-", "2>&-"], ">&-"))
 def test_streams_that_are_closed(stream: str) -> None:
@@ -523,58 +260,6 @@ def test_streams_that_are_closed(stream: str) -> None:
     done = subprocess.run(["sh", "-c", call], capture_output=True, text=True, timeout=60)
     assert (done.returncode, done.stderr) == (DONE, "")
     assert ("contact" in done.stdout) == (stream != ">&-")
-
-
-#: Surroundings without a terminal, a home, a language.
-SURROUNDINGS: dict[str, dict[str, str]] = {
-    "empty": {},
-    "LC_ALL=C": {"LC_ALL": "C"},
-    "C without UTF-8": {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
-    "ascii": {"PYTHONIOENCODING": "ascii"},
-    "latin-1": {"PYTHONIOENCODING": "latin-1"},
-    "no home": {"HOME": "/proc/none"},
-}
-
-
-def run_in(surroundings: str, folder: Path, *arguments: str) -> subprocess.CompletedProcess[bytes]:
-    call = [sys.executable, "-W", "error", "-m", "spragsym", *arguments]
-    given = NO_ENVIRONMENT | SURROUNDINGS[surroundings]
-    return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=given, cwd=folder)
-
-
-@pytest.mark.usefixtures("checked")
-def test_greek_is_spelled_where_a_stream_has_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    shown = io.BytesIO()
-    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(shown, encoding="latin-1"))
-    assert invoke("check") == DONE
-    assert "it is back in (15) as -kappa" in shown.getvalue().decode("latin-1")
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("surroundings", SURROUNDINGS)
-def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
-    """Right output or one line: with Greek in the arguments, and a bar on stderr."""
-    done = run_in(surroundings, tmp_path, "equilibria", "--θ0", "30")
-    assert done.returncode == USAGE
-    assert done.stderr.count(b"\n") == 1
-    grid = ["--theta0", "49,50", "--t-end", "20", "--backend", "scipy", "-j", "2", "-o", "a.csv"]
-    done = run_in(surroundings, tmp_path, "sweep", *grid)
-    assert done.returncode == DONE, done.stderr
-    assert done.stdout.startswith(b"a.csv: ")
-    assert b"Traceback" not in done.stderr
-
-
-@pytest.mark.parametrize("colour", [True, False])
-@pytest.mark.usefixtures("checked")
-def test_no_color_is_respected(colour: bool, monkeypatch: pytest.MonkeyPatch, run: Run) -> None:
-    """FORCE_COLOR stands for a terminal."""
-    monkeypatch.delenv("NO_COLOR", raising=False)
-    for name in ("FORCE_COLOR", *([] if colour else ["NO_COLOR"])):
-        monkeypatch.setenv(name, "1")
-    monkeypatch.setenv("TERM", "xterm-256color")
-    shown = run("check")
-    assert "eq-6" in shown
-    assert bool(re.search(r"\x1b\[[\d;]*3[0-7]m", shown)) == colour
 
 
 # ----------------------------------------------------------------------------------------------------------- fuzz
@@ -623,21 +308,6 @@ def test_numbers_at_the_ends_of_the_range(option: tuple[str, str]) -> None:
     end_as_documented(["equilibria", "--theta0", "49", *option])
 
 
-@pytest.mark.thorough
-def test_a_check_of_a_model_takes_rows_and_no_claims(run: Run) -> None:
-    """Both were passed over in silence: the equations came, all of them."""
-    asked = ("check", "--model", "stick_slip")
-    assert [row["id"] for row in json.loads(run(*asked, "--row", "eq-10", "--json"))] == ["eq-10"]
-    assert "leave --model out" in run(*asked, "--claims", code=USAGE)
-
-
-def test_no_cell_of_a_table_is_cut_in_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:
-    """Differences that `check --model` prints have thousands of characters; the columns before them were squeezed to nothing."""
-    rows = [("eq-28", "fails", "x" * 5000), ("eq-3", "holds", "")]
-    print_table("", ("row", "status", "model less article"), rows)
-    assert [line.split() for line in capsys.readouterr().out.splitlines()[1:]] == [[part for part in row if part] for row in rows]
-
-
 def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -651,24 +321,6 @@ def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
         shown = capsys.readouterr()
         assert ("searching for folds" in shown.err) == told
         assert shown.out == ""
-
-
-def test_what_takes_long_says_so_in_a_pipe_too(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.delenv("FORCE_COLOR", raising=False)
-    monkeypatch.setattr(progress, "LONG", 0.01)
-    with progress.show_progress("searching for folds"):
-        time.sleep(0.2)
-    told = capsys.readouterr().err.splitlines()
-    assert 2 <= len(told) <= 6
-    assert all(line.startswith("searching for folds: ") and line.endswith(" s so far") for line in told)
-
-
-def test_a_fold_behind_which_nothing_is_left_says_so(capsys: pytest.CaptureFixture[str]) -> None:
-    row = {"kind": "fold", "x": 1.0, "ends": "upper", "when": "down", "error": 1e-12}
-    rows = [{"mu0": 0.4, **row, "x_after": 2.0}, {"mu0": 2.4, **row, "x_after": math.nan}]
-    along = Span(name="mu0", unit=1.0, title="mu0", ends=None, count=0)
-    print_points("Folds", {"points": rows, "complete": True, "undecided": [], "remarks": []}, [along])
-    assert "nothing stable in contact is left to jump to at mu0 = 2.4" in capsys.readouterr().out.splitlines()[-1]
 
 
 ASKED = {
@@ -686,11 +338,3 @@ ASKED = {
     "simulate --theta0 49 --t-end 1e12": (2, "give at most 2e+06 sqrt(m)/sqrt(k_c)"),
     "sweep --theta0 49 --t-end 1e12 -o long.csv": (2, "followed to its end: give at most 2e+06 sqrt(m)/sqrt(k_c)"),
 }
-
-
-@pytest.mark.parametrize("line", ASKED)
-def test_what_is_not_needed_is_not_asked_for_and_ends_are_called_by_their_options(line: str, run: Run) -> None:
-    code, part = ASKED[line]
-    told = run(*line.split(), code=code)
-    assert part in told
-    assert "values[0]" not in told

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.cli import main
 from spragsym.files import storage
 from spragsym.models.parameters import options_of
 from tests.conformance import models
@@ -65,13 +64,6 @@ def test_equilibria_of_every_model_along_a_range(name: str, run: Run) -> None:
     assert ranged.split()[0] == vary
     points = json.loads(run("equilibria", *of(name), "--vary", f"{vary}={span}", "--json"))["points"]
     assert [point["parameters"][vary] for point in points] == [base, 1.25 * base]
-
-
-def test_several_ranges_are_all_combinations(run: Run) -> None:
-    told = json.loads(run("equilibria", "--theta0", "30,40", "--mu0", "0.1:0.5:3", "--vary", "kappa=0.005:0.007:2", "--json"))
-    given = [[point["parameters"][key] for key in ("theta0_deg", "mu0", "kappa")] for point in told["points"]]
-    known = [[angle, mu0, kappa] for angle in (30, 40) for mu0 in (0.1, 0.3, 0.5) for kappa in (0.005, 0.007)]
-    assert np.allclose(given, known, rtol=1e-15)
 
 
 def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
@@ -149,13 +141,6 @@ def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
 
 
 PLANES = [name for name in MODELS if len(load(name).axes) == 2]
-
-
-def test_a_model_without_a_plane_of_its_own_says_how_cusps_are_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
-    for name, said in (("mode_coupling", True), ("kang_nam", False)):
-        with pytest.raises(SystemExit, match="0"):
-            main(["bifurcation", *of(name)])
-        assert ("--vary mu0 --vary NAME" in capsys.readouterr().err) is said
 
 
 @pytest.mark.by_hand("soft_brake", "trolley", "pad_on_disc")

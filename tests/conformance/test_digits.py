@@ -146,11 +146,6 @@ def test_a_root_that_newton_meets_elsewhere_is_not_that_of_the_box() -> None:
     assert max(map(abs, Balls().ends(found[0]))) < 1e-40
 
 
-def test_an_angle_that_is_known_worse_than_coordinates_gets_more_digits() -> None:
-    states = precise.equilibria(a_set("trolley", theta0=3.0, sigma=0.5), dps=30)
-    assert max(state.error for state in states) < 1e-30
-
-
 def test_a_set_is_taken_exactly_and_numbers_by_name_replace_its_own() -> None:
     p = ss.Parameters.article(theta0=0.8)
     assert precise.equilibria(p) == precise.equilibria(theta0=0.8, mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0)
@@ -192,14 +187,6 @@ def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) ->
     assert precise.cusps(**given, dps=50, vary=("mu0", "theta0")) == closed
     assert search.complete == all(Fraction(value) == float(Fraction(value)) for value in ({"kappa": "0.007"} | given).values())
     assert set(search.region) == {"x", "y", "theta0", "mu0"}
-
-
-@pytest.mark.thorough
-def test_cusps_at_the_end_of_a_range_are_not_denied_by_search() -> None:
-    """α = 0 has two at μ₀ = 0 exactly."""
-    p = ss.Parameters.article(alpha=0.0)
-    assert [one.mu0 for one in precise.cusps(p)] == [0, 0]
-    assert not precise.cusps(p, method="search", between={"mu0": (0, 1)}).complete
 
 
 @pytest.mark.by_hand("soft_brake", "hertz_contact", "pad_on_disc")
@@ -252,29 +239,3 @@ def test_the_tangent_forces_of_a_cusp_vanish_by_differences() -> None:
         assert abs(above - below) / (2 * step) < 1e-35
         assert abs(above - 2 * here + below) / step**2 < 1e-15
         assert abs(far[1] - 2 * above + 2 * below - far[0]) / (2 * step**3) > 1e-3
-
-
-@pytest.mark.parametrize(
-    ("ask", "told"),
-    [
-        (lambda: precise.equilibria(0.8), "theta0=0.8"),
-        (lambda: precise.equilibria(ss.Parameters.article(theta0=[0.5, 0.8])), r"shape \(2,\)"),
-        (lambda: precise.equilibria(a_set("stick_slip"), theta0=1), "theta0 is no parameter of stick_slip"),
-        (lambda: precise.equilibria(a_set("stick_slip"), contact=False), "no lift-off"),
-        (lambda: precise.equilibria(a_set("stick_slip"), method="closed"), "closed"),
-        (lambda: precise.equilibria(a_set("stick_slip"), V="x"), "V = 'x' is not a number"),
-        (lambda: precise.equilibria(a_set("stick_slip", V=0.0), V=math.nan), "V = nan"),
-        (lambda: precise.cusps(a_set("stick_slip")), "give vary, two of"),
-        (lambda: precise.cusps(vary=("theta0", "theta0")), "two different parameters"),
-        (lambda: precise.cusps(vary=("theta0", "gamma")), "gamma"),
-        (lambda: precise.cusps(between={"kappa": (0, 1)}), "kappa"),
-        (lambda: precise.cusps(ss.load("two_springs").Parameters(), vary=("kappa", "mu0")), "theta0.*it is missing from p"),
-        (lambda: precise.equilibria(ss.Parameters()), "theta0.*it is missing from p"),
-        (lambda: precise.cusps(a_set("two_springs"), method="closed"), "closed"),
-        (lambda: precise.cusps(theta0=0.8), "theta0 is not asked: the answer is for all theta0"),
-        (lambda: precise.cusps(theta0_deg=49), "theta0_deg is not asked: the answer is for all theta0"),
-    ],
-)
-def test_what_is_wrong_is_named(ask: Any, told: str) -> None:
-    with pytest.raises(ss.SpragsymError, match=told):
-        ask()

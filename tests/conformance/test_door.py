@@ -9,7 +9,6 @@ import math
 import pickle
 import subprocess
 import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,9 +18,7 @@ import spragsym as ss
 from spragsym import door
 from spragsym.models.design.jumps import have_jumped
 from spragsym.parameters import NAMES
-from spragsym.studies import redesigns
 from tests.conformance.models import MODELS, a_set, load
-from tests.support import derived, shipped_page
 
 #: Questions that only closed forms answer so far.
 UNANSWERED = (
@@ -169,48 +166,6 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     assert have_jumped(q).tolist() == (ss.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
     with pytest.raises(ss.ParameterError, match="stribeck has no mu0"):
         have_jumped(a_set("stribeck"))
-
-
-@pytest.mark.validate
-def test_a_design_is_one_of_its_model() -> None:
-    """Quantities with units stand for a set of the model, and for none of another."""
-    brake = {"m": 0.35, "k_c": 1.5e6, "L_0": 0.038, "theta0": 0.9, "mu0": 0.3, "F_L": 420.0, "k_x": 9e3, "k": 1.8e5, "k_y": 0.0}
-    designs = {name: redesigns.design(ss.Study(brake | more, model=name)) for name, more in (
-        ("kang_nam", {}), ("cubic_contact", {"k_3": 0.0}),
-    )}  # fmt: skip
-    margins = [ss.jump_margin(one, {"k": 2.7e4, "mu0": 0.05}) for name, one in designs.items()]
-    assert margins[0].distance == pytest.approx(margins[1].distance, rel=1e-6)
-    assert margins[0].change == pytest.approx(margins[1].change, rel=1e-4)
-
-
-def test_friction_is_that_of_the_law_and_needs_no_angle() -> None:
-    p = ss.Parameters.article(mu0=[0.3, 0.5], V=0.2, d=4.0)
-    assert p.theta0 is None
-    assert p.model.friction(p) == pytest.approx(ss.sliding_friction(p.mu0, 0.2, 4.0), rel=1e-15)
-    assert p.model.friction(p, "friction_at_rest").tolist() == [0.3, 0.5]
-    q = ss.load("stick_slip").Parameters(V=0.3)
-    assert q.model.friction(q) == pytest.approx(2 * q.mu_s * 0.3 * q.v_s / (0.3**2 + q.v_s**2), rel=1e-14)
-    with pytest.raises(ss.ParameterError, match="mu0"):
-        p.model.friction(p.replace(mu0=None))
-    with pytest.raises(ss.ParameterError, match="law = 'zork' of kang_nam"):
-        p.model.friction(p, "zork")
-
-
-@pytest.mark.validate
-def test_the_friction_that_works_is_the_models_own_law(tmp_path: Path) -> None:
-    """μ₀ tanh(d V), where the article's law would give μ₀ (1 − exp(−d V))."""
-    pytest.importorskip("sympy")
-    offered = ("import Abs, Page, cos, exp, sgn, sin", "import Page, cos, sin, tanh")
-    text = shipped_page("kang_nam", offered, ("mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "mu0 * tanh(d * v)"))
-    brake = tmp_path / "brake.toml"
-    rows = {
-        "model": f'"{derived(text, "model")}"',
-        "m": '"1 kg"', "k_c": '"1 N/m"', "L_0": '"1 m"', "theta0": '"40 deg"', "mu0": '"0.5"',
-        "F_L": '"0.007 N"', "k_x": '"0.007 N/m"', "k": '"0.1 N/m"', "k_y": '"0 N/m"', "V": '"0.05 m/s"', "d": '"10 s/m"',
-    }  # fmt: skip
-    brake.write_text("\n".join(["[brake]", *(f"{name} = {value}" for name, value in rows.items())]), encoding="utf-8")
-    report = ss.Study.from_file(brake).report(oscillation=False, probability=False, redesign=False)
-    assert report.mu_effective == pytest.approx(0.5 * math.tanh(0.5), rel=1e-14)
 
 
 def test_basins_and_sensitivity_are_those_of_the_model() -> None:

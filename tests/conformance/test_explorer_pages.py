@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterator
@@ -128,26 +127,3 @@ def test_search_finds_what_the_solver_of_closed_forms_proves(browser: Any, tmp_p
     assert float(said[1]) == pytest.approx(fold, abs=0.05)
     assert explorer.errors == []
     explorer.page.close()
-
-
-@pytest.mark.thorough
-def test_a_plane_without_curves_is_sampled_and_says_so(browser: Any, tmp_path: Path) -> None:
-    """Any two parameters may be on its axes; the article's own plane has its curves and is not sampled."""
-    explorer = opened(browser, ss.load("kang_nam"), tmp_path)
-    page = explorer.page
-    assert page.is_hidden("#sampled")
-    page.select_option("#across", "kappa")
-    assert page.is_visible("#sampled")
-    assert page.input_value("#upward") == "mu0"
-    page.select_option("#upward", "kappa")  # the two change places
-    assert page.input_value("#across") == "mu0"
-    page.select_option("#upward", "theta0")
-    page.focus("#point")
-    before = json.loads(page.evaluate("JSON.stringify([mu0.value, theta0_deg.value])"))
-    page.keyboard.press("Shift+ArrowRight")
-    explorer.settle()
-    after = json.loads(page.evaluate("JSON.stringify([mu0.value, theta0_deg.value])"))
-    assert float(after[0]) > float(before[0])
-    assert after[1] == before[1]
-    assert explorer.errors == []
-    page.close()

@@ -96,37 +96,3 @@ def test_every_model_has_a_file_to_begin_with(name: str, tmp_path: Path) -> None
     done = CliRunner().invoke(explore, ["--data", str(file), "--out", str(out), "--no-open"])
     assert done.exit_code == 0, done.exception
     assert isinstance(CliRunner().invoke(report, ["--model", place(name)]).exception, SystemExit)
-
-
-@pytest.mark.validate
-def test_a_study_is_the_same_from_python_and_from_a_file(tmp_path: Path) -> None:
-    for name in ("two_springs", "kang_nam"):
-        file, _, _ = a_brake(name, tmp_path)
-        read = ss.Study.from_file(file)
-        made = ss.Study(read.values, model=name)
-        assert made.dimensionless == read.dimensionless
-        assert list(made.quantities) == list(read.quantities)
-        assert made.report(**LESS).states == read.report(**LESS).states
-    with pytest.raises(ss.ParameterError, match="'k_q' is no quantity of two_springs; it has m, k_c"):
-        ss.Study({**read.values, "k_q": 1.0}, model="two_springs")
-    with pytest.raises(ss.ParameterError, match="parameters are without theta0_2, k_2"):
-        ss.Study(read.values, model="two_springs")
-    with pytest.raises(ss.ParameterError, match="a study needs PhysicalParameters"):
-        ss.Study(ss.load("two_springs").Parameters(), model="two_springs")
-
-
-@pytest.mark.validate
-def test_two_springs_have_forces_lengths_and_directions(tmp_path: Path) -> None:
-    """By hand: the tension of a spring is its stiffness times what it is longer than without load."""
-    file, p, length = a_brake("two_springs", tmp_path)
-    (state,) = ss.Study.from_file(file).report(**LESS).states
-    x, y = (state.places[name] / (1e3 * length) for name in ("x_mm", "y_mm"))
-    assert list(state.spring_force_N) == list(state.spring_length_mm) == list(state.direction_deg) == ["spring 1", "spring 2"]
-    for name, angle, stiffness, at_rest in (
-        ("spring 1", p.theta0, p.sigma, 1.0), ("spring 2", p.theta0_2, p.sigma_2, float(p.lambda_2)),
-    ):  # fmt: skip
-        along, up = at_rest * math.cos(angle) - x, at_rest * math.sin(angle) - y
-        assert state.spring_length_mm[name] == pytest.approx(1e3 * length * math.hypot(along, up))
-        assert state.direction_deg[name] == pytest.approx(math.degrees(math.atan2(up, along)))
-        force = SIZE["N/m"] * length * float(stiffness) * (math.hypot(along, up) - at_rest)
-        assert state.spring_force_N[name] == pytest.approx(force)

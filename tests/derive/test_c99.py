@@ -32,7 +32,6 @@ COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)] or [name f
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wconversion", "-Wshadow", "-Wstrict-prototypes"]
 OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE = range(4)
 LIFTOFF, CONTACT = 0, 1
-STABLE, DIVERGENT, FLUTTER = 1, 2, 3
 #: Points that the driver's batch has room for.
 BATCH = 4096
 #: Flags under which the batch's loops become vector instructions.
@@ -232,18 +231,6 @@ def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> No
 
 
 @pytest.mark.thorough
-def test_example_of_the_page(inside: ctypes.CDLL) -> None:
-    """The function that the page on C shows for many points: it compiles, and counts what Python counts."""
-    rng = np.random.default_rng(10)
-    points = np.ascontiguousarray(_random(rng, 10_000, mu0=rng.uniform(0.0, 1.5, 10_000)))
-    numbers = np.zeros(6, dtype=np.uintp)
-    assert inside.run_example(ctypes.c_size_t(len(points)), _pointer(points), _pointer(numbers)) == 0
-    theirs = np.bincount(ss.equilibria(ss.Parameters(*points.T)).count, minlength=5)
-    assert numbers[:5].sum() == len(points)
-    assert abs(numbers[:5].astype(int) - theirs).max() <= numbers[5] < 10
-
-
-@pytest.mark.thorough
 def test_sanitizers(tmp_path: Path) -> None:
     """No undefined behaviour, no access out of bounds, over the adversarial set and over nonsense."""
     compiler = COMPILERS[0]
@@ -271,12 +258,6 @@ def test_algebra_is_that_of_python(library: ctypes.CDLL, name: str) -> None:
         np.testing.assert_array_equal(ours, theirs)
 
 
-def test_everything_that_was_asked_for_is_there() -> None:
-    wanted = {"contact_quartic", "liftoff_quartic", "f_coefficients", "t_quartic", "f", "f_slope", "state",
-              "stiffness", "invariants", "damping", "regime_rhs", "regime_jacobian"}  # fmt: skip
-    assert wanted <= ALGEBRA.keys()
-
-
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
 @pytest.mark.parametrize("kind", few(adversarial(), "random", "cusp wedge", "wild decades", "onset of flutter", "alpha = 0"))
 def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int) -> None:
@@ -299,34 +280,6 @@ def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: i
     assert sure.sum() >= (0.35 if regime == CONTACT and re.search("fold|flutter|wedge", kind) else 0.95) * len(points)
 
 
-@pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
-@pytest.mark.parametrize("level", EACH_LEVEL, ids=["-O0", "-O3"])
-@pytest.mark.parametrize("compiler", EACH_COMPILER)
-def test_batch_is_the_single_call_bit_for_bit(compiler: str, level: tuple[str, ...], regime: int, built: Build) -> None:
-    """In vector instructions and in none, on hard points, refused ones and those that double can't carry."""
-    points = np.concatenate([*adversarial().values(), nonsense()])
-    one, other = (ctypes.CDLL(str(built(compiler, *flags, *SHARED))) for flags in (PLAIN, level))
-    batch, single = solve(other, points, regime), c_target.room(len(points))
-    parts = (_pointer(part) for part in (single.equilibria, single.count, single.status))
-    one.equilibria(ctypes.c_long(len(points)), _pointer(points), regime, *parts)
-    assert set(single.status) == {OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE}
-    for ours, theirs in ((batch.status, single.status), (batch.count, single.count)):
-        np.testing.assert_array_equal(ours, theirs)
-    for name in c_target.EQUILIBRIUM.names or ():
-        assert batch.equilibria[name].tobytes() == single.equilibria[name].tobytes()
-
-
-@pytest.mark.thorough
-def test_roots_that_may_be_one_are_not_vouched_for(inside: ctypes.CDLL) -> None:
-    """Two roots count as two only if what is proved of each leaves them apart."""
-    run = inside.are_two
-    numbers = [ctypes.c_double(value) for value in (0.5, 0.6, 0.07, 0.08)]
-    assert run(numbers[0], numbers[1], numbers[2])
-    assert not run(numbers[0], numbers[1], numbers[3])
-    assert not run(numbers[1], numbers[0], numbers[2])
-    assert not run(ctypes.c_double(-0.5), numbers[1], numbers[2])  # not in contact
-
-
 @pytest.mark.thorough
 def test_cosine_and_sine_are_those_of_python(inside: ctypes.CDLL) -> None:
     """Bit for bit those of the compiled solver, whose accuracy is tested there."""
@@ -335,24 +288,6 @@ def test_cosine_and_sine_are_those_of_python(inside: ctypes.CDLL) -> None:
     for angle in [*rng.uniform(0.0, math.pi, 2000), *_decades(rng, -300, 0, 100), *(math.pi - _decades(rng, -15, 0, 100))]:
         inside.run_cosine_and_sine(ctypes.c_double(angle), _pointer(found))
         assert tuple(found) == kernel.cosine_and_sine(angle)
-
-
-def test_guesses_at_a_fold_are_good(library: ctypes.CDLL) -> None:
-    """Where nothing is vouched for, half of the digits are still there: a close pair is found together."""
-    for theta0 in (math.radians(44.559317702565), math.radians(155.059418789789)):
-        points = [point for point in _around(theta0) if abs(point[0] / theta0 - 1) > 5e-13]
-        found = solve(library, points, CONTACT)
-        for point, count, rows in zip(points, found.count, found.equilibria, strict=True):
-            truth = [float(state.theta) for state in adaptive_precision.equilibria(*point, digits=20).states]
-            assert rows["theta"][:count] == pytest.approx(truth, abs=1e-8)
-
-
-def test_guesses_near_a_cusp_are_good(library: ctypes.CDLL) -> None:
-    """Where three roots meet, the number that is guessed is nearly always the one that the ladder proves."""
-    p = FAMILIES["cusp wedge"](np.random.default_rng(5), 2000)
-    found, truth = solve(library, c_target.table(p), CONTACT), ss.equilibria(p).count
-    assert (found.count == truth)[found.status == OK].all()
-    assert np.mean(found.count != truth) < 0.07
 
 
 def test_next_to_a_fold_is_certain_and_on_a_border_not(library: ctypes.CDLL) -> None:
@@ -403,15 +338,6 @@ def test_the_lowest_fold_is_that_python_proves(library: ctypes.CDLL) -> None:
     assert {fold.kind for _, fold in found} >= {0, 1, 2}
 
 
-def test_the_lowest_fold_of_what_is_no_parameter_is_refused(library: ctypes.CDLL) -> None:
-    good = {"kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
-    sets = [good | {name: value} for name in ("kappa", "sigma") for value in (0.0, -1.0, math.nan, math.inf)]
-    assert {status for status, _ in lowest_folds(library, sets)} == {BAD_INPUT}
-    extreme = [good | {name: value} for name in good for value in (1e-300, 1e300, sys.float_info.max)]
-    assert not any(math.isnan(number) for _, fold in lowest_folds(library, extreme) for number in (fold.mu0, fold.theta0))
-    assert library.spragsym_critical_friction(None, LowestFold()) == BAD_INPUT
-
-
 @pytest.mark.parametrize("index", [1, 2, 3, 4, 5])
 @pytest.mark.parametrize("value", [sys.float_info.max, 1e300, 1e-300])
 def test_what_double_cannot_carry_is_said(library: ctypes.CDLL, index: int, value: float) -> None:
@@ -422,14 +348,6 @@ def test_what_double_cannot_carry_is_said(library: ctypes.CDLL, index: int, valu
     assert found.status != BAD_INPUT
     assert (found.status == OUT_OF_RANGE) == (found.count == 0)
     assert all(np.isfinite(found.equilibria[name]).all() for name in ("theta", "L", "x", "y"))
-
-
-def test_algebra_without_an_answer_writes_nothing(library: ctypes.CDLL) -> None:
-    result = (ctypes.c_double * 3)(7.0, 7.0, 7.0)
-    numbers = [ctypes.c_double(value) for value in (1.0, 0.0, 0.6, 0.8, 0.007, 0.1, 0.0, 1.0)]
-    assert library.spragsym_state(*numbers, result) == OUT_OF_RANGE  # sin θ = 0
-    assert library.spragsym_state(*numbers[:-1], ctypes.c_double(math.nan), result) == BAD_INPUT
-    assert list(result) == [7.0, 7.0, 7.0]
 
 
 # ------------------------------------------------------------------------------------------------------- step
@@ -458,17 +376,6 @@ def test_step_is_of_fourth_order_across_the_kinks(library: ctypes.CDLL, V: float
     assert math.log2(errors[0] / errors[-1]) / 3 > 3.6
 
 
-def test_step_refuses(library: ctypes.CDLL) -> None:
-    refused: list[dict[str, Any]] = [{"h": 0.0}, {"h": math.nan}, {"d": 0.0}, {"V": math.inf}, {"start": (0, math.nan, 0, 0)}]
-    for changes in refused:
-        status, _ = _steps(library, **{"h": 0.1, "count": 1, **changes})
-        assert status == BAD_INPUT, changes
-    start = (math.cos(BASE[0]), math.sin(BASE[0]), 0.0, 0.0)  # the spring has no length
-    status, state = _steps(library, 0.1, 1, start=start)
-    assert status == OUT_OF_RANGE
-    assert tuple(state) == start
-
-
 # -------------------------------------------------------------------------------------------- cost and export
 
 
@@ -491,15 +398,6 @@ static double outer(double x) {
     assert cost.describe(counted["outer"]) == "25 operations, 6 sqrt"
     with pytest.raises(ArithmeticError, match="can't be counted"):
         cost.costs("void f(void) {\n while (1) {\n }\n}\n", {})
-
-
-def test_worst_cases_are_documented() -> None:
-    assert re.search(r"Worst case: \d+ operations, \d+ sqrt", HEADER)
-    assert "@" not in re.sub(r"@(file|param|return)\b", "", HEADER)
-    page = (SOURCES.parents[1] / "docs" / "howto_c.md").read_text(encoding="utf-8")
-    source = (SOURCES / "spragsym.c").read_text(encoding="utf-8")
-    for name, operations in re.findall(r"^ \* - (spragsym_\w+): (\d+) operations", source, re.MULTILINE):
-        assert re.search(rf"\| `{name}` \| {operations}( for each 64 points)? \|", page)
 
 
 @pytest.mark.thorough

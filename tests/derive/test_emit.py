@@ -3,25 +3,17 @@
 from __future__ import annotations
 
 import os
-import re
 import subprocess
 import sys
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
-import sympy as sp
-from hypothesis import given, strategies
 
 from spragsym.derive import __main__ as command
 from spragsym.derive.emit import write
-from spragsym.derive.emit.targets.c99 import layout
-from spragsym.derive.emit.targets.python import algebra as python
 from spragsym.derive.kang_nam import article, check, elimination, emission, stability, theorem
-from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.generated import SOURCE_HASH
-from tests.shown import assert_shown, commands
 from tests.support import ROOT
 
 COMMITTED = ROOT / "generated"
@@ -42,36 +34,10 @@ def derive(seed: str, folder: Path, target: Path) -> str:
     return done.stdout
 
 
-def assert_as_committed(target: Path) -> None:
-    committed, fresh = files_of(COMMITTED), files_of(target)
-    assert {"equilibrium.py", "ledger.json", "LEDGER.md", "py.typed"} <= committed.keys()
-    assert fresh.keys() == committed.keys()
-    assert [name for name in fresh if fresh[name] != committed[name]] == []
-
-
 def test_the_digest_is_that_of_what_is_committed() -> None:
     texts = {name: content.decode().replace(SOURCE_HASH, write.DIGEST) for name, content in files_of(COMMITTED).items()}
     sealed = write.sealed({name: text.replace(SOURCE_HASH[:16], write.DIGEST[:16]) for name, text in texts.items()})
     assert {name: text.encode() for name, text in sealed.items()} == files_of(COMMITTED)
-
-
-@pytest.mark.validate
-def test_regeneration_is_byte_identical(tmp_path: Path) -> None:
-    """From another working directory; it prints what the README shows, but for its times."""
-    elsewhere = tmp_path / "elsewhere"
-    elsewhere.mkdir()
-    target = tmp_path / "generated"
-    printed = derive("12345", elsewhere, target)
-    assert_as_committed(target)
-    shown = dict(commands(ROOT / "README.md"))["make derive"].split("-m derive\n")[1]
-    times = re.compile(r"^ *\d+\.\d\d s", re.MULTILINE)
-    assert_shown(times.sub("s", shown), times.sub("s", printed))
-
-
-@pytest.mark.validate
-def test_regeneration_does_not_depend_on_the_order_of_sets(tmp_path: Path) -> None:
-    derive("1", ROOT, tmp_path / "generated")
-    assert_as_committed(tmp_path / "generated")
 
 
 OLD = {"ledger.json": b"{}\n", "old.py": b"old\n"}
@@ -204,80 +170,3 @@ def test_a_failed_exchange_brings_the_old_files_back(target: Path, monkeypatch: 
     with pytest.raises(OSError, match="no"):
         write.write({"new.py": "new\n"}, target)
     assert untouched(target)
-
-
-@pytest.mark.usefixtures("ctrl_c")
-def test_ctrl_c_during_the_exchange_waits_for_its_end(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    import signal
-
-    rename = Path.rename
-
-    def interrupted(self: Path, to: Path) -> Path:
-        signal.raise_signal(signal.SIGINT)
-        return rename(self, to)
-
-    monkeypatch.setattr(Path, "rename", interrupted)
-    with pytest.raises(KeyboardInterrupt):
-        write.write({"new.py": "new\n"}, target)
-    assert files_of(target) == {"new.py": b"new\n"}
-    assert list(target.parent.iterdir()) == [target]
-
-
-def test_a_write_replaces_everything(target: Path) -> None:
-    write.write({"new.py": "a\n", "c/deep.h": "b\n"}, target)
-    assert files_of(target) == {"new.py": b"a\n", "c/deep.h": b"b\n"}
-    assert list(target.parent.iterdir()) == [target]
-
-
-# ------------------------------------------------------------------------------------------------ the printer
-
-
-@pytest.mark.parametrize("expression", [sp.Rational(1, 3), sp.Float(0.5) * nm.x, nm.x ** sp.Rational(2, 3)])
-def test_what_would_be_rounded_is_refused(expression: sp.Expr) -> None:
-    with pytest.raises(ArithmeticError):
-        python.AlgebraPrinter({"order": None}).doprint(expression)
-
-
-@pytest.mark.parametrize("number", [sp.Rational(1, 2), sp.Rational(-7, 3), sp.Integer(2)])
-def test_a_sum_with_a_fraction_stands_over_one_denominator(number: sp.Rational) -> None:
-    """In exact numbers the printed text has the value, whatever multiplies the sum."""
-    x, y = sp.symbols("x y")
-    for expression in (x**-1 / 2 - 3 * y + number, y * (x + number), (x / 4 + number) / (y - number)):
-        text = python.AlgebraPrinter({"order": None}).doprint(expression)
-        value = eval(text, {"x": Fraction(3, 7), "y": Fraction(-5, 11)})  # noqa: S307  # the text is the printer's
-        expected = expression.subs({x: sp.Rational(3, 7), y: sp.Rational(-5, 11)})
-        assert isinstance(value, Fraction)
-        assert value == Fraction(int(expected.p), int(expected.q))
-
-
-# ---------------------------------------------------------------------------------------------- missing SymPy
-
-
-def test_missing_sympy_names_the_extra(tmp_path: Path) -> None:
-    hidden = "import runpy, sys; sys.modules['sympy'] = None; runpy.run_module('derive', run_name='__main__')"
-    outcome = subprocess.run(
-        [sys.executable, "-c", hidden, "--out", str(tmp_path / "out")],
-        cwd=ROOT, capture_output=True, text=True, timeout=60, check=False,
-    )  # fmt: skip
-    assert outcome.returncode == 1
-    assert outcome.stderr.strip() == "derive: SymPy is missing; in the source folder: pip install '.[derive]'"
-    assert not (tmp_path / "out").exists()
-
-
-def test_usage_is_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as stop:
-        command.main(["--no-such-option"])
-    assert stop.value.code == 2
-    assert "usage" in capsys.readouterr().err
-
-
-@pytest.mark.thorough
-@given(strategies.text())
-def test_a_comment_of_c_ends_where_it_ends(words: str) -> None:
-    said = layout.comment(words)
-    assert said.isascii()
-    assert said.count("*/") == said.count("/*") == 1
-
-
-def test_signs_keep_their_meaning() -> None:
-    assert layout.plain("γ ≠ λ₂ Ω̃ ½ 45° Müller ά") == "gamma != lambda2 Omega~ [vulgar fraction one half] 45 degrees Muller alpha"

@@ -24,7 +24,7 @@ from spragsym.derive.kang_nam import equilibrium as balance
 from spragsym.derive.kang_nam import linear_sprag as linear_model
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam import stability as linearized
-from spragsym.generated import catastrophe, equilibrium, laws, linear_sprag, scales, stability
+from spragsym.generated import catastrophe, equilibrium, linear_sprag, scales, stability
 from spragsym.generated._where import where
 from spragsym.generated.models.kang_nam import algebra
 from tests.support import as_mpf, few
@@ -244,10 +244,6 @@ def test_fractions_stay_exact(function: Generated) -> None:
                 assert abs(as_mpf(item) - right) <= mpmath.mpf(10) ** -50 * (1 + abs(right))
 
 
-def test_functions_with_roots_and_exponentials_are_among_them() -> None:
-    assert {function.name for function in FUNCTIONS if function.transcendental} >= {"friction", "rhs", "regime_rhs", "energy"}
-
-
 # ----------------------------------------------------------------------------------------------------- arrays
 
 
@@ -274,22 +270,11 @@ def test_arrays_broadcast_constants_included(function: Generated) -> None:
                 np.testing.assert_allclose([item[i, j] for item in table], alone, rtol=1e-12, atol=1e-13)
 
 
-def test_empty_arrays_keep_their_shape() -> None:
-    empty = np.empty((0, 2))
-    (_, d12), (d21, _) = equilibrium.contact_matrix(empty, 0.5, 0.007, 0.1, 0.0)
-    assert d12.shape == d21.shape == (0, 2)
-
-
 def test_keyword_arguments_count_as_arguments() -> None:
     kappa = np.array([0.007, 0.008])
     coefficients = equilibrium.contact_quartic(0.6, 0.8, mu0=0.5, kappa=kappa, alpha=0.007, sigma=0.1, beta=0.0)
     assert [item.shape for item in coefficients] == [(2,)] * 5
     assert equilibrium.contact_matrix(L=Fraction(1), mu0=0, alpha=0, sigma=0, beta=0)[1][0] == 0
-
-
-def test_shapes_that_do_not_fit_are_refused() -> None:
-    with pytest.raises(ValueError, match="broadcast"):
-        equilibrium.liftoff_vector(0.6, 0.8, 0.007, np.zeros(2), np.zeros(3))
 
 
 # ---------------------------------------------------------------------------- against the derived expressions
@@ -554,17 +539,6 @@ def test_f_in_differences_is_f() -> None:
         assert call(catastrophe.f_in_differences, values)[:2] == (equilibrium.f(*at), equilibrium.f_slope(*at))
 
 
-def test_magnitudes_bound_their_terms() -> None:
-    for seed in SEEDS:
-        values = rationals(seed)
-        a, d = call(equilibrium.f_magnitudes, values)
-        stiff = values["beta"] + values["nbar"]
-        friction = values["mu0"] * values["nbar"]
-        terms = (stiff + values["sigma"]) * values["alpha"] * abs(values["cos0"])
-        assert a == values["sigma"] * (stiff + values["alpha"])
-        assert d == terms + friction * values["sigma"] * values["sin0"] + friction * values["kappa"]
-
-
 def test_characteristic_polynomial_and_invariants() -> None:
     """det(λ² I + λ C + K) at random λ, as a determinant of numbers."""
     for seed in SEEDS:
@@ -591,21 +565,6 @@ def test_scales_make_the_unit_coefficients() -> None:
         groups = scales.dimensionless_groups(*numbers, xp=mpmath)
         right = (numbers[3] / 400, *(stiffness / 200 for stiffness in numbers[4:7]), 17 * time / 2, 19 * 2 / time)
         assert all(abs(ours - theirs) < 1e-27 for ours, theirs in zip(groups, right, strict=True))
-
-
-def test_spring_length_and_accelerations_of_the_undeformed_state() -> None:
-    assert laws.spring_length(0.6, -0.2, 0.6, 0.8) == pytest.approx(1.0, abs=EPS)
-    # At rest, out of contact and undeformed, the preload alone accelerates.
-    along, across = algebra.rhs(0.0, 0.0, 0.0, 0.0, 0.6, 0.8, mu0=0.3, kappa=0.007, alpha=0.1, sigma=0.2, beta=0.3, V=0.5, d=10.0)
-    assert (along, across) == pytest.approx((0.0, -0.007), abs=EPS)
-
-
-def test_docstrings_count_operations_and_name_their_source() -> None:
-    for function in FUNCTIONS:
-        documentation = inspect.getdoc(function.call) or ""
-        assert "Source: " in documentation, function.name
-        assert "Operations: " in documentation, function.name
-        assert all(f"\n{name} : number or array\n" in documentation for name in function.arguments), function.name
 
 
 @pytest.mark.parametrize("share", [0.0, 0.03, 0.4, 0.97, 1.0])

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ast
-import inspect
 import re
 from pathlib import Path
 
@@ -49,15 +47,6 @@ def test_the_page_of_other_tests_is_the_one_that_is_shown() -> None:
     assert shown == [(ROOT / "tests/oracles/pages/soft_brake.py").read_text(encoding="utf-8")]
 
 
-def test_the_vocabulary_is_that_of_the_page() -> None:
-    from spragsym.derive import model
-
-    text = PAGE.read_text(encoding="utf-8")
-    assert f"`{', '.join(name for name in model.__all__ if name != 'PageError')}`" in text
-    statements = [name for name in vars(model.Page) if not name.startswith("_") and callable(getattr(model.Page, name))]
-    assert [name for name in statements if f"page.{name}(" not in text] == []
-
-
 def test_the_gallery_has_every_model_as_it_is() -> None:
     """All of the gallery but its computed lines, as ``python -m spragsym.models.gallery`` writes it."""
     from spragsym.models.gallery import page
@@ -67,22 +56,3 @@ def test_the_gallery_has_every_model_as_it_is() -> None:
     plain = [line for line in shown if line and not line.startswith(computed)]
     assert plain == [line for line in page(points=False).splitlines() if line]
     assert sum(line.startswith(computed) for line in shown) == 18
-
-
-def test_what_the_page_calls_takes_what_it_is_given() -> None:
-    """Each call of a model's function within the text, by the signature that names its arguments."""
-    import spragsym as ss
-
-    calls = re.findall(r"`(model\.\w+\([^`]*\))`", PAGE.read_text(encoding="utf-8"))
-    assert len(calls) > 5
-    for text in calls:
-        call = ast.parse(text, mode="eval").body
-        assert isinstance(call, ast.Call)
-        assert isinstance(call.func, ast.Attribute)
-        places, names = [None] * len(call.args), {keyword.arg or "": None for keyword in call.keywords}
-        inspect.signature(getattr(ss.Model, call.func.attr)).bind(None, *places, **names)
-        public = inspect.signature(getattr(ss, call.func.attr, lambda *_, **__: None))
-        known = {*public.parameters, *inspect.signature(getattr(ss.Model, call.func.attr)).parameters}
-        assert {*names} <= known or any(one.kind is one.VAR_KEYWORD for one in public.parameters.values()), text
-        required = [one for one in public.parameters.values() if one.kind is one.KEYWORD_ONLY and one.default is one.empty]
-        assert {one.name for one in required} <= {*names}, text

@@ -11,7 +11,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.shown import assert_shown, commands, run
 from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
@@ -40,14 +39,6 @@ def imported(path: Path, root: Path) -> set[tuple[str, ...]]:
 
 
 # ------------------------------------------------------------------------------------------------------ the rooms
-
-
-def test_the_general_floor_knows_no_model() -> None:
-    derive = ROOT / "derive"
-    general = [derive / "algebra.py", *sorted((derive / "emit").rglob("*.py"))]
-    assert len(general) > 10
-    for path in general:
-        assert not any("kang_nam" in parts for parts in imported(path, derive)), path
 
 
 def arrows(indent: int = 4) -> dict[str, set[str]]:
@@ -110,29 +101,6 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (copy / path).parent.mkdir()
     (copy / path).write_text(program + "\n", encoding="utf-8")
     return copy
-
-
-@pytest.mark.validate
-def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
-    """The steps as CONTRIBUTING shows them: the language is found, generated, offered, exported and packed."""
-    pytest.importorskip("sympy")
-    page = house / "page.md"
-    page.write_text(steps(), encoding="utf-8")
-    done = commands(page)
-    assert len(done) == 2
-    for command, shown in done:
-        assert_shown(shown, run(command, house))
-    text = (house / "plain/algebra.txt").read_text(encoding="utf-8")
-    assert "f_slope(cos, sin, a_f, b_f, d_f, m_f) gives f′" in text
-    build = "from setuptools import setup; setup()"
-    packed = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", build, "-q", "build_py", "--build-lib", "lib"], cwd=house,
-        capture_output=True, text=True, timeout=120, check=False,
-    )  # fmt: skip
-    assert packed.returncode == 0, packed.stderr
-    for name in ("generated/text/algebra.txt", "generated/text/target.json", "derive/emit/targets/text/__init__.py"):
-        assert (house / "lib/spragsym" / name).is_file()
-    assert not list((house / "lib").rglob("*.pyc"))
 
 
 # ----------------------------------------------------------------------------------------- what is printed

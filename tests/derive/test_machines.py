@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
-import sys
 from functools import cache
 from pathlib import Path
 
 import pytest
 
-from tests.oracles.machines import MACHINES, PROGRAM, ROOT, SOURCES, Machine, points
-from tests.support import few
+from tests.oracles.machines import MACHINES, PROGRAM, SOURCES, Machine, points
 
 #: Headers for Windows, which a cross-compiler brings along.
 WINDOWS_HEADERS = Path("/usr/x86_64-w64-mingw32/include")
@@ -74,41 +71,3 @@ def test_arithmetic_of_another_kind_is_refused(compiler: str, flags: tuple[str, 
     done = subprocess.run(call, capture_output=True, text=True, timeout=60)
     assert done.returncode != 0
     assert said in done.stderr
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("encoding", few(["ascii", "cp1252"], "ascii"))
-def test_the_derivation_speaks_on_any_console(encoding: str) -> None:
-    code = "from derive import __main__; __main__.readable(); print('\\u03b8_o', '(1)\\u2013(11)')"
-    call = [sys.executable, "-c", code]
-    done = subprocess.run(call, cwd=ROOT, env={**os.environ, "PYTHONIOENCODING": encoding}, capture_output=True, timeout=60)
-    assert done.returncode == 0, done.stderr
-    assert rb"\N{GREEK SMALL LETTER THETA}_o" in done.stdout
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("encoding", few(["ascii", "cp1252"], "cp1252"))
-def test_results_print_on_any_console(encoding: str) -> None:
-    code = (
-        "import numpy as np, spragsym as ss\n"
-        "p = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))\n"
-        "for one in (p, ss.equilibria(p), ss.folds(ss.Parameters.article()), ss.cusps(ss.Parameters.article())): print(one)\n"
-        "print(ss.simulate(ss.Parameters.article(theta0=0.8), V=0.5, d=10.0, t_end=5.0, backend='scipy'))\n"
-        "try: ss.Parameters.article(theta0=9.0)\n"
-        "except ss.SpragsymError as error: print(error)"
-    )
-    environment = {**os.environ, "PYTHONIOENCODING": encoding}
-    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, env=environment, capture_output=True, timeout=120)
-    assert done.returncode == 0, done.stderr
-    assert b"stable" in done.stdout
-
-
-def test_the_dialect_of_msvc() -> None:
-    """clang reads the source as MSVC would, with Windows' headers; names that math.h defines there are among what it tells."""
-    if not shutil.which("clang"):
-        pytest.skip("clang is not installed")
-    if not WINDOWS_HEADERS.exists():
-        pytest.skip("no headers for Windows: gcc-mingw-w64 is not installed")
-    call = ["clang", *MSVC, "/W4", "/WX", "/TC", "-Wno-unused-function", "-fsyntax-only", "--", str(SOURCES / "spragsym.c")]
-    done = subprocess.run(call, capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stderr + done.stdout

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import itertools
 import math
 import re
 from pathlib import Path
@@ -15,14 +14,12 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
-from spragsym.kang_nam.catastrophe.fixed_parameters import FIXED
 from spragsym.parameters import NAMES
 from tests.oracles import article_motion, languages
 from tests.oracles.languages import OCTAVE, octave
 from tests.shown import fenced
-from tests.support import ROOT, in_python, leaves, lowest_sets
+from tests.support import ROOT, in_python, leaves
 
-FOLDER = ROOT / "generated" / "matlab"
 PAGE = ROOT / "docs" / "howto_matlab.md"
 
 #: Name and arguments of a static method.
@@ -128,49 +125,6 @@ def test_folds_and_cusps_are_those_that_python_proves(package: Path, alpha: floa
         assert ours == pytest.approx(getattr(folds, name), rel=1e-9, abs=1e-9), name
 
 
-@pytest.mark.thorough
-def test_the_lowest_fold_is_that_python_proves(package: Path) -> None:
-    sets = lowest_sets(4)
-    program = ""
-    for p in sets:
-        given = ", ".join(f"'{name}', {literal(float(getattr(p, name)))}" for name in FIXED)
-        program += f"[mu0, theta0, kind] = spragsym.critical_friction(struct({given}));\n"
-        program += shown("[mu0, theta0, double(kind)]")
-    for p, found in zip(sets, numbers(octave(package, program)), strict=True):
-        theirs = ss.critical_friction(p)
-        assert "".join(map(chr, map(int, found[2:]))) == theirs.kind
-        if theirs.kind:
-            assert found[0] == pytest.approx(float(theirs), rel=1e-9, abs=1e-12)
-            assert found[1] == pytest.approx(theirs.theta0, rel=1e-5)
-
-
-@pytest.mark.thorough
-def test_folds_along_every_parameter_are_those_that_python_proves(package: Path) -> None:
-    sets = languages.fold_sets(12)
-    program = ""
-    for given in sets:
-        pairs = ", ".join(f"'{name}', {literal(value)}" for name, value in given.items())
-        program += f"p = struct({pairs});\n"
-        for vary in NAMES:
-            program += f"f = spragsym.folds(p, '{vary}');\n" + shown(f"[f.{vary}, f.theta, f.L, f.x, f.y]'")
-    for found, (given, vary) in zip(numbers(octave(package, program)), itertools.product(sets, NAMES), strict=True):
-        theirs = ss.folds(ss.Parameters(**given), vary)
-        exact = np.stack([getattr(theirs, name) for name in (vary, "theta", "L", "x", "y")], axis=-1).ravel()
-        assert found == pytest.approx(exact, rel=1e-10, abs=1e-10), (given, vary)
-
-
-def test_surface_is_that_of_python(package: Path) -> None:
-    theta, theta0 = (axis.ravel() for axis in np.meshgrid(np.linspace(0.1, 3.0, 12), np.linspace(0.1, 3.0, 12)))
-    program = f"s = spragsym.surface(spragsym.article(), {literal(theta)}, {literal(theta0)});\n"
-    program += "".join(shown(f"s.{name}") for name in ("stability", "mu0", "L", "x", "y"))
-    code, *found = numbers(octave(package, program))
-    theirs = ss.surface(ss.Parameters.article(), theta, theta0)
-    assert np.array_equal(code, theirs.stability)
-    assert set(code) > {0.0, 1.0}
-    for ours, name in zip(found, ("mu0", "L", "x", "y"), strict=True):
-        assert ours == pytest.approx(getattr(theirs, name), rel=1e-12, nan_ok=True), name
-
-
 # ------------------------------------------------------------------------------------------------------- motion
 
 
@@ -198,67 +152,7 @@ def test_right_hand_side_step_and_energy(package: Path) -> None:
     assert math.log2(errors[0] / errors[-1]) / 2 > 3.6
 
 
-# ---------------------------------------------------------------------------------------------------- bad input
-
-WRONG = (
-    ("spragsym.equilibria(spragsym.article('theta0', 4))", "range", "theta0 = 4 is not in (0, pi): angles are radians"),
-    ("spragsym.equilibria(spragsym.article('theta0', [1, 2, 4]))", "range", "theta0(3) = 4 is not in (0, pi)"),
-    ("spragsym.equilibria(spragsym.article('theta0', NaN))", "range", "theta0 = NaN is not in (0, pi)"),
-    ("spragsym.equilibria(spragsym.article('theta0', 1, 'mu0', -0.1))", "range", "mu0 = -0.1 is not in [0, Inf)"),
-    ("spragsym.equilibria(spragsym.article('theta0', 1, 'kappa', 0))", "range", "kappa = 0 is not in (0, Inf)"),
-    ("spragsym.equilibria(spragsym.article('theta0', 1, 'sigma', Inf))", "range", "sigma = Inf is not in (0, Inf)"),
-    ("spragsym.equilibria(spragsym.article('theta0', 'a'))", "type", "theta0 = 'a' must be real numbers in (0, pi)"),
-    ("spragsym.equilibria(spragsym.article('theta0', 1i))", "type", "must be real numbers in (0, pi)"),
-    ("spragsym.equilibria(spragsym.article('theta0', []))", "type", "must be real numbers in (0, pi)"),
-    ("spragsym.equilibria(spragsym.article())", "missing", "theta0 is missing; it is a number in (0, pi)"),
-    ("spragsym.equilibria(spragsym.article('theta', 1))", "name", "theta is not among the parameters, which are theta0"),
-    ("spragsym.equilibria(spragsym.article('theta0', [1, 2], 'mu0', [1, 2, 3]))", "size", "mu0 has 3 numbers"),
-    ("spragsym.equilibria(7)", "type", "the parameters are 7; give a structure with theta0"),
-    ("spragsym.equilibria(spragsym.article('theta0', 1), 2)", "type", "contact = 2 must be true or false"),
-    ("spragsym.surface(spragsym.article(), 0, 1)", "range", "theta = 0 is not in (0, pi)"),
-    ("spragsym.surface(spragsym.article(), [1, 2], [1, 2, 3])", "size", "theta has 2 numbers and theta0 3"),
-    ("spragsym.bifurcation_set(spragsym.article(), 2)", "range", "n = 2 is not a whole number >= 8"),
-    ("spragsym.folds(spragsym.article(), 'L')", "range", "vary = 'L' is not among theta0, mu0, kappa"),
-    ("spragsym.bifurcation_set(spragsym.article('kappa', 1e-20))", "range", "kappa = 1e-20 is too small beside sigma"),
-    ("spragsym.folds(spragsym.article('theta0', 1, 'kappa', 1e-14), 'mu0')", "range", "kappa = 1e-14 is too small beside sigma"),
-    ("spragsym.prepare(spragsym.article('theta0', 1), 1, 0)", "range", "d = 0 is not in (0, Inf)"),
-    ("spragsym.prepare(spragsym.article('theta0', [1, 2]), 1, 1)", "size", "the motion is that of one point; p has 2"),
-    ("spragsym.step(m, 0, zeros(4, 1))", "range", "h = 0 is not in (0, Inf)"),
-    ("spragsym.step(m, 0.1, zeros(3, 1))", "type", "state must be four finite numbers"),
-    ("spragsym.step(m, 0.1, [cos(1), sin(1), 0, 0])", "range", "h is too long, or L = 0"),
-)  # fmt: skip
-
-
-def test_bad_input_is_named(package: Path) -> None:
-    program = "m = spragsym.prepare(spragsym.article('theta0', 1), 1, 1);\n"
-    for call, *_ in WRONG:
-        program += f"try\n  {call};\n  printf('no error\\n');\ncatch e\n  printf('%s %s\\n', e.identifier, e.message);\nend\n"
-    for (call, kind, message), line in zip(WRONG, octave(package, program).splitlines(), strict=True):
-        assert line.startswith(f"spragsym:{kind} "), (call, line)
-        assert message in line, call
-
-
 # ------------------------------------------------------------------------------------------------ help and page
-
-
-def test_every_file_has_a_help_text() -> None:
-    """Its first comment, with its own name in capitals, as ``help`` wants it; and no line that MATLAB's editor would break."""
-    files = sorted(FOLDER.rglob("*.m"))
-    assert len(files) > 20
-    for path in files:
-        lines = path.read_text(encoding="utf-8").splitlines()
-        assert max(map(len, lines)) <= 130, path
-        if path.parent != FOLDER and path.name != "Contents.m":
-            first = next(line for line in lines if line.startswith("%"))
-            assert re.match(rf"%{path.stem.upper()}  \S", first), path
-
-
-def test_every_method_has_a_help_text() -> None:
-    for name in ("algebra", "kernel", "input"):
-        text = (FOLDER / f"+spragsym/{name}.m").read_text(encoding="utf-8")
-        methods = re.findall(METHOD + r"\n\s*%(\w+)  \S", text, re.DOTALL | re.MULTILINE)
-        assert len(methods) == len(re.findall(r"^    function ", text, re.MULTILINE)) > 4
-        assert all(method.upper() == said for method, _, said in methods)
 
 
 @pytest.mark.thorough

@@ -9,17 +9,12 @@ import pytest
 
 pytest.importorskip("sympy")
 
-import importlib
-import importlib.util
 
 import numpy as np
 
 import spragsym as ss
-from spragsym.cli import COMMANDS
-from spragsym.cli.of_model import OfModel
 from spragsym.derive import limits, pages, reserved
 from spragsym.derive.model import PageError
-from tests.conftest import Run
 from tests.support import ROOT, few, model_of, replaced
 
 PAGE = '''r"""A mass on a belt."""
@@ -154,30 +149,6 @@ STATE = (0.1, -0.2, 0.3, 0.4)
 
 
 @pytest.mark.thorough
-def test_a_damper_along_a_sum_of_coordinates() -> None:
-    """A viscous force −c n nᵀ v, by hand; the parameters of n are dimensionless there, as anywhere."""
-    model = loaded((DAMPER, "page.damper(c, along=x*cos(psi) + 2*a*y*sin(psi))"))
-    without = accelerations(model, STATE, zeta=0.0)
-    n = np.array([np.cos(0.4), 2 * 0.5 * np.sin(0.4)])
-    np.testing.assert_allclose(accelerations(model, STATE, zeta=0.1) - without, -0.1 * n * (n @ STATE[2:]), rtol=1e-13)
-
-
-@pytest.mark.thorough
-def test_a_spring_along_a_sum_of_coordinates() -> None:
-    model = loaded((DAMPER, "page.spring(k, along=x + 3*psi*y, length=L_0*psi); page.damper(c, along=x)"), ("sin(psi) * a", "a"))
-    without = accelerations(model, STATE, sigma=0.0)
-    n = np.array([1.0, 3 * 0.4])
-    pulled = -0.1 * n * (n @ STATE[:2] - 0.4) - np.array([0.1 * STATE[0], 0.0])
-    np.testing.assert_allclose(accelerations(model, STATE, sigma=0.1) - without, pulled, rtol=1e-12)
-
-
-@pytest.mark.parametrize("statement", ["spring(k*a, along=x + psi*y)", "force(F_L*a, along=y + psi*x)",
-                                       "torsion(k*L_0**2*a, (x, y), (0, L_0), rest=psi)"])  # fmt: skip
-def test_a_parameter_that_stands_beside_a_coordinate_only_is_used(statement: str, tmp_path: Path) -> None:
-    pages.read(written(tmp_path, (DAMPER, f"page.damper(c, along=y); page.{statement}"), ("sin(psi) * a", "1")))
-
-
-@pytest.mark.thorough
 def test_a_third_is_exact() -> None:
     """A rod's inertia m l²/3, as it stands; its number is an enclosure where intervals are asked for."""
     model = loaded(("page.rate(x)**2 +", "page.rate(x)**2 / 3 +"))
@@ -191,11 +162,6 @@ def test_a_third_is_exact() -> None:
     (third, _), _ = model.algebra.mass_matrix(*intervals, xp=mp.iv)
     assert 1 in 3 * third
     assert third.delta > 0
-
-
-def test_a_greatest_of_two_is_refused_for_its_kink(tmp_path: Path) -> None:
-    with pytest.raises(PageError, match=r"holds Max.*not smooth"):
-        pages.read(written(tmp_path, (DAMPER, "page.potential(k * sp.Max(x, y)**2)")))
 
 
 @pytest.mark.parametrize(("said", "words"), [
@@ -216,29 +182,7 @@ def test_a_statement_that_does_not_fit_is_refused_by_its_line(said: str, words: 
         pages.read(path)
 
 
-@pytest.mark.thorough
-def test_a_limit_that_depends_on_a_sign_is_refused_by_its_line(tmp_path: Path) -> None:
-    with pytest.raises(PageError, match=r'line 25: .*domains that decide it, as "> 0"'):
-        pages.read(written(tmp_path, ("exp(-d * Abs(v))", "exp(-a * d * Abs(v))")))
-
-
 # ------------------------------------------------------------------------------------------------ names
-
-
-def test_names_that_commands_take_are_those_of_the_command_line() -> None:
-    """Every option of a command for models, by what is typed and by what it is called inside."""
-    model = ss.load("stick_slip")
-    own = {*model.parameters, *(f"{name}0" for name in (*model.coordinates, *model.rates))}
-    typed = {"help"}
-    for command, (module, _) in COMMANDS.items():
-        made = getattr(importlib.import_module(f"spragsym.cli.{module}"), command)
-        if isinstance(made, OfModel):
-            options = [option for option in made.of_model(model).params if option.name not in own]
-            typed |= {option.name for option in options}
-            typed |= {flag[2:].replace("-", "_") for option in options for flag in option.opts if flag.startswith("--")}
-    assert typed == reserved.OF_COMMANDS
-    public = {name for name in dir(ss.parameters.sets.ParameterSet) if not name.startswith("_")}
-    assert reserved.OF_SETS == public | {"self"}
 
 
 @pytest.mark.parametrize(
@@ -249,13 +193,6 @@ def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -
         pytest.skip("no name in Python")
     with pytest.raises(PageError, match=r"line 13: .*give it another name"):
         pages.read(written(tmp_path, ('"a", "1"', f'"{name}", "1"')))
-
-
-@pytest.mark.thorough
-def test_a_parameter_may_be_named_speed(run: Run) -> None:
-    """Then the belt's speed V goes by its own letter."""
-    model = loaded(('"a", "1"', '"speed", "1"'))
-    assert "rms" in run("simulate", "--model", model.where, "--speed", "0.25", "--V", "0.3", "--t-end", "1")
 
 
 @pytest.mark.thorough
@@ -271,63 +208,6 @@ def test_no_name_of_a_parameter_changes_the_model(name: str) -> None:
 # ------------------------------------------------------------------------------------------------ what varies, and what is drawn
 
 
-def without_mu0() -> Any:
-    """A page of an angle, whose parameters have names of their own."""
-    return model_of(PAGE.replace("mu0", "mu_s").replace('coordinate("x"', 'coordinate("u"'), "mine")
-
-
-@pytest.mark.thorough
-def test_what_varies_by_itself_is_a_parameter_of_the_model() -> None:
-    model = without_mu0()
-    assert model.axes == ("mu_s",)
-    assert ss.folds(model.Parameters()).vary == ("mu_s",)
-    assert ss.flutter_onsets(model.Parameters(), damping=False).vary == ("mu_s",)
-    with pytest.raises(ss.ParameterError, match="give vary, two of"):
-        ss.cusps(model.Parameters())
-    assert ss.load("two_springs").axes == ("theta0", "mu0")
-    assert ss.load("mode_coupling").axes == ("mu0",)
-
-
-@pytest.mark.parametrize("name", ["two_springs", "mode_coupling"])
-def test_along_what_varies_already_is_refused_at_once(name: str, run: Run, monkeypatch) -> None:
-    """Before anything is searched."""
-    from spragsym.models.model import Model
-
-    asked = []
-    for search in ("folds", "flutter_onsets", "cusps"):
-        monkeypatch.setattr(Model, search, lambda model, p, vary, between: asked.append(vary) or 1 / 0)
-    assert "two different ones" in run("bifurcation", "--model", name, "--vary", "mu0", "--vary", "mu0", code=2)
-    run("bifurcation", "--model", name, "--vary", "mu0", "--vary", "nothing", code=2)
-    assert not asked
-
-
-def test_a_motion_without_x_is_drawn() -> None:
-    figures = pytest.importorskip("spragsym.figures")
-    model = without_mu0()
-    tr = ss.simulate(model.Parameters(), t_end=5.0)
-    line = figures.draw_motion(tr)
-    assert line.axes.get_ylabel() == "$u$ / $L_0$"
-    assert figures.draw_motion(tr, "vu").axes.get_ylabel() == r"$u'$ / $(L_0\,\sqrt{k_c/m})$"
-    np.testing.assert_allclose(line.get_ydata()[-1], tr.u[-1], atol=1e-9)
-    with pytest.raises(ss.ParameterError, match="is not one of u, y"):
-        figures.draw_motion(tr, "x")
-
-
-@pytest.mark.thorough
-def test_a_mass_that_nothing_presses_is_on_the_border() -> None:
-    """Its contact law ends where it rests: what can't be decided there is a box, and no error."""
-    law = ("k_c * depth)", "k_c * depth / (1 + depth / L_0))")
-    model = loaded(
-        law,
-        ("page.force(0, -F_L * (1 + sin(psi) * a), at=(x, y))", "page.force(-F_L * (1 + sin(psi) * a), 0, at=(x, y))"),
-    )
-    eq = ss.equilibria(model.Parameters())
-    assert not eq.complete
-    assert len(eq.undecided) == 1
-    assert eq.undecided[0].low[1] <= 0 <= eq.undecided[0].high[1]
-    assert eq.remarks
-
-
 @pytest.mark.thorough
 def test_a_search_along_a_line_of_states_ends() -> None:
     """Without spring and friction the mass rests wherever it is along the belt: one box, and why; it once took minutes."""
@@ -336,14 +216,3 @@ def test_a_search_along_a_line_of_states_ends() -> None:
     assert not eq.complete
     assert len(eq.undecided) == 1
     assert any("no force acts on one of the coordinates" in text for text in eq.remarks)
-
-
-@pytest.mark.thorough
-def test_a_coordinate_may_be_called_s() -> None:
-    """Its acceleration would be the word `as` of Python, and sums along a motion were once called s as well."""
-    model, want = loaded(('x = page.coordinate("x"', 'x = page.coordinate("s"')), loaded()
-    p, q = model.Parameters(), want.Parameters()
-    backend = "heyoka" if importlib.util.find_spec("heyoka") else None
-    one, two = ss.simulate(p, t_end=30.0, backend=backend), want.simulate(q, t_end=30.0, backend=backend)
-    assert one.rms() == two.rms()
-    assert one.components == ("s", "y", "vs", "vy")

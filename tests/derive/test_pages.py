@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import math
 import os
 import shutil
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -20,19 +18,14 @@ import sympy as sp
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 import spragsym as ss
-from spragsym.derive import algebra, folder, pages, physical_checks
+from spragsym.derive import folder, pages, physical_checks
 from spragsym.derive import units as measured
-from spragsym.derive.emit.targets.c99.algebra import CPrinter
-from spragsym.derive.emit.targets.javascript.algebra import JavaScriptPrinter
-from spragsym.derive.emit.targets.matlab.algebra import MatlabPrinter
-from spragsym.derive.emit.targets.python.algebra import AlgebraPrinter
 from spragsym.derive.kang_nam import mechanics, page_equivalence, variant_models
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.model import PageError
 from tests.support import model_of, replaced, shipped_page
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
-NAMES = [path.stem for path in pages.shipped()]
 
 
 def changed(tmp_path: Path, *changes: tuple[str, str]) -> Path:
@@ -173,15 +166,6 @@ REFUSED |= {
 }  # fmt: skip
 
 
-def test_no_printer_writes_what_it_does_not_know() -> None:
-    """The last guard: SymPy's own printer would write its name for it, and code that dies."""
-    u = sp.Symbol("u", real=True)
-    for unknown in (sp.erf(u), sp.Min(u, 1), sp.Piecewise((u, u > 0), (0, True)), sp.I * u, sp.Heaviside(u), sp.Function("f")(u)):
-        for printer in (AlgebraPrinter(), CPrinter(), JavaScriptPrinter(), MatlabPrinter()):
-            with pytest.raises(ArithmeticError, match="no function that code is written for"):
-                printer.doprint(1 + unknown)
-
-
 def test_a_decimal_is_the_fraction_that_is_written(tmp_path: Path) -> None:
     path = changed(tmp_path, (LAW, "lambda depth: 0.1 * k_c * L_0 * (depth / L_0) ** 1.5"))
     law = pages.read(path).mechanics.law
@@ -223,44 +207,12 @@ def with_contact(law: str) -> Any:
 
 
 @pytest.mark.thorough
-def test_decimal_powers_are_those_that_are_meant() -> None:
-    """A power 2.5 is 5/2, and the law of a penetration is its slope's integral: in floats by hand."""
-    model = with_contact("k_c * L_0 * (depth / L_0) ** 2.5")
-    taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0, sigma=1e-9, kappa=1e-9, beta=0.0), "motion")]
-    _, pushed = model.algebra.rhs(0.0, -0.09, 0.0, 0.0, *taken)
-    assert pushed == pytest.approx(0.3**5, rel=1e-6)
-
-
-@pytest.mark.thorough
 def test_the_energy_of_a_saturating_contact_has_a_logarithm() -> None:
     """δ/(1 + δ) has the energy δ − log(1 + δ)."""
     model = with_contact("k_c * depth / (1 + depth / L_0)")
     taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0), "motion")]
     inside, outside = (model.algebra.energy(0.0, -0.3, 0.0, 0.0, *taken, pushing) for pushing in (1, 0))
     assert inside - outside == pytest.approx(0.3 - math.log(1.3), rel=1e-12)
-
-
-def test_a_coordinate_that_no_force_acts_on(tmp_path: Path) -> None:
-    more = '\nz = page.coordinate("z", "m", "free")\npage.kinetic(m * (page.rate(z) ** 2 + '
-    path = changed(tmp_path, ("\npage.kinetic(m * (", more))
-    message = rf"^mine\.py, line {line_of(path, 'free')}: no force acts on z; .* the forces along x, y are well"
-    with pytest.raises(PageError, match=message):
-        pages.read(path)
-
-
-def test_a_page_without_a_drawing(tmp_path: Path) -> None:
-    path = changed(tmp_path)
-    text = path.read_text(encoding="utf-8")
-    path.write_text(text[text.index("from spragsym") :], encoding="utf-8")
-    with pytest.raises(PageError, match=r"^mine\.py, line 1: the page has no docstring"):
-        pages.read(path)
-
-
-def test_a_page_is_not_written_unless_it_is_carried_through(tmp_path: Path) -> None:
-    path = changed(tmp_path, (LAW, "lambda depth: -k_c * depth"))
-    with pytest.raises(PageError):
-        folder.write_page(path, tmp_path / "out")
-    assert not (tmp_path / "out").exists()
 
 
 # ------------------------------------------------------------------------------------------------ units and groups
@@ -336,68 +288,12 @@ def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path, written: Path)
     assert rates[0] == rates[1]
 
 
-@pytest.mark.thorough
-def test_a_folder_that_was_derived_again_is_loaded_again(tmp_path: Path, written: Path) -> None:
-    shutil.copytree(written, tmp_path / "out")
-    first = ss.load(tmp_path / "out")
-    other = tmp_path / "other"
-    other.mkdir()
-    folder.write_page(changed(other, ('">= 0", 0.5, latex', '">= 0", 0.6, latex')), tmp_path / "out")
-    second = ss.load(tmp_path / "out")
-    assert (first.base["mu0"], second.base["mu0"]) == (0.5, 0.6)
-
-
 @pytest.fixture(scope="module")
 def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of the article's page as a user's."""
     place = tmp_path_factory.mktemp("written")
     folder.write_page(changed(place), place / "out")
     return place / "out"
-
-
-def _without_a_key(out: Path) -> None:
-    about = json.loads((out / "model.json").read_text(encoding="utf-8"))
-    del about["angles"]
-    (out / "model.json").write_text(json.dumps(about), encoding="utf-8")
-
-
-#: What is done to a folder, and what the error names.
-DAMAGE: dict[str, tuple[Callable[[Path], object], str]] = {
-    "code": (lambda out: (out / "algebra.py").write_bytes((out / "algebra.py").read_bytes() + b"\n"), "not as it was written"),
-    "json": (lambda out: (out / "model.json").write_text("{"), "damaged"),
-    "missing": (lambda out: (out / "algebra.py").unlink(), "missing"),
-    "keys": (_without_a_key, "angles"),
-    "foreign": (lambda out: (out / "model.json").unlink(), "no model.json"),
-}
-
-
-@pytest.mark.parametrize("damage", DAMAGE)
-def test_a_damaged_folder_says_so(damage: str, tmp_path: Path, written: Path) -> None:
-    out = shutil.copytree(written, tmp_path / "out")
-    change, words = DAMAGE[damage]
-    change(out)
-    with pytest.raises(ss.ParameterError if damage == "foreign" else ss.SpragsymError, match=words):
-        ss.load(out)
-
-
-def test_a_name_that_no_model_has() -> None:
-    with pytest.raises(ss.ParameterError, match="did you mean two_springs"):
-        ss.load("two_spring")
-    with pytest.raises(ss.ParameterTypeError, match="is no model"):
-        ss.load(3)  # type: ignore[arg-type]  # on purpose
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_a_model_describes_itself(name: str) -> None:
-    model = ss.load(name)
-    text = model.describe()
-    assert all(word in text for word in (*model.parameters, *model.coordinates))
-    assert model.name == name
-    p = model.Parameters()
-    assert p.shape == ()
-    assert {key: float(getattr(p, key)) for key in model.base} == model.base
-    with pytest.raises(ss.ParameterError):
-        model.Parameters(**{model.parameters[-1]: float("nan")})
 
 
 # ------------------------------------------------------------------------------------------------ what falls of the article
@@ -452,25 +348,3 @@ def test_check_of_a_mass_on_one_spring() -> None:
     assert rows["def-tau"] == (variant_models.FAILS, "unit of time: sqrt(m)/sqrt(k)")
     assert rows["eq-15"] == (variant_models.NO_MEANING, "the model has no coordinate y")
     assert rows["def-L"] == (variant_models.NO_MEANING, "there is no inclined spring")
-
-
-@pytest.mark.thorough
-def test_check_of_a_mass_that_never_leaves_the_belt() -> None:
-    rows = judged("mode_coupling")
-    assert rows["eq-27"] == (variant_models.HOLDS, "")
-    assert "nbar" not in "".join(remark for _, remark in rows.values())
-
-
-@pytest.mark.thorough
-def test_a_law_of_friction_differs_as_it_is_written(tmp_path: Path) -> None:
-    """Simplified, that of a page with a pivot took nine minutes; one that is equal in other words is equal."""
-    assert judged("stribeck")["eq-10"][1].startswith("μ: side*(1 - exp(-d*side*(V - vx)))*(-mu0 + mu_k +")
-    page = changed(tmp_path, ("mu0 * (1 - exp(-d * Abs(v)))", "mu0 * exp(-d * Abs(v)) * (exp(d * Abs(v)) - 1)"))
-    assert {row.id: row.status for row in variant_models.judge(pages.read(page).mechanics)}["eq-10"] == variant_models.HOLDS
-
-
-def test_a_difference_is_shown_in_the_symbols_it_came_in() -> None:
-    """A function within a function stood in it as an unknown of its own, _u0."""
-    x, y = sp.symbols("x y")
-    for nested in (sp.exp(-y * sp.cos(x)), sp.sqrt(1 + sp.exp(sp.cos(x)))):
-        assert algebra.difference(nested, y, ()).free_symbols == {x, y}

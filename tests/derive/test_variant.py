@@ -76,29 +76,6 @@ def _variant(tmp_path: Path, *changes: tuple[str, str]) -> subprocess.CompletedP
     return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, encoding="utf-8", timeout=300, check=False)
 
 
-LAW = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
-
-
-@pytest.mark.validate
-def test_a_number_that_is_new_is_an_argument_where_it_appears(tmp_path: Path) -> None:
-    """As CONTRIBUTING says: a second friction coefficient, which friction itself takes as an argument."""
-    done = _variant(
-        tmp_path,
-        (
-            "x = page.coordinate(",
-            'mu_1 = page.parameter("mu_1", "1", "more friction in creep", ">= 0", 0.0)\nx = page.coordinate(',
-        ),
-        (LAW, "lambda v: (mu0 * (1 - exp(-d * Abs(v))) + mu_1 * d * Abs(v) * exp(-d * Abs(v))) * sgn(v), at_rest=mu0"),
-    )
-    assert done.returncode == 0, done.stderr
-    laws = (tmp_path / "variant/laws.py").read_text(encoding="utf-8")
-    signatures = dict(re.findall(r"^def (\w+)\((.*?)\):", laws, re.MULTILINE | re.DOTALL))
-    assert {name for name, arguments in signatures.items() if "mu_1=0" in arguments} == {"friction"}
-    motion = (tmp_path / "variant/models/kang_nam/algebra.py").read_text(encoding="utf-8")
-    assert re.search(r"^    mu = .*\bmu_1\b", motion, re.MULTILINE)
-    assert not (tmp_path / "variant/c").exists()
-
-
 #: What can't be carried through: a contact that leaves no D and b, and a page with a mistake.
 STOPPED = {
     "cubic contact": ("lambda depth: k_c * depth", "lambda depth: k_c * depth**3 / L_0**2"),
@@ -118,9 +95,3 @@ def test_what_cannot_be_carried_through_stops_it(name: str, tmp_path: Path) -> N
     assert "nothing was written" in done.stderr or "is untouched" in done.stderr
     assert "Traceback" not in done.stderr
     assert not (tmp_path / "variant").exists()
-
-
-def test_the_page_names_places_that_exist() -> None:
-    """Every file that the page names is there."""
-    named = set(re.findall(r"`((?:derive|spragsym)/[\w/]+\.py)`", PAGE.read_text(encoding="utf-8")))
-    assert all((ROOT / file).is_file() for file in named)

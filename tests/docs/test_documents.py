@@ -7,7 +7,6 @@ import importlib
 import inspect
 import pkgutil
 import re
-import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -248,45 +247,6 @@ def test_every_benchmark_can_be_imported(name: str) -> None:
         if (error.name or "").partition(".")[0] in ("spragsym", "benchmarks", "derive"):
             raise
         pytest.skip(f"{error.name} is not installed")
-
-
-@pytest.mark.validate
-def test_the_performance_page_is_written(tmp_path: Path) -> None:
-    """With few points, and every solver in its columns."""
-    page = tmp_path / "performance.md"
-    run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks --quick accuracy --write {page}", tmp_path)
-    text = page.read_text(encoding="utf-8")
-    assert text.startswith("# Performance\n")
-    rows = [line.split("|")[1:-1] for line in text.splitlines() if line.startswith("|")]
-    assert len(rows) == 8
-    assert len({len(row) for row in rows}) == 1
-    places = [place for place, title in enumerate(rows[0]) if "ours" in title]
-    assert len(places) >= 2
-    for row in rows[2:]:
-        for place in places:
-            wrong, error = row[place].split(",")
-            assert int(wrong) == 0, row
-            assert float(error) < 1e-12, row
-
-
-@pytest.mark.validate
-def test_a_commit_before_can_be_compared_with(tmp_path: Path) -> None:
-    """Against itself: the same answers, and a time for each solver and question."""
-    if not (ROOT / ".git").exists():
-        pytest.skip("not a clone")
-    text = run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
-    assert re.search(r"^\| equilibria, numpy \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE)
-    assert re.search(r"^\| equilibria, numpy \| 0 \| 0 \| 0\.0e\+00 \|", text, re.MULTILINE)
-    for question in (
-        "count, numpy",
-        "folds along theta0",
-        "cusps",
-        "jump_value along mu0",
-        "simulate",
-        "rms_sweep",
-        "import spragsym",
-    ):
-        assert re.search(rf"^\| {question} \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE), question
 
 
 def test_what_the_glossary_names_is_there() -> None:

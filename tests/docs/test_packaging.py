@@ -6,7 +6,6 @@ import importlib.util
 import json
 import os
 import re
-import runpy
 import shutil
 import subprocess
 import sys
@@ -60,38 +59,6 @@ def test_the_folders_are_reached_through_the_package() -> None:
         assert os.readlink(link) == f"../{folder}"
 
 
-@pytest.mark.parametrize("instead", ["text", "nothing"])
-def test_a_checkout_without_links_works(instead: str, tmp_path: Path) -> None:
-    """As git leaves it on Windows: a link is a file with its target's name. In a folder that is hard to spell."""
-    clone = tmp_path / "ein Gerät"
-    for name in ("spragsym", "derive", "generated"):
-        shutil.copytree(ROOT / name, clone / name, symlinks=True, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
-    for name in ("derive", "generated"):
-        (clone / "spragsym" / name).unlink()
-        if instead == "text":
-            (clone / "spragsym" / name).write_text(f"../{name}", encoding="utf-8")
-    code = (
-        "import spragsym as ss, spragsym.derive.emit.write, numpy as np; from spragsym.kang_nam.statics import compiled\n"
-        "assert not compiled.available()\n"
-        "from importlib.util import find_spec; assert find_spec('spragsym.spragsym') is None, 'within itself without end'\n"
-        "print(ss.__file__, ss.equilibria(ss.Parameters.article(theta0=np.radians(49.0))).count)"
-    )
-    call = [sys.executable, "-c", code]
-    environment = {**os.environ, "PYTHONPATH": str(clone), "PYTHONUTF8": "1", "PYTHONIOENCODING": "utf-8"}
-    done = subprocess.run(call, cwd=clone, env=environment, capture_output=True, encoding="utf-8", timeout=120)
-    assert done.returncode == 0, done.stderr
-    assert done.stdout.split()[-1] == "1"
-    assert str(clone) in done.stdout
-
-
-def test_line_ends_are_the_same_everywhere() -> None:
-    """git is told to, so that hashes and comparisons of bytes hold on Windows."""
-    assert "* text=auto eol=lf" in (ROOT / ".gitattributes").read_text(encoding="utf-8").splitlines()
-    for name in ("derive", "generated", "spragsym"):
-        files = (path for path in (ROOT / name).rglob("*") if path.suffix in (".py", ".c", ".h", ".json", ".md", ".js", ".m"))
-        assert [path for path in files if b"\r" in path.read_bytes()] == []
-
-
 def test_version_stands_in_one_place() -> None:
     assert "version" not in PROJECT["project"]
     holders = [
@@ -100,24 +67,6 @@ def test_version_stands_in_one_place() -> None:
         if re.search(rf"\b{re.escape(spragsym.__version__)}\b", path.read_text(encoding="utf-8"))
     ]
     assert holders == ["_version.py"]
-
-
-def test_the_versions_that_are_promised_are_those_that_are_allowed() -> None:
-    project = PROJECT["project"]
-    named = [match[1] for line in project["classifiers"] if (match := re.search(r"Python :: (3\.\d+)$", line))]
-    assert project["requires-python"] == f">={named[0]}"
-    assert f"{sys.version_info[0]}.{sys.version_info[1]}" in named or sys.version_info[:2] > (3, 13)
-
-
-def test_constraints_pin_what_the_extras_name() -> None:
-    pinned = {
-        re.sub(r"[-_.]+", "-", line.partition("==")[0]).lower()
-        for line in (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
-    }
-    extras = PROJECT["project"]["optional-dependencies"]
-    for requirement in [*PROJECT["project"]["dependencies"], *(item for extra in extras.values() for item in extra)]:
-        name = re.match(r"[\w.-]+", requirement)[0].lower()  # type: ignore[index]  # there is a match
-        assert name == "spragsym" or re.sub(r"[-_.]+", "-", name) in pinned, requirement
 
 
 # ------------------------------------------------------------------------------------------------------ archives
@@ -210,19 +159,6 @@ def wheel_by(compiler: str, sdist: Path, out: Path) -> Path:
     return wheel
 
 
-@needs_compiler
-def test_what_was_compiled_is_not_reported(capsys: pytest.CaptureFixture[str]) -> None:
-    """And what was not is, in one line each: what ``make`` says after an installation."""
-    report = runpy.run_path(str(ROOT / ".ci/compiled.py"))
-    report["main"]()
-    assert capsys.readouterr().err == ""
-    report["main"].__globals__["EXTENSIONS"] = (("a.c", lambda: False, "NumPy serves"),)
-    report["main"]()
-    said = capsys.readouterr().err
-    assert said.startswith("a.c: its compilation failed; NumPy serves")
-    assert said.count("\n") == 1
-
-
 @pytest.mark.thorough
 @needs_compiler
 def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_path: Path) -> None:
@@ -232,52 +168,6 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
         f"spragsym/{name}{suffix}" for name in ("dynamics/_carried", "kang_nam/statics/_compiled")
     ]
     assert not wheel.name.endswith("-none-any.whl")
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("python", ["wheel"], indirect=True)
-def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], python: Path) -> None:
-    """What was built without one solves, and says what is missing."""
-    assert extensions(archives[0]) == []
-    done = call(python, "-c", (
-        "import numpy as np, spragsym as ss\n"
-        "p = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))\n"
-        "assert ss.equilibria(p).count.tolist() == ss.count(p).tolist() == [3, 1]\n"
-        "ss.set_backend('compiled')\n"
-    ))  # fmt: skip
-    assert "BackendError" in done.stderr, done.stderr
-    assert "install spragsym again, with a compiler" in done.stderr
-    said = call(python, str(ROOT / ".ci/compiled.py")).stderr.splitlines()
-    assert [line.partition(":")[0] for line in said] == ["spragsym/kang_nam/statics/_compiled.c", "spragsym/dynamics/_carried.c"]
-    assert all("NumPy" in line or "SciPy" in line for line in said)
-
-
-_DIGEST = """
-import hashlib, numpy as np, spragsym as ss
-rng = np.random.default_rng(5)
-p = ss.Parameters(np.pi * rng.uniform(1e-6, 1, 20000), 2 * rng.random(20000), *10 ** rng.uniform(-3, 1, (4, 20000)))
-ss.set_backend("compiled")
-for contact in (True, False):
-    eq = ss.equilibria(p, contact=contact)
-    for name in ("count", "theta", "L", "x", "y", "error", "stability"):
-        print(contact, name, hashlib.sha256(np.ascontiguousarray(getattr(eq, name)).tobytes()).hexdigest())
-print(hashlib.sha256(ss.count(p).tobytes()).hexdigest())
-"""
-
-
-@pytest.mark.thorough
-@needs_compiler
-@pytest.mark.skipif(shutil.which("clang") is None or shutil.which("gcc") is None, reason="clang and gcc are not both here")
-def test_gcc_and_clang_give_the_same_bits(archives: tuple[Path, Path], tmp_path: Path) -> None:
-    digests = []
-    for compiler in ("gcc", "clang"):
-        wheel = wheel_by(compiler, archives[1], tmp_path / compiler)
-        assert len(extensions(wheel)) == 2, compiler
-        done = call(environment(tmp_path / f"env_{compiler}", wheel), "-c", _DIGEST)
-        assert done.returncode == 0, done.stderr
-        digests.append(done.stdout)
-    assert digests[0] == digests[1]
-    assert digests[0].count("\n") == 15
 
 
 # ------------------------------------------------------------------------------------------- an empty environment
@@ -392,17 +282,3 @@ def test_a_script_beside_the_clone_finds_the_package(tmp_path: Path) -> None:
     for place in (folder, tmp_path):
         done = subprocess.run([interpreter, script], cwd=place, env=NO_ENVIRONMENT, capture_output=True, text=True, timeout=120)
         assert (done.stdout, done.stderr) == ("3\n", "")
-
-
-def test_every_editable_install_is_by_path() -> None:
-    """In the Makefile once, and nowhere without the setting."""
-    for path in (ROOT / "Makefile", ROOT / ".ci/run", *ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")):
-        for line in path.read_text(encoding="utf-8").splitlines():
-            assert not re.search(r"install\b.* (-e|--editable)\b", line) or "editable_mode=compat" in line, f"{path.name}: {line}"
-
-
-@pytest.mark.thorough
-def test_console_script_is_declared(archives: tuple[Path, Path]) -> None:
-    with zipfile.ZipFile(archives[0]) as wheel:
-        (entry,) = (name for name in wheel.namelist() if name.endswith("entry_points.txt"))
-        assert "spragsym = spragsym.cli:main" in wheel.read(entry).decode()

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import dataclasses
 import functools
-import importlib
 from collections.abc import Callable
 from html.parser import HTMLParser
 from typing import Any
@@ -15,7 +14,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import display
-from tests.support import LONG_MOTIONS_TAKE_MINUTES, few, needs_a_quick_integrator
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, few
 
 P = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))
 ONE = ss.Parameters.article(theta0=0.5)
@@ -203,93 +202,3 @@ def test_results_of_models_have_the_rows_of_the_article_s() -> None:
     assert "undecided" not in str(_folds_of_a_model())
     open_box = dataclasses.replace(_folds_of_a_model(), undecided=np.zeros((3, 3, 2)), remarks=("3 boxes are too wide",))
     assert "2 points along theta0_deg from 0 to 180; not complete: 3 boxes are too wide" in str(open_box)
-
-
-@pytest.mark.thorough
-def test_the_model_says_which_columns_are_angles() -> None:
-    """Not their names: psi and phi are angles of models that are not the article's, and theta_k may be a stiffness of a page."""
-    belt = ss.load("inclined_belt")
-    p = belt.Parameters(theta0=0.8, mu0=0.5, kappa=0.007, psi=0.2)
-    header, *rows = Tables(ss.equilibria(p.replace(psi=[0.1, 0.2]))._repr_html_()).rows
-    assert {row[header.index("psi_deg")] for row in rows} == {f"{np.degrees(psi):.10g}" for psi in (0.1, 0.2)}
-    folds = ss.folds(p, vary="psi")
-    header, *rows = Tables(folds._repr_html_()).rows
-    np.testing.assert_allclose([float(row[header.index("psi_deg")]) for row in rows], np.degrees(folds.psi))
-    rod = ss.load("sprag_rod")
-    moved = ss.simulate(rod.Parameters(theta0=0.8, mu0=0.3, kappa=0.1), t_end=20.0, phi0=0.1, backend="scipy")
-    rows = {row[0]: row[1:] for row in Tables(moved._repr_html_()).rows}
-    assert float(rows["phi_deg"][0]) == pytest.approx(np.degrees(0.1))
-    assert "vphi" in rows
-    assert not rod.is_angle("vphi")
-    assert not belt.is_angle("kappa")
-
-
-@needs_a_quick_integrator
-@pytest.mark.validate
-def test_what_varies_has_its_name_and_unit_where_a_result_is_printed_alone() -> None:
-    """A branch's event, a change of fate and a diagram hold ``value``, ``values`` and ``to`` in radians where an angle varies."""
-    event = _doubling()
-    said = {row[0]: row[1] for row in Tables(event._repr_html_()).rows if len(row) == 2}
-    assert float(said["theta0_deg"]) == pytest.approx(np.degrees(event.value), rel=1e-9)
-    found = _fate()
-    title = next(display.tables(found)).title
-    assert f"theta0_deg = {np.degrees(found.value):.10g}," in title
-    low, high = 0.70, 0.74
-    whole = list(display.tables(ss.diagram(ss.Parameters.article(), "theta0", (low, high), points=20)))
-    assert ("to_deg", f"{np.degrees(low):.10g}, {np.degrees(high):.10g}") in whole[0].rows
-    assert {float(row[1]) for row in whole[1].rows} == {float(f"{np.degrees(low):.10g}")}
-    assert whole[1].header[1] == "theta0_deg from"
-
-
-def test_codes_and_components_stand_under_their_names() -> None:
-    """A motion's events have the coordinates of its own model; what is a code in an array is a word in the table."""
-    rod = ss.load("stick_slip")
-    events = ss.simulate(rod.Parameters(), t_end=60.0, backend="scipy", **{f"{rod.coordinates[0]}0": 1.0}).events
-    assert events is not None
-    assert len(events)
-    header, *rows = Tables(events._repr_html_()).rows
-    assert header == ["t", "which", *rod.coordinates, *rod.rates]
-    assert {row[1] for row in rows} <= {event.name.lower() for event in ss.Event}
-    if not LONG_MOTIONS_TAKE_MINUTES:
-        header, *rows = Tables(RESULTS["FateMap"]()._repr_html_()).rows
-        assert [row[header.index("kind")] for row in rows] == ["rest", "rest"]
-
-
-def test_the_jump_of_a_path_is_in_its_table() -> None:
-    path = RESULTS["Path"]()
-    rows = Tables(path._repr_html_()).rows
-    angle = np.degrees(path.jumps[0].value)
-    assert any(row[1] == f"{angle:.10g}" for row in rows)
-
-
-@pytest.mark.parametrize("points", [0, 1, 20, 21, 10**5])
-def test_long_results_are_cut_and_empty_ones_are_no_error(points: int) -> None:
-    p = ss.Parameters.article(theta0=np.linspace(1.0, 1.1, points))
-    for result in (p, ss.equilibria(p)):
-        rows = Tables(result._repr_html_()).rows
-        assert len(rows) == (points + 1 if points <= 20 else 22)
-
-
-def test_what_is_shown_is_escaped() -> None:
-    sweep = dataclasses.replace(RESULTS["Sweep"](), reason=np.array(["<script>&", ""]))
-    text = sweep._repr_html_()
-    assert "<script>" not in text
-    assert "&lt;script&gt;&amp;" in text
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("quantity", ["x", "y", "theta", "L"])
-def test_axes_have_names_and_units(quantity: str) -> None:
-    figure = pytest.importorskip("matplotlib.figure").Figure
-    figures = importlib.import_module("spragsym.figures")
-    for vary in ("theta0", "mu0", "kappa"):
-        ax = figure().add_subplot()
-        figures.plot_equilibria(ONE, quantity, vary, low=0.1, high=0.2, ax=ax)
-        assert "(" in ax.get_xlabel()
-        assert "(" in ax.get_ylabel()
-    for quantity_of_path in {"x", "y", "theta"} & {quantity}:
-        ax = figure().add_subplot()
-        ax.set_xlabel("my own")
-        figures.draw_path(RESULTS["Path"](), quantity_of_path, ax=ax)
-        assert ax.get_xlabel() == "my own"
-        assert "(" in ax.get_ylabel()

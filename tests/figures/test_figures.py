@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import colorsys
 import csv
-import inspect
 import io
-import itertools
-import re
 from pathlib import Path
 from typing import Any
 
@@ -20,27 +16,22 @@ matplotlib.use("Agg")
 
 from matplotlib.figure import Figure  # noqa: E402  # after matplotlib was found
 from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib was found
-from matplotlib.text import Annotation  # noqa: E402  # after matplotlib was found
 
 import spragsym as ss  # noqa: E402  # after matplotlib was found
 from spragsym.cli.figures import figures as command  # noqa: E402  # after matplotlib was found
 from spragsym.figures import (  # noqa: E402  # after matplotlib was found
     FIGURES,
     Sheet,
-    bifurcation_figure,
     curves,
     extras,
-    figure_3,
     figure_11,
     figure_14,
-    hidden,
     plot_equilibria,
     space,
     surfaces,
     write,
 )
-from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402  # after matplotlib was found
-from spragsym.figures.trajectories import both_ways  # noqa: E402  # after matplotlib was found
+from spragsym.figures.style import LINES  # noqa: E402  # after matplotlib was found
 from tests.oracles import article_motion  # noqa: E402  # after matplotlib was found
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
@@ -101,88 +92,6 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
     assert len(target.getvalue()) > 3000
 
 
-@pytest.mark.parametrize("name", few(FIGURES, *QUICKLY_DRAWN))
-def test_captions_use_the_articles_letters_and_the_colours_that_are_seen(sheets: dict[str, Sheet], name: str) -> None:
-    """μ₀ and not mu0, orange and not red: VERMILION, of hue 27°, is an orange."""
-    caption = sheets[name].caption
-    spelled = r"\b(mu\w*|theta\w*|kappa|alpha|sigma|beta|tau|deg|L_0|red)\b"
-    assert re.findall(spelled, caption) == []
-    hue, _, _ = colorsys.rgb_to_hsv(*matplotlib.colors.to_rgb(VERMILION))
-    assert 20 < 360 * hue < 45
-    drawn = {line.get_color() for ax in sheets[name].axes for line in ax.get_lines()}
-    assert "orange" not in caption or VERMILION in drawn
-
-
-@pytest.mark.parametrize("name", few(["8", "9", "10"], "8"))
-def test_leaders_are_seen(sheets: dict[str, Sheet], name: str) -> None:
-    """Each thin line from a label to its curve is longer than the label is high, and ends at a curve of its colour."""
-    figure = sheets[name]
-    figure.draw_without_rendering()
-    ax = figure.axes[0]
-    labels = [text for text in ax.texts if isinstance(text, Annotation) and "=" in text.get_text()]
-    assert len(labels) == 3
-    for label in labels:
-        assert label.arrow_patch is not None
-        outside = label.arrow_patch.get_path().vertices  # from the edge of the label to the curve, in pixels
-        points = 72 / figure.dpi * float(np.hypot(*(outside[-1] - outside[0])))
-        assert points > 8, label.get_text()
-        curves_of = [line for line in ax.get_lines() if line.get_color() == label.get_color()]
-        ends = np.concatenate([ax.transData.transform(np.column_stack(line.get_data())) for line in curves_of])
-        target = ax.transData.transform(label.xy)
-        assert np.hypot(*(ends - target).T).min() * 72 / figure.dpi < 3
-
-
-@pytest.mark.thorough
-def test_rows_of_jumps_are_each_of_their_own_belt(sheets: dict[str, Sheet]) -> None:
-    table = sheets["sensitivity"].tables["c"]
-    belts = np.column_stack([table["V"], table["d"]])
-    assert len({tuple(row) for row in belts.tolist()}) == len(belts)
-    assert all(np.unique(column).size > 1 for column in belts.T)
-
-
-def test_paths_back_begin_where_the_way_up_has_ended() -> None:
-    for end, states in ((0.2, 3), (1.0, 1)):
-        up, back = both_ways(P.replace(theta0=np.radians(60.0)), "mu0", np.linspace(0, end, 11))
-        assert int(ss.count(P.replace(theta0=np.radians(60.0), mu0=end))) == states
-        assert (up.x[-1], up.y[-1]) == (back.x[0], back.y[0])
-
-
-@pytest.mark.thorough
-def test_figure_9_shows_where_the_flutter_is(sheets: dict[str, Sheet]) -> None:
-    """In the outer axes three curves coincide there: brackets mark it in both, and the inset has its labels."""
-    figure = sheets["9"]
-    ax = figure.axes[0]
-    (inset,) = ax.child_axes
-    assert inset.get_xlabel()
-    assert inset.get_ylabel() == ax.get_ylabel()
-    assert {text.get_text() for text in inset.texts} >= {r"$\alpha = 0.007$", r"$\alpha = 0.07$", r"$\alpha = 0.7$", "flutter"}
-    onsets = np.degrees(ss.flutter_onsets(P.replace(alpha=0.7), damping=False).theta0)
-    for axes in (ax, inset):
-        (bracket,) = (text for text in axes.texts if isinstance(text, Annotation) and text.arrow_patch and not text.get_text())
-        np.testing.assert_allclose(sorted((bracket.xy[0], bracket.xyann[0])), onsets, rtol=1e-12)
-    # Nothing that is drawn later covers the curve that flutters.
-    flutter = [line for line in ax.get_lines() if line.get_color() == BLACK]
-    assert max(line.get_zorder() for line in ax.get_lines() if line.get_marker() == "None") == flutter[0].get_zorder()
-    others = [line for line in ax.get_lines() if line.get_color() != BLACK and line.get_marker() == "None"]
-    assert ax.get_lines().index(flutter[0]) > max(map(ax.get_lines().index, others))
-    figure.draw_without_rendering()
-    boxes = [text.get_window_extent() for axes in (ax, inset) for text in axes.texts if text.get_text()]
-    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
-
-
-def test_settings_stay_as_they_were() -> None:
-    before = dict(matplotlib.rcParams)
-    figure = figure_3()
-    curves.draw_branches(curves.branches(P), ax=figure.axes[0])
-    assert dict(matplotlib.rcParams) == before
-
-
-def test_every_figure_of_the_article_is_there() -> None:
-    assert [name for name in FIGURES if name.isdigit()] == [str(number) for number in range(3, 15)]
-    for draw in FIGURES.values():
-        assert all(option.default is not inspect.Parameter.empty for option in inspect.signature(draw).parameters.values())
-
-
 # ----------------------------------------------------------------------------------------------------- curves
 
 
@@ -230,18 +139,6 @@ def test_plot_equilibria_draws_by_stability() -> None:
     assert lines == ax.get_lines()
 
 
-def test_plot_equilibria_on_the_current_axes_and_along_friction() -> None:
-    from matplotlib import pyplot
-
-    figure, ax = pyplot.subplots()
-    try:
-        lines = plot_equilibria(P.replace(theta0=np.radians(60)), "theta", "mu0", low=0.0, high=0.2)
-        assert all(line.axes is ax for line in lines)
-        np.testing.assert_allclose(lines[-1].get_xdata(), [0.162313505595])  # the fold at 0.27 is out of the range
-    finally:
-        pyplot.close(figure)
-
-
 def test_a_path_is_drawn_to_the_fold_and_from_where_it_lands() -> None:
     path = ss.quasi_static_path(P.replace(theta0=np.radians(60)), "mu0", np.linspace(1, 0, 30))
     first, second = curves.passages(path)
@@ -252,16 +149,6 @@ def test_a_path_is_drawn_to_the_fold_and_from_where_it_lands() -> None:
     assert (np.diff(first[0]) < 0).all()
     artists = curves.draw_path(path, ax=Figure().add_subplot(), arrows=(0.3, 0.7))
     assert len(artists) == 2 * (1 + 2) + 2
-
-
-@pytest.mark.thorough
-def test_no_line_crosses_a_pole(sheets: dict[str, Sheet]) -> None:
-    low, high = np.sort(np.degrees(ss.linear_sprag(P.replace(theta0=1.0, mu0=0.7)).poles))
-    for ax in (sheets["5"].axes[2], sheets["5"].axes[3], sheets["6"].axes[1]):
-        for line in ax.get_lines():
-            x = np.asarray(line.get_xdata())
-            across = any(x.min() < pole - 1e-9 and x.max() > pole + 1e-9 for pole in (low, high))
-            assert not (across and line.get_color() == "#0072B2")
 
 
 # --------------------------------------------------------------------------------------------------- surfaces
@@ -341,75 +228,7 @@ def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
     assert wrong <= 0.1 * looked_at, (wrong, looked_at)  # a line on a sheet seen nearly edge on
 
 
-def test_the_cover_hides_what_lies_behind_a_square() -> None:
-    """A flat square seen from above: points below it are hidden, points beside it and above it are not."""
-    ax = Figure().add_subplot(projection="3d")
-    ax.set(xlim=(0, 1), ylim=(0, 1), zlim=(0, 1))  # type: ignore[call-arg]  # of a line, or of axes in space
-    ax.view_init(elev=90, azim=-90)  # type: ignore[attr-defined]  # of a line, or of axes in space
-    square = np.array([[0.2, 0.2, 0.5], [0.6, 0.2, 0.5], [0.6, 0.6, 0.5], [0.2, 0.6, 0.5]])
-    cover = hidden.cover_of(ax, [square])
-    points = np.array([[0.4, 0.4, 0.1], [0.4, 0.4, 0.9], [0.4, 0.4, 0.5], [0.9, 0.9, 0.1], [np.nan, 0.4, 0.1]])
-    assert cover.hides(points).tolist() == [True, False, False, False, False]
-    line = np.array([[0.0, 0.4, 0.3], [1.0, 0.4, 0.3]])
-    pieces = hidden.parts(line, cover)
-    assert [behind for _, behind in pieces] == [False, True, False]
-    assert all((one[-1] == other[0]).all() for (one, _), (other, _) in itertools.pairwise(pieces))
-    np.testing.assert_allclose([pieces[0][0][0], pieces[-1][0][-1]], line)
-    # The eye is at a finite distance, so that the edges of the square appear a little farther out.
-    assert 0.1 < pieces[0][0][-1][0] < 0.2 + 1e-2
-    ((whole, behind),) = hidden.parts(line, hidden.cover_of(ax, []))
-    assert not behind
-    np.testing.assert_array_equal(whole[[0, -1]], line)
-
-
-@pytest.mark.thorough
-def test_a_surface_is_drawn_whatever_the_memory_held(monkeypatch: pytest.MonkeyPatch) -> None:
-    """matplotlib fills polygons of unequal lengths up from memory that it did not clear, and measures the axes with it."""
-    from mpl_toolkits.mplot3d import art3d
-
-    class Dirty:
-        """NumPy whose uncleared memory holds the largest numbers there are."""
-
-        def __getattr__(self, name: str) -> Any:
-            return getattr(np, name)
-
-        @staticmethod
-        def empty(shape: Any, dtype: Any = float) -> Any:
-            return np.full(shape, np.finfo(float).max if dtype is float else 0, dtype)
-
-    monkeypatch.setattr(art3d, "np", Dirty())
-    figure = figure_11(detail=0.2)
-    assert figure.axes[0].get_xlim() == pytest.approx((0, 180))
-
-
-def test_steep_polygons_are_darker() -> None:
-    flat = np.array([[0, 0, 0], [18, 0, 0], [18, 0.1, 0], [0, 0.1, 0.0]])
-    steep = flat + np.array([[0, 0, 0], [0, 0, 2], [0, 0, 2], [0, 0, 0.0]])
-    assert surfaces.shaded("#808080", flat)[0] == pytest.approx(128 / 255)
-    assert 0.72 * 128 / 255 < surfaces.shaded("#808080", steep)[0] < 0.9 * 128 / 255
-
-
 # ----------------------------------------------------------------------------------------------------- extras
-
-
-@pytest.mark.thorough
-def test_the_map_is_finest_where_it_steps(sheets: dict[str, Sheet]) -> None:
-    """The cells that are divided are those beside a step, and the picture shows the finest value that there is."""
-    table = {name: np.asarray(values) for name, values in sheets["rms-map"].tables["a"].items()}
-    rms = table["rms_x"][table["level"] == 0].reshape(2, 4)
-    beside = np.zeros(rms.shape, dtype=bool)
-    for axis in (0, 1):
-        steps = np.abs(np.diff(rms, axis=axis)) > 0.3
-        for ends in ((0, 1), (1, 0)):
-            beside |= np.pad(steps, [ends if axis == each else (0, 0) for each in (0, 1)])
-    assert (table["level"] == 1).sum() == 4 * beside.sum() > 0
-    mesh = sheets["rms-map"].axes[0].collections[0]
-    shown = np.asarray(mesh.get_array())
-    assert shown.shape == (4, 8)
-    for row in np.flatnonzero(table["level"] == 1):
-        at = int(table["mu0"][row] / 0.25), int(table["theta0_deg"][row] / 22.5)
-        assert beside[at[0] // 2, at[1] // 2]
-        assert shown[at] == table["rms_x"][row]
 
 
 @pytest.mark.thorough
@@ -451,22 +270,6 @@ def test_the_false_double_root() -> None:
     assert [gap.max() < 1e-4 for gap in extras.root_gaps(P, fold + 1e-10)] == [True, True]
 
 
-@pytest.mark.thorough
-def test_samples_are_filled_where_the_curve_jumps(sheets: dict[str, Sheet]) -> None:
-    expected = {"beta": [True, True, False], "alpha": [True, False, False], "sigma": [False, True, True], "kappa": [True]}
-    for ax, filled in zip(sheets["cusp-friction"].axes, expected.values(), strict=True):
-        dots = [line for line in ax.get_lines() if line.get_marker() == "o"]
-        assert [dot.get_markerfacecolor() != "white" for dot in dots] == filled
-
-
-@pytest.mark.thorough
-def test_bifurcation_figure_for_any_parameters() -> None:
-    figure = bifurcation_figure(ss.Parameters(mu0=0.3, kappa=0.01, alpha=0.05, sigma=0.5, beta=0.2))
-    assert "κ = 0.01, α = 0.05" in figure.caption
-    assert np.asarray(figure.tables["a"]["mu0"]).size > 100
-    assert bifurcation_figure(ss.Parameters(kappa=2.0, alpha=3.0, sigma=0.1, beta=1.0)).axes  # no cusp at all
-
-
 # ------------------------------------------------------------------------------------------------------ files
 
 
@@ -503,13 +306,3 @@ def test_command(tmp_path: Path) -> None:
     pictures = [path.name for path in written if path.suffix in (".png", ".svg")]
     assert pictures == [f"figure_{name}.{kind}" for name in (3, 12, 13) for kind in ("png", "svg")]
     assert "3/3" in result.stderr
-
-
-@pytest.mark.thorough
-def test_neighbouring_points_of_a_figure_are_close(sheets: dict[str, Sheet]) -> None:
-    """No line across a jump: in the trajectories every step but the jumps is small."""
-    for name in ("a_rising", "a_falling", "b_rising", "b_falling"):
-        table = sheets["13"].tables[name]
-        piece, x = np.asarray(table["piece"]), np.asarray(table["x"])
-        for number, count in itertools.pairwise([*np.flatnonzero(np.diff(piece, prepend=-1)), piece.size]):
-            assert np.abs(np.diff(x[number:count])).max() < 0.12

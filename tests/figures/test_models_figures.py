@@ -15,7 +15,6 @@ from tests.support import few
 plot = pytest.importorskip("matplotlib.figure")
 
 from spragsym import figures  # noqa: E402  needs matplotlib
-from spragsym.figures.labels import label, window  # noqa: E402  needs matplotlib
 
 BETWEEN = {"mu0": (0.0, 1.0)}
 
@@ -87,30 +86,6 @@ def test_curves_by_search_are_those_of_closed_forms():
         assert pickle.loads(pickle.dumps(one)).x.tolist() == one.x.tolist()  # noqa: S301  # our own
 
 
-def test_onsets_are_the_closed_form_of_mode_coupling(ax):
-    model = ss.load("mode_coupling")
-    (dots,) = figures.draw_onsets(
-        model.Parameters(), ("sigma", "mu0"), ax, damping=False, between={"sigma": (0.1, 2.0), "mu0": (0.0, 5.0)}, n=5
-    )
-    sigma, alpha, beta = dots.get_xdata(), model.base["alpha"], model.base["beta"]
-    assert sigma.size == 5
-    assert np.allclose(dots.get_ydata(), ((1 + beta - alpha) ** 2 + sigma**2) / (2 * sigma), atol=1e-12)
-
-
-def test_onsets_are_the_closed_form_of_stick_slip(ax):
-    model = ss.load("stick_slip")
-    (dots,) = figures.draw_onsets(model.Parameters(), ("V", "zeta"), ax, between={"V": (0.15, 1.0), "zeta": (0.0, 5.0)}, n=5)
-    V, mu_s, v_s = dots.get_xdata(), model.base["mu_s"], model.base["v_s"]
-    assert V.size == 5
-    assert np.allclose(dots.get_ydata(), 2 * mu_s * v_s * (V**2 - v_s**2) / (V**2 + v_s**2) ** 2, atol=1e-12)
-
-
-def test_labels_are_those_of_the_dimensionless_numbers():
-    assert label(ss.load("mode_coupling"), "sigma") == r"$\sigma$"
-    assert label(ss.load("two_springs"), "sigma_2") == r"$\sigma_{\rm 2}$"
-    assert label(ss.load("kang_nam").search, "theta0") == r"$\theta_o$ (deg)"
-
-
 @pytest.mark.thorough
 def test_plot_on_the_command_line(tmp_path, monkeypatch, run, found):
     monkeypatch.setattr("spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: found)
@@ -143,22 +118,6 @@ def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, run):
 
 
 @pytest.mark.thorough
-def test_the_window_of_a_bifurcation_set_holds_every_cusp_that_was_found() -> None:
-    model = ss.load("two_springs")
-    cusps = ss.cusps(model.Parameters(), ("theta0", "mu0"))
-    assert (
-        window(model, ("theta0", "mu0"), {})["mu0"][1] < cusps.mu0.max() < window(model, ("theta0", "mu0"), {}, cusps)["mu0"][1]
-    )
-    assert window(model, ("theta0", "mu0"), {"mu0": (0.0, 0.5)}, cusps)["mu0"] == (0.0, 0.5)
-
-
-def test_a_spectrum_is_over_the_models_own_unit_of_time():
-    model = ss.load("stick_slip")
-    motion = ss.simulate(model.Parameters(), x0=0.1, t_end=20.0, backend="scipy")
-    assert figures.draw_spectrum(motion).axes.get_xlabel() == r"frequency $\times\ \sqrt{m/k}$"
-
-
-@pytest.mark.thorough
 def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path, monkeypatch, run):
     """Of the article's model and of one that turns: a row for each coordinate, with its plane and its spectrum."""
     seen = []
@@ -179,27 +138,3 @@ def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path
     assert len(article.axes) == 3 * 2
     assert len(rod.axes) == 3 * len(ss.load("sprag_rod").coordinates)
     assert "(deg)" in rod.axes[0].get_ylabel()
-
-
-@pytest.mark.parametrize(
-    ("options", "told"),
-    [
-        ({"vary": "zork"}, "'zork' is not a parameter of kang_nam"),
-        ({"vary": "mu0", "low": 1.0, "high": 0.0}, "low = 1, high = 0: mu0 is in"),
-        ({"vary": "mu0", "low": -1.0}, "low = -1, high = 1: mu0 is in"),
-        ({"vary": "mu0", "low": 0.5, "high": 0.5}, "give a range in it"),
-        ({"quantity": "zork"}, "quantity = 'zork' is not one of theta, L, x, y"),
-    ],
-)
-def test_what_can_not_be_drawn_is_named(options, told, ax):
-    with pytest.raises(ss.ParameterError, match=told):
-        figures.plot_equilibria(ss.Parameters(theta0=0.9), **options, ax=ax)
-
-
-@pytest.mark.validate
-def test_a_marginal_state_keeps_its_type_without_dampers():
-    p = ss.load("pad_on_disc").Parameters(theta0=1.53)
-    found = figures.branches(p, "kappa", 0.001, 0.017, contact=False, damping=True, n=20)
-    assert {one.stability for one in found} <= set(ss.Stability)
-    with pytest.raises(ss.ParameterError, match="has not both theta0 and mu0"):
-        figures.draw_operating_point(ss.load("stick_slip").Parameters(), (0.5, 0.6), (0.3, 0.6))

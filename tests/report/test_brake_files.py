@@ -9,7 +9,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.studies.brake_files import read_brake
-from tests.oracles import measurement_files
 
 GOOD = {
     "m": '"0.35 kg"', "k": '"180 N/mm ± 15 %"', "L_0": '"38 mm"', "theta0": '"52 deg ± 1 deg"', "k_x": '"9 N/mm ± 15 %"',
@@ -197,23 +196,6 @@ def test_a_wrong_measurement(name: str, tmp_path: Path) -> None:
         assert part in text
 
 
-@pytest.mark.thorough
-def test_measurements_are_read_as_they_are_meant_or_refused(tmp_path: Path) -> None:
-    assert len(measurement_files.READ) + len(measurement_files.REFUSED) >= 60
-    assert measurement_files.wrong(tmp_path) == []
-
-
-def test_files_that_are_none(tmp_path: Path) -> None:
-    assert "No such file" in message(tmp_path / "nothing.toml")
-    assert "is a folder" in message(tmp_path)
-    (tmp_path / "latin.toml").write_bytes('[brake]\nk = "180 N/mm ± 15 %"\n'.encode("latin-1"))
-    assert "UTF-8" in message(tmp_path / "latin.toml")
-    (tmp_path / "empty.toml").write_text("", encoding="utf-8")
-    assert "is empty" in message(tmp_path / "empty.toml")
-    (tmp_path / "large.toml").write_text("#" * (1 << 21), encoding="utf-8")
-    assert "bytes" in message(tmp_path / "large.toml")
-
-
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
 @pytest.mark.parametrize("newline", ["\n", "\r\n"])
 def test_files_as_editors_and_shells_write_them(encoding: str, newline: str, tmp_path: Path) -> None:
@@ -262,16 +244,6 @@ def test_conversions_by_hand(text: str, si: str, value: float) -> None:
     from spragsym.studies.units import read
 
     assert read(text, si).value == pytest.approx(value, rel=1e-14)
-
-
-def test_examples_are_allowed_or_none_is_given() -> None:
-    from spragsym.parameters import Range
-    from spragsym.studies.units import read
-
-    with pytest.raises(ss.ParameterError, match=r'0\.1 kg is not at least 0\.32 kg; write for instance "0\.35 kg"$'):
-        read("0.1 kg", "kg", Range(0.32))
-    with pytest.raises(ss.ParameterError, match=r"1 kg is not at least 9 kg; write a number in \[9, inf\) of the unit kg$"):
-        read("1 kg", "kg", Range(9.0))
 
 
 @pytest.mark.parametrize("sign", ["±", "+-", "+/-", "± ", " +- "])

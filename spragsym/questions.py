@@ -69,9 +69,8 @@ def model_of(*things: Any) -> Model:
     model: Model = kind.model_of_class()
     for other, its in others:
         if not issubclass(its, kind) and not issubclass(kind, its):
-            raise ParameterTypeError(
-                f"p = {other!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)"
-            )
+            remedy = "call .dimensionless() on it" if hasattr(other, "dimensionless") else "make one with model.Parameters(...)"
+            raise ParameterTypeError(f"p = {other!r:.60} is no set of parameters of {model.name}; {remedy}")
     return model
 
 

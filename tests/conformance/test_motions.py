@@ -55,15 +55,6 @@ def test_a_start_may_be_given_whole_or_by_names() -> None:
         ss.simulate(p, xO=0.1)
 
 
-def test_two_ways_to_one_motion() -> None:
-    """The article's own field and that of its page."""
-    p = ss.Parameters(theta0=np.radians(49.0))
-    closed, search = (ss.simulate(p, t_end=200.0, rtol=1e-12, method=method) for method in ("auto", "search"))
-    t = np.linspace(0.0, 200.0, 300)
-    assert np.abs(closed(t) - search(t)).max() < 1e-8
-    assert len(closed.events) == len(search.events)
-
-
 def test_forces_of_springs_and_of_the_contact_are_those_written_by_hand() -> None:
     p = ss.load("two_springs").Parameters(theta0=0.8, sigma_2=0.04, lambda_2=1.3, theta0_2=1.9)
     tr = ss.simulate(p, t_end=40.0)

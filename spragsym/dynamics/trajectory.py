@@ -71,6 +71,14 @@ class Trajectory(Recorded):
     def components(self) -> tuple[str, ...]:
         return (*self.model.coordinates, *self.model.rates)
 
+    @property
+    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+        return self.components
+
+    def data(self) -> dict[str, Any]:
+        """Time and every component, at the samples."""
+        return {"t": self.t, **{name: getattr(self, name) for name in self.components}}
+
     def __getattr__(self, name: str) -> FloatArray:
         if "model" not in self.__dict__:  # while it is copied or unpickled
             raise AttributeError(name)
@@ -136,7 +144,7 @@ class Trajectory(Recorded):
         extrema = np.concatenate([lowest, late.samples.passages(-speed, lambda state: -state[row + n])])
         return spectra.decay_rate_of(extrema, late.samples(extrema)[row])
 
-    def plot(self, transient: float = 0.0, *, of: str | None = None, ax: Any = None) -> Any:
+    def plot(self, ax: Any = None, *, transient: float = 0.0, of: str | None = None) -> Any:  # type: ignore[override]  # names its options
         """Draw x, the first coordinate, over time, or another component (extra ``plot``); returns the line."""
         row = self._row(of, self.components)
         if ax is None:
@@ -166,8 +174,7 @@ class Trajectory(Recorded):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write netCDF to ``*.nc`` (extra ``sweep``), with the events, or the samples alone to ``*.csv``."""
-        columns = {"t": self.t, **{name: getattr(self, name) for name in self.components}}
-        storage.write(Path(path), self.to_dataset, lambda: columns, self._attributes(), self.model.quantities)
+        storage.write(Path(path), self.to_dataset, self.data, self._attributes(), self.model.quantities)
 
     # -------------------------------------------------------------------------------------------- inner parts
 

@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result, Table, counted, index, not_all, shown, with_cut, words
+from ..display import WHOLE, Result, Table, counted, index, not_all, shown, with_cut, words
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 
@@ -196,27 +196,47 @@ class Equilibria(Result):
 
     def as_table(self) -> Table:
         """A row for each equilibrium, with the parameters that vary over the points."""
-        p, shape, said = self.parameters, self.count.shape, words(self)
-        every = self.states
+        shape, said, every = self.count.shape, words(self), self.states
         some, cut = shown(every[0].size)
         states = tuple(part[some] for part in every)
-        vary = [name for name in p.ranges if getattr(p, name) is not None and getattr(p, name).size > 1]
-        kinds, growth = self.told(states)
-        columns = {"stability": kinds, "undamped": self.stability[states]}
-        columns |= {name: getattr(self, name)[states] for name in self.columns} | {"growth": growth, "error": self.error[states]}
-        rows = []
-        for row, slot in enumerate(zip(*states, strict=True)):
-            place = tuple(int(i) for i in slot[:-1])
-            given = [said.cell(key, np.broadcast_to(getattr(p, key), p.shape)[place]) for key in vary]
-            rows.append((
-                *([index(place)] if shape else []), *given,
+        columns = self._rows(states)
+        rows = [
+            (
+                *([index(tuple(int(part[row]) for part in states[:-1]))] if shape else []),
                 *(f"{values[row]:.1e}" if key == "growth" else said.cell(key, values[row]) for key, values in columns.items()),
-            ))  # fmt: skip
+            )
+            for row in range(len(some))
+        ]
         where = {"sliding": "of sliding", "rest": "at rest"}.get(self.regime, f"in {self.regime}")
         number = counted(every[0].size, "equilibrium", "equilibria")
         caption = f"{number} {where}" + (f" of {math.prod(shape)} points" if shape else "")
-        header = (*(["point"] if shape else []), *map(said.heading, (*vary, *columns)))
+        header = (*(["point"] if shape else []), *map(said.heading, columns))
         return with_cut(caption + not_all(self), header, rows, cut)
+
+    def data(self) -> dict[str, NDArray[Any]]:
+        """A row for each equilibrium: the parameters that vary over the points, its stability and place, growth and error."""
+        return self._rows(self.states)
+
+    def _rows(self, states: tuple[NDArray[np.int64], ...]) -> dict[str, NDArray[Any]]:
+        p, (kinds, growth) = self.parameters, self.told(states)
+        vary = [name for name in p.ranges if getattr(p, name) is not None and getattr(p, name).size > 1]
+        given = {name: np.broadcast_to(getattr(p, name), p.shape)[states[:-1]] for name in vary}
+        where = {name: getattr(self, name)[states] for name in self.columns}
+        return {
+            **given,
+            "stability": kinds,
+            "undamped": self.stability[states],
+            **where,
+            "growth": growth,
+            "error": self.error[states],
+        }
+
+    def _is_short(self) -> bool:
+        return int(self.count.sum()) <= WHOLE
+
+    @property
+    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+        return tuple(dict.fromkeys([*self.columns, *self._made]))
 
     def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:
         """``kind`` and ``growth`` of some states only, by their indices into the columns."""

@@ -28,6 +28,10 @@ class Columns(Result):
         super().__init_subclass__(**options)
         cls.held_in = held_in
 
+    @property
+    def offered(self) -> tuple[str, ...]:  # type: ignore[override]  # of each result its own
+        return tuple(self.__dict__.get(self.held_in, ()))
+
     def __getattr__(self, name: str) -> FloatArray:
         columns = self.__dict__.get(self.held_in, {})
         if name not in columns:

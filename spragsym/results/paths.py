@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
+from ..display import Result, Rows
 from ..parameters import FloatArray
 from .equilibria import Equilibria, Stability, one_each
 from .named_columns import Columns
@@ -31,7 +31,7 @@ class Jump(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class Path(Columns, held_in="places"):
+class Path(Columns, Rows, held_in="places"):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
 
     Each coordinate is an attribute under its own name, of the shape of ``values``; so are the direction and the length of each

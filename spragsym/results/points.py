@@ -10,7 +10,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result, Table, counted, not_all, shown, with_cut, words
+from ..display import Result, Rows, Table, counted, not_all, shown, with_cut, words
 from ..parameters import FloatArray
 from .equilibria import Equilibria, columns_of, one_each
 
@@ -25,7 +25,7 @@ class Ended(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class Points(Result):
+class Points(Rows):
     """Points at which equilibria change, sorted by the first parameter that varies.
 
     Every parameter and coordinate is an attribute under its own name, one number a point; so are the direction and the length of
@@ -103,17 +103,27 @@ class Points(Result):
         return {name: getattr(self, name) for name in self.parameters.model.coordinates}
 
     @property
+    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+        return tuple(dict.fromkeys([*self.vary, *self.columns, *self._values, *self.parameters.ranges]))
+
+    @property
     def table_columns(self) -> dict[str, NDArray[Any]]:
         """What is told of each point but where it is: what happens there."""
         return {"kind": self.kind}
 
+    def data(self) -> dict[str, NDArray[Any]]:
+        """The parameters that vary, the state, what happens there and the bound on the errors, by name."""
+        where = {name: getattr(self, name) for name in (*self.vary, *self.columns)}
+        return {**where, **self.table_columns, "error": self.error}
+
     def as_table(self) -> Table:
         """A row for each point: the parameters that vary, the state, what ends there or begins, and what else is known of it."""
         said = words(self)
-        columns = {name: getattr(self, name) for name in (*self.vary, *self.columns)} | self.table_columns
+        columns = self.data()
+        error = columns.pop("error")
         if "fold" in self.kind:
             columns |= {"ends": self.ends, "when": self.when} | {f"{name}_after": column for name, column in self.after.items()}
-        columns["error"] = self.error
+        columns["error"] = error
         some, cut = shown(len(self))
         rows = [tuple(said.cell(name, column[row]) for name, column in columns.items()) for row in some]
         ends = self.region[-len(self.vary) :].tolist()

@@ -79,8 +79,9 @@ class Sweep(Result):
             raise AttributeError(f"a sweep has no {name!r}{hint(name, measured)}")
         return measured[name]
 
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self.measured]
+    @property
+    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+        return tuple(self.measured)
 
     def outcome(self, index: Any) -> Outcome:
         """What one motion comes to."""

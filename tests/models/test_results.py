@@ -1,0 +1,72 @@
+"""Every result shows itself: names in completion, values in repr, rows, a frame, a dataset and a picture."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+
+
+def _results() -> dict[str, Any]:
+    """By name: what makes one, and what was asked for."""
+    rod = ss.load("sprag_rod")
+    p = ss.Parameters.article(theta0=0.8)
+    return {
+        "equilibria": lambda: ss.equilibria(ss.Parameters.article(theta0=[0.5, 0.9])),
+        "folds": lambda: ss.folds(ss.Parameters.article()),
+        "cusps": lambda: ss.cusps(ss.Parameters.article()),
+        "onsets": lambda: ss.flutter_onsets(ss.Parameters.article(alpha=0.7), damping=False),
+        "path": lambda: ss.quasi_static_path(p, "mu0", [0.0, 0.2, 0.6]),
+        "path of a rod": lambda: ss.quasi_static_path(rod.Parameters(theta0=0.6), "mu0", [0.0, 0.2]),
+        "bifurcation set": lambda: ss.bifurcation_set(ss.Parameters.article()),
+        "motion": lambda: ss.simulate(p, t_end=5.0),
+        "sweep": lambda: ss.rms_sweep(p.replace(mu0=[0.1, 0.2]), t_end=20.0, transient=5.0),
+    }
+
+
+@pytest.fixture(params=_results())
+def result(request: pytest.FixtureRequest) -> Any:
+    return _results()[request.param]()
+
+
+def test_a_result_shows_itself(result: Any) -> None:
+    columns = result.data()
+    assert set(result.offered) <= set(dir(result))
+    assert all(np.shape(getattr(result, name)) is not None for name in result.offered)
+    assert type(result).__name__ in repr(result)
+    first = next((name for name in result.offered if name in columns), None)
+    assert first is None or first in repr(result)
+
+
+def test_rows_are_the_columns(result: Any) -> None:
+    columns = result.data()
+    if not columns or not hasattr(type(result), "__iter__"):
+        pytest.skip("it has no rows, or gives its parts")
+    rows = list(result)
+    assert len(rows) == len(result)
+    for name, column in columns.items():
+        assert [row[name] for row in rows] == column.tolist()
+
+
+def test_frame_and_dataset_hold_the_columns(result: Any) -> None:
+    pytest.importorskip("xarray")
+    columns = result.data()
+    dataset = result.to_xarray()
+    assert list(dataset.data_vars) == list(columns)
+    for name, column in columns.items():
+        assert np.array_equal(dataset[name].values.astype(column.dtype), column, equal_nan=column.dtype.kind == "f")
+    pytest.importorskip("pandas")
+    assert list(result.to_dataframe().columns) == list(columns)
+
+
+def test_a_result_is_drawn(result: Any) -> None:
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    ax = Figure().add_subplot()
+    result.plot(ax=ax)
+    drawn = [line for line in ax.lines if np.size(line.get_xdata())]
+    assert drawn or ax.collections

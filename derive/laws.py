@@ -1,7 +1,9 @@
 """The friction law: its two smooth sides, the thin layers in it that a large time step would jump over, and its value at steady sliding.
 
 An exponential of the sliding speed makes a layer at v = 0, as does a hyperbolic tangent, which is ±1 and an exponential: far from it
-all its derivatives are below rounding. Every one gets a factor NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers` says how far away a motion is, as minus its exponent.
+all its derivatives are below rounding. Every one gets a factor NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers`
+says how far away a motion is, as minus its exponent. tanh z is written as 1 − 2 exp(−2z)/(1 + exp(−2z)): where it rounds to 1, its
+Taylor coefficients by (tanh z)′ = 1 − tanh² z are all zero, and a step of that length misses the layer.
 """
 
 from __future__ import annotations
@@ -34,16 +36,17 @@ def _sides(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
     return ahead, behind
 
 
-def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
-    """Exponentials and hyperbolic tangents of the sliding speed, in an order of their own; what each is far away; minus its exponent."""
+def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
+    """Exponentials and hyperbolic tangents of the sliding speed, in a fixed order; the limit of each, what it lacks, its −exponent."""
     nodes = {node for side in _sides(model) for node in side.atoms(sp.exp, sp.tanh) if node.has(SLIP)}
     found = []
     for node in sorted(nodes, key=sp.default_sort_key):
         argument = node.args[0]
         if isinstance(node, sp.exp):
-            found.append((node, sp.S.Zero, -argument))
+            found.append((node, sp.S.Zero, node, -argument))
         elif (end := limit(model, argument, SLIP, sp.oo)).is_infinite:
-            found.append((node, sp.sign(end), 2 * sp.sign(end) * argument))
+            far, exponent = sp.sign(end), 2 * sp.sign(end) * argument
+            found.append((node, far, -2 * far * sp.exp(-exponent) / (1 + sp.exp(-exponent)), exponent))
     return found
 
 
@@ -63,7 +66,7 @@ def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.
 
 def layers(model: Mechanics) -> tuple[sp.Expr, ...]:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
-    return tuple(sp.expand(exponent).subs(SLIP, SIDE * slip(model)) for _, _, exponent in _layers(model))
+    return tuple(sp.expand(exponent).subs(SLIP, SIDE * slip(model)) for *_, exponent in _layers(model))
 
 
 def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
@@ -71,7 +74,7 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     ahead, behind = _sides(model)
     found = _layers(model)
     if not felt:
-        factors = {node: far + factor * (node - far) for (node, far, _), factor in zip(found, near(len(found)), strict=True)}
+        factors = {node: far + factor * tail for (node, far, tail, _), factor in zip(found, near(len(found)), strict=True)}
         ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
     if sp.expand(ahead + behind) == 0:
         return SIDE * ahead.subs(SLIP, SIDE * slip(model))

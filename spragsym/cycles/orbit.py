@@ -25,6 +25,7 @@ from ..dynamics.shooting import (
     MOST_STRETCHES,
     Guess,
     Loop,
+    difference,
     error_of,
     growth,
     looped,
@@ -43,6 +44,9 @@ NEUTRAL = 1e-7
 
 #: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a fold, its shortest steps do.
 STAYS = 1e-9
+
+#: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
+UNRESOLVED = 1e-4
 
 #: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
 SAME = 1e-9
@@ -67,7 +71,8 @@ class Cycle(Result):
     stable : bool
         Whether all others are inside of the unit circle, by more than their errors.
     error : float
-        Estimated error of state and period: what does not close, with what rounding adds, times the sensitivity of the orbit.
+        Estimated error of state and period: what does not close, or by what the flow without derivatives ends elsewhere, times the
+        sensitivity of the orbit; no less than what the trivial multiplier lacks to 1.
     residual : float
         By how much the orbit does not close.
     events : Events
@@ -183,10 +188,17 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
     loop = refined(once_round(loop, fly), fly)
     guess, found = loop.guess, loop.multipliers
+    lost = abs(found.trivial - 1)
+    if not lost < UNRESOLVED:
+        raise ConvergenceError(
+            f"the derivatives of the flow are not resolved: the trivial multiplier is {found.trivial:.6g} instead of 1; "
+            "use another backend, or a less steep friction law"
+        )
+    differs = difference(loop, flow(loop.field, backend, derivatives=False).fly)
     (mean, rms), (lowest, highest) = (((math.nan,) * 2,) * 2) if loop.winding else (moments(loop, backend), range_of(loop))
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
-        stable=is_stable(loop), error=error_of(loop), residual=loop.missed,
+        stable=is_stable(loop), error=max(error_of(loop, differs), lost), residual=loop.missed,
         events=_events(loop), rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=backend, loop=loop,
     )  # fmt: skip
 

@@ -321,13 +321,19 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
     return loop
 
 
-def error_of(loop: Loop) -> float:
-    """Largest row sum of the inverse of Newton's matrix, times what does not close and what rounding adds to that."""
+def difference(loop: Loop, plain: Fly) -> float:
+    """By how much another integrator's stretches end elsewhere: what the step control of either has missed."""
+    other = looped(loop.field, plain, loop.guess)
+    return max(float(np.abs(a.state - b.state).max()) for a, b in zip(loop.passages, other.passages, strict=True))
+
+
+def error_of(loop: Loop, differs: float = 0.0) -> float:
+    """Largest row sum of the inverse of Newton's matrix, times what does not close, and what rounding or another flow adds to that."""
     size = loop.field.size
     _, rows = phase(loop, loop.guess)(loop)
     inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
     wanted = np.r_[0:size, -1]
-    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop)))
+    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop), differs))
 
 
 def extent(loop: Loop) -> float:

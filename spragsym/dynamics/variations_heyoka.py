@@ -16,8 +16,9 @@ from .lobatto import unit_points
 from .segment import Crossing, Passage, Turn
 from .with_heyoka import put, watched
 
-#: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.
-TOLERANCE = 1e-17
+#: Tolerances of a step with derivatives, and of the plain flow, which by its other steps is a witness of the first; heyoka's error
+#: is relative to the largest of all that it carries.
+TOLERANCE, PLAIN = 1e-17, 1e-16
 
 #: Derivatives are carried in this unit, so that they stay below the state.
 UNIT = 1e-4
@@ -65,7 +66,7 @@ class Compiled:
         self.jumped = False
         self.solver = hy.taylor_adaptive(
             system, [0.0] * len(system),
-            tol=TOLERANCE, compact_mode=True,
+            tol=TOLERANCE if derivatives else PLAIN, compact_mode=True,
             t_events=[
                 hy.t_event(value, callback=partial(self._cross, i), cooldown=0.0, direction=hy.event_direction.negative)
                 for i, value in enumerate(borders)

@@ -71,8 +71,8 @@ class Cycle(Result):
     stable : bool
         Whether all others are inside of the unit circle, by more than their errors.
     error : float
-        Estimated error of state and period: what does not close, or by what the flow without derivatives ends elsewhere, times the
-        sensitivity of the orbit; no less than what the trivial multiplier lacks to 1.
+        Estimated error of state and period: the orbit's sensitivity times what does not close, or by what the flow without
+        derivatives ends elsewhere; no less than what the trivial multiplier lacks to 1.
     residual : float
         By how much the orbit does not close.
     events : Events

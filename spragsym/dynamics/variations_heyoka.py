@@ -16,8 +16,8 @@ from .lobatto import unit_points
 from .segment import Crossing, Passage, Turn
 from .with_heyoka import put, watched
 
-#: Tolerances of a step with derivatives, and of the plain flow, which by its other steps is a witness of the first; heyoka's error
-#: is relative to the largest of all that it carries.
+#: Tolerances of a step with derivatives and of the plain flow, whose other steps make it a witness of the first; heyoka's error is
+#: relative to the largest of all that it carries.
 TOLERANCE, PLAIN = 1e-17, 1e-16
 
 #: Derivatives are carried in this unit, so that they stay below the state.

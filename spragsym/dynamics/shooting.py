@@ -328,7 +328,7 @@ def difference(loop: Loop, plain: Fly) -> float:
 
 
 def error_of(loop: Loop, differs: float = 0.0) -> float:
-    """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding adds, or another flow ``differs``."""
+    """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding, or ``differs``."""
     size = loop.field.size
     _, rows = phase(loop, loop.guess)(loop)
     inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)

@@ -16,7 +16,7 @@ from .lobatto import unit_points
 from .segment import Crossing, Passage, Turn
 from .with_heyoka import put, watched
 
-#: Tolerances of a step with derivatives and of the plain flow, whose other steps make it a witness of the first; heyoka's error is
+#: Tolerances with derivatives and of the plain flow, whose other steps make it a witness of the first; heyoka's error is
 #: relative to the largest of all that it carries.
 TOLERANCE, PLAIN = 1e-17, 1e-16
 

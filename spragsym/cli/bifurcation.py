@@ -77,7 +77,7 @@ def bifurcation(
             found[title] = within_ranges(question())
         told[title] = points_of(case, found[title], along if title == "cusps" else line)
     if plot is not None:
-        _draw(case, plot, both, ranges, found["cusps"], n)
+        _draw(case, plot, both, ranges, found, n, undamped)
     if json_output:
         print_json({"model": case.model.name, "parameters": case.told(), **told})
         return
@@ -108,15 +108,27 @@ def plane(case: Case, vary: tuple[Typed, ...], plot: Path | None, force: bool) -
     return along
 
 
-def _draw(case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], cusps: Any, n: int) -> None:
-    """The bifurcation set; by closed forms where the model has them for all of this plane."""
+def _draw(
+    case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], found: dict[str, Any], n: int, undamped: bool
+) -> None:  # fmt: skip
+    """The bifurcation set; by closed forms where the model has them for all of this plane.
+
+    Curves of onsets where they are asked for, or were found along the first parameter, or where there are no folds to show.
+    """
     from ..figures import bifurcation_figure
     from ..figures.labels import window
 
     p = case.set(*vary)
     closed = case.has_closed("bifurcation_set") and vary == case.model.axes and not ranges
 
-    between = None if closed else window(case.model, vary, ranges, cusps)
-    drawing = f"drawing folds and cusps in the plane of {' and '.join(vary)}"
+    shown, onsets, plane = window(case.model, vary, ranges, found["cusps"]), None, " and ".join(vary)
+    if undamped or len(found["onsets"]) or not (closed or len(found["folds"]) or len(found["cusps"])):
+        with show_progress(f"searching for onsets in the plane of {plane}"):
+            onsets = ss.onset_curves(p, vary, min(n, 30), damping=not undamped, between=shown)
+    else:
+        click.echo("the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in", err=True)
     across, up = (case.units.axis(name) for name in vary)
-    written(path, drawing, lambda: bifurcation_figure(p, vary, between=between, n=n), [(across, up)])
+    drawing = f"drawing folds{', onsets' if onsets else ''} and cusps in the plane of {plane}"
+    written(
+        path, drawing, lambda: bifurcation_figure(p, vary, between=None if closed else shown, n=n, onsets=onsets), [(across, up)]
+    )

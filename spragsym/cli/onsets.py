@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 @of_model(statics=True)
 @vary("A parameter, with a range as theta0=5:175; give two. Default: {axes}.", multiple=True)
 @click.option(
+    "--undamped", is_flag=True, help="By (27), without dampers and the slope of the friction law: where two modes meet."
+)
+@click.option(
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the map of stability (pdf, png, svg)."
 )
 @click.option(
@@ -40,7 +43,9 @@ if TYPE_CHECKING:
 )
 @force
 @as_json
-def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force: bool, json_output: bool) -> None:
+def onsets(
+    case: Case, vary: tuple[Typed, ...], undamped: bool, plot: Path | None, n: int, force: bool, json_output: bool
+) -> None:  # fmt: skip
     """Where oscillation sets in over the plane of two parameters, gently or with a knock: a map of stability.
 
     Onsets are Hopf points with all damping, that of the friction law included; on curves of them those points too at which their
@@ -50,6 +55,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
     Examples:
       spragsym onsets --vary theta0=20:60 --vary mu0=0:1
       spragsym onsets --model stick_slip --vary V=0:1 --vary zeta=0:2 --plot map.pdf
+      spragsym onsets --model mode_coupling --vary sigma=0.1:2 --vary mu0=0:2 --undamped --plot map.pdf
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
@@ -60,7 +66,7 @@ def onsets(case: Case, vary: tuple[Typed, ...], plot: Path | None, n: int, force
     names = tuple(one.name for one in along)
     between = {name: ends for one in along for name, ends in one.between.items()}
     with show_progress(f"searching for onsets in the plane of {' and '.join(names)}"):
-        found = ss.onset_curves(case.set(*names), names, n, between=between)
+        found = ss.onset_curves(case.set(*names), names, n, damping=not undamped, between=between)
     if plot is not None:
         from ..figures import stability_figure
 

@@ -15,7 +15,7 @@ from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, as_drawn, label, window
-from .style import BLACK, GREEN, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
+from .style import BLACK, GREEN, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
@@ -51,7 +51,8 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     """Curves of Hopf points in the plane of two parameters, as maps of stability are printed; returns the artists.
 
     Full where the onset is gentle, dashed where it is dangerous, dotted where that is undecided; dots where that changes (GH),
-    squares for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH).
+    squares for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without damping two modes meet on
+    grey lines. The axes span the ranges that were searched.
 
     Parameters
     ----------
@@ -62,14 +63,15 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     ax, model = own_axes(ax), found.points.parameters.model
     one, two = found.vary
     artists: list[Any] = []
-    styles = {"gentle": "-", "dangerous": "--", "undecided": ":"}
+    color = BLACK if found.damping else GREY
+    styles = {"gentle": "-", "dangerous": "--", "undecided": ":" if found.damping else "-"}
     for curve in found.curves:
         across, up = as_drawn(model, one, getattr(curve, one)), as_drawn(model, two, getattr(curve, two))
         kinds = curve.criticality
         begins = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
         for begin, end in zip(begins, [*begins[1:], len(kinds) - 1], strict=True):
             part = slice(begin, end + 1)
-            artists += ax.plot(across[part], up[part], styles[str(kinds[begin])], color=BLACK)
+            artists += ax.plot(across[part], up[part], styles[str(kinds[begin])], color=color)
     changes = (["GH"] * len(found.changes["error"]), found.changes, "o", (3, 3))
     points = (found.points.kind.tolist(), {name: getattr(found.points, name) for name in found.vary}, "s", (3, -9))
     for labels, rows, marker, aside in (changes, points):
@@ -78,7 +80,18 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
         for text, place in zip(labels, zip(*places, strict=True), strict=True):
             artists.append(ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small"))
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
+    _span(ax, model, found.vary, found.between)
     return artists
+
+
+def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None:
+    """Have the axes span what was asked, and not what was found."""
+    ax.set(**{f"{axis}lim": tuple(as_drawn(model, name, np.array(between[name]))) for axis, name in zip("xy", vary, strict=True)})
+
+
+def _say(ax: Axes, text: str) -> None:
+    """Words in the middle of a picture that holds nothing else."""
+    ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", color=GREY)
 
 
 def draw_onsets(
@@ -131,11 +144,18 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     model = found.points.parameters.model
     names = (*found.vary, *model.coordinates, "omega", "lyapunov", "lyapunov_error")
     open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
+    if not found.curves and not len(found.points):
+        _say(ax, _no("onsets", found.complete))
+    lines = """, gentle on full lines and dangerous on dashed ones, undecided on dotted ones. Dots: the kind changes (GH);
+        squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
-        f"""Onsets of oscillation of {model.name}, gentle on full lines and dangerous on dashed ones, undecided on dotted ones.
-        Dots: the kind changes (GH); squares: curves end on folds (BT, ZH) or cross (HH).{open_boxes}""",
+        f"Onsets of oscillation of {model.name}{lines if found.damping else ' without damping: two modes meet.'}{open_boxes}",
         a=_table(found.curves, names),
     )
+
+
+def _no(what: str, complete: bool) -> str:
+    return f"no {what} here" if complete else f"no {what} found here; not complete"
 
 
 def draw_regions(ax: Axes, p: ParameterSet, mu0: tuple[float, float]) -> None:
@@ -148,7 +168,8 @@ def draw_regions(ax: Axes, p: ParameterSet, mu0: tuple[float, float]) -> None:
 
 @styled
 def bifurcation_figure(
-    p: ParameterSet, vary: Sequence[str] | None = None, *, between: Between | None = None, n: int = 60
+    p: ParameterSet, vary: Sequence[str] | None = None, *, between: Between | None = None, n: int = 60,
+    onsets: OnsetCurves | None = None,
 ) -> Sheet:  # fmt: skip
     """The bifurcation set of any model in the plane of two parameters, as a figure.
 
@@ -162,18 +183,28 @@ def bifurcation_figure(
         Their ranges, as for :func:`spragsym.folds`.
     n : int
         Lines of either parameter on which a search looks for folds: a closed curve between two of them is not seen.
+    onsets : OnsetCurves, optional
+        Of :func:`spragsym.onset_curves` in this plane, drawn as well.
     """
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
     model = p.model
     vary = tuple(model.two(vary))
     closed = "bifurcation_set" in model.closed and vary == model.axes and not between
-    options = {} if closed else {"n": n, "between": window(model, vary, between or {})}
+    shown = window(model, vary, between or {})
+    options = {} if closed else {"n": n, "between": shown}
     found: BifurcationSet = model.bifurcation_set(p, vary, **options)
-    draw_bifurcation_set(found, ax, color=VERMILION if closed else BLACK)
+    draw_bifurcation_set(found, ax, color=VERMILION if closed or onsets else BLACK)
+    if not closed:
+        _span(ax, model, vary, shown)
+    if onsets is not None:
+        draw_onset_curves(onsets, ax)
+    if not (found.curves or len(found.cusps) or onsets):
+        _say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
     shaded = ""
     if closed:
         lowest = float(model.critical_friction(p.replace(theta0=None, mu0=None)))
         top = max(1.0, 2.0 * lowest) if np.isfinite(lowest) else 1.0
+        top = top if onsets is None else onsets.between[vary[1]][1]
         draw_regions(ax, p, (0.0, top))
         angle_axis(ax)
         ax.set(xlabel=label(model, vary[0]), ylim=(0.0, top))
@@ -183,8 +214,9 @@ def bifurcation_figure(
     at = ", ".join(f"{LETTERS.get(name, name)} = {value:g}" for name, value in zip(*_fixed(p, vary), strict=True))
     return figure.describe(
         f"""Bifurcation set of {model.name}{f" at {at}" if at else ""}: two equilibria in contact meet on the lines{shaded};
-        dots are cusps.{open_boxes}""",
+        dots are cusps.{open_boxes}{" Oscillation sets in on the black or grey lines." if onsets else ""}""",
         a=_table(found.curves, names),
+        **({"onsets": _table(onsets.curves, (*vary, "omega"))} if onsets else {}),
     )
 
 

@@ -122,9 +122,9 @@ def flutter_onsets(
     conservative = is_conservative(balance, given, spans)
     if not damping and conservative:
         # All κ are real and change with K without leaving the real line: where two meet they pass each other.
-        parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans, asked), "flutter", _meeting)]
+        parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans, asked), "flutter", meeting)]
     elif not damping:
-        parts = [searched(Flutter(), "flutter", _meeting)]
+        parts = [searched(Flutter(), "flutter", meeting)]
     elif only is None or balance.n == 1:
         parts = [searched(Hopf(), "hopf", _crossing)]
     else:
@@ -209,7 +209,7 @@ def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return [omega] if omega else []
 
 
-def _meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
     squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     if squares.size < 2:

@@ -1,9 +1,9 @@
-"""Curves of Hopf points of a damped model in the plane of two parameters, and the points at which their kind changes."""
+"""Curves of onsets of flutter in the plane of two parameters: Hopf points and where their kind changes, or modes that meet."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -22,12 +22,13 @@ from ...results.onsets import told
 from ...results.points import Points
 from ..mechanics.balance import Balance
 from ..statics import stability
-from ..statics.damping import only_damped, slope_ends
+from ..statics.damping import is_conservative, only_damped, slope_ends
 from .bifurcation import on_lines, rows_of
 from .bifurcation_conditions import (
     BogdanovTakens,
     Damped,
     DoubleHopf,
+    Flutter,
     FoldWithoutDamping,
     Hopf,
     NoDamping,
@@ -35,9 +36,10 @@ from .bifurcation_conditions import (
     ZeroHopf,
 )
 from .defining_systems import Condition
+from .flutter import meeting
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
-from .points import arranged, given_column, picked, ranges, search
+from .points import arranged, given_column, nothing, picked, ranges, search
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -67,12 +69,16 @@ class OnsetCurve(Columns, held_in="values"):
 
 @dataclass(frozen=True, eq=False)
 class OnsetCurves(Result):
-    """Hopf points on lines of the plane, joined to curves, and the points at which they end or change.
+    """Onsets on lines of the plane, joined to curves, and points at which these end or change.
 
     Attributes
     ----------
     vary : tuple of str
         The two parameters.
+    damping : bool
+        Whether with all damping, or by (27), without: then curves are where two modes meet, and have no ``lyapunov``.
+    between : mapping
+        Ranges of the two.
     curves : tuple of OnsetCurve
         Hopf points in the order in which they follow each other. Each is proved; that they are joined in the right order is not.
     points : Points
@@ -92,6 +98,8 @@ class OnsetCurves(Result):
     """
 
     vary: tuple[str, ...]
+    damping: bool
+    between: Mapping[str, tuple[float, float]]
     curves: tuple[OnsetCurve, ...]
     points: Points
     changes: Mapping[str, FloatArray]
@@ -109,6 +117,7 @@ def onset_curves(
     vary: Sequence[str] | None = None,
     n: int = 30,
     *,
+    damping: bool = True,
     between: Mapping[str, tuple[float, float]] | None = None,
 ) -> OnsetCurves:
     """Curves of Hopf points in the plane of two parameters, each point gentle or dangerous, and where curves end and change.
@@ -121,6 +130,8 @@ def onset_curves(
         Two parameters; without it ``theta0`` and ``mu0``.
     n : int
         Lines of either parameter on which all Hopf points are found and proved.
+    damping : bool
+        With all damping, that of the friction law included; or by (27), without: curves on which two modes meet.
     between : mapping, optional
         Ranges of the two, as ``{"mu0": (0, 1)}``.
 
@@ -158,6 +169,9 @@ def onset_curves(
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
+    ranged = {name: (float(low), float(high)) for name, (low, high) in zip(vary, spans, strict=True)}
+    if not damping:
+        return _without_damping(model, balance, p, tuple(vary), given, spans, n, ranged)
     only = only_damped(balance, given, vary, spans) if balance.n > 1 else None
     dampers = bool(model.about["dampers"])
     points = _points(balance, p, vary, given, spans, only)
@@ -190,8 +204,29 @@ def onset_curves(
     complete = points.complete and whole and not len(undecided)
     remarks = (*said, *_undamped(balance, vary, given, undecided), *(f"of points: {it}" for it in points.remarks))
     return OnsetCurves(
-        tuple(vary), tuple(curves), points, dict(zip(names, rows, strict=True)), found.lines, complete, undecided, remarks
+        tuple(vary), True, ranged, tuple(curves), points, dict(zip(names, rows, strict=True)), found.lines, complete, undecided,
+        remarks,
     )  # fmt: skip
+
+
+def _without_damping(
+    model: Model, balance: Balance, p: ParameterSet, vary: tuple[str, ...], given: FloatArray, spans: FloatArray, n: int,
+    ranged: Mapping[str, tuple[float, float]],
+) -> OnsetCurves:  # fmt: skip
+    """Curves on which two modes meet; none where there are not two, or where forces have a potential."""
+    none, curves = np.empty((balance.n + 2, 0)), list[OnsetCurve]()
+    points = arranged(balance, p, vary, given, nothing(balance, vary, given, spans), np.empty(0, dtype=np.str_))
+    changes = {name: np.empty(0) for name in (*vary, *balance.coordinates, "error")}
+    if balance.n < 2 or is_conservative(balance, given, spans):
+        return OnsetCurves(vary, False, ranged, (), points, changes, {}, True, np.empty((0, balance.n + 2, 2)), ())
+    found = on_lines(balance, vary, Flutter(), given, spans, n, none)
+    lines = _Lines(model, balance, vary, given, found.curves, none)
+    for chain in found.chains:
+        omega = np.array([sum(meeting(*lines.matrices(state))) for state in chain.T])
+        parts = np.split(np.arange(omega.size), np.flatnonzero(np.diff(omega > 0)) + 1)
+        curves += [lines.curve(chain[:, part], omega[part], [UNPROVED] * len(part)) for part in parts if omega[part].any()]
+    complete = found.whole and not len(found.undecided)
+    return OnsetCurves(vary, False, ranged, tuple(curves), points, changes, found.lines, complete, found.undecided, found.remarks)
 
 
 def _hardly_damped(balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
@@ -236,11 +271,14 @@ def _points(
     return arranged(balance, p, vary, given, replace(parts[0], roots=every), np.array(kinds, dtype=np.str_))
 
 
-def _roots(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray) -> NDArray[np.complex128]:
+def _matrices(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray) -> Iterator[FloatArray]:
     point = given.copy()
     point[[balance.parameters.index(name) for name in vary], 0] = state[balance.n :]
-    M, C, K = (part[:, :, 0] for part in stability.linearization(balance, state[: balance.n, None], point))
-    return stability.roots(M, C, K)
+    return (part[:, :, 0] for part in stability.linearization(balance, state[: balance.n, None], point))
+
+
+def _roots(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray) -> NDArray[np.complex128]:
+    return stability.roots(*_matrices(balance, given, vary, state))
 
 
 def frequencies(roots: NDArray[np.complex128]) -> list[float]:
@@ -288,6 +326,10 @@ class _Lines:
             for part in np.split(np.arange(len(modes)), cuts)
             for mode in range(len(modes[part[0]]) if len(part) else 0)
         ]
+
+    def matrices(self, state: FloatArray) -> Iterator[FloatArray]:
+        """M, C and K at a point."""
+        return _matrices(self.balance, self.given, self.vary, state)
 
     def omegas(self, states: FloatArray) -> FloatArray:
         """ω at each point."""

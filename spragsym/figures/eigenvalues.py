@@ -15,7 +15,7 @@ from ..errors import ConvergenceError
 from ..models import Model
 from ..parameters import FloatArray, ParameterSet
 from .curves import chains_between, folds_between, range_of
-from .labels import label
+from .labels import as_drawn, label
 from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, panels, styled
 
 #: A λ whose real part is up to this share of its size is drawn as one that does not grow: practically neutral.
@@ -125,19 +125,19 @@ def _drawn(
     axes: tuple[Axes, Axes], model: Model, vary: str, ends: tuple[float, float], courses: _Courses
 ) -> list[Line2D]:  # fmt: skip
     lines: list[Line2D] = []
-    shown = np.degrees if model.is_angle(vary) else np.asarray
     for values, damped, undamped in courses:
+        across = as_drawn(model, vary, values)
         grows = damped.real > NEUTRAL * np.abs(damped)
         below, above = (np.where(undamped.imag >= 0, part, np.nan) for part in (undamped.imag, undamped.real))
         for ax, plain, part in zip(axes, (below, above), (damped.imag, damped.real), strict=True):
-            lines += ax.plot(shown(values), plain, color=GREY, linewidth=0.7)
+            lines += ax.plot(across, plain, color=GREY, linewidth=0.7)
             part = np.where(damped.imag >= 0, part, np.nan)
-            lines += ax.plot(shown(values), part, color=BLACK, linewidth=1.1)
-            lines += ax.plot(shown(values), np.where(grows, part, np.nan), color=VERMILION, linewidth=1.5)
+            lines += ax.plot(across, part, color=BLACK, linewidth=1.1)
+            lines += ax.plot(across, np.where(grows, part, np.nan), color=VERMILION, linewidth=1.5)
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")
-        ax.set_xlim(*map(float, shown(np.array(ends))))
+        ax.set_xlim(*as_drawn(model, vary, np.array(ends)))
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)
     axes[1].set_xlabel(label(model, vary))

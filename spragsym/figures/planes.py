@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
+from ..models import Model
 from ..models.catastrophe.hopf_curves import OnsetCurves
 from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet

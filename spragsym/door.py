@@ -122,9 +122,8 @@ def _check(model: Any, args: tuple[Any, ...], options: Mapping[str, Any]) -> Non
         return
     first = args[0] if args else options.get("p")
     if not isinstance(first, model.Parameters | Mapping):
-        raise ParameterTypeError(
-            f"p = {first!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)"
-        )
+        remedy = "call .dimensionless() on it" if hasattr(first, "dimensionless") else "make one with model.Parameters(...)"
+        raise ParameterTypeError(f"p = {first!r:.60} is no set of parameters of {model.name}; {remedy}")
 
 
 @functools.cache

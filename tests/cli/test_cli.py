@@ -145,17 +145,15 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
 EMPTY = ["30:60:0", "30:60:-1", "30:60:1", "", ",", "30:60:", "::", "nan:60:3", "30:inf:3"]
 
 
-@pytest.mark.parametrize("numbers", EMPTY)
 @pytest.mark.parametrize("flag", ["--theta0", "--mu0", "--kappa", "--alpha", "--sigma", "--beta", "-V", "-d"])
-def test_an_empty_axis_is_an_error_that_leaves_nothing(
-    flag: str, numbers: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_empty_axis_is_an_error_that_leaves_nothing(flag: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     given = ["--theta0", "49"] if flag != "--theta0" else []
-    assert invoke("sweep", *given, flag, numbers, "-o", str(tmp_path / "a.csv")) == USAGE
-    said = capsys.readouterr().err
-    assert said.count("\n") == 1
-    assert flag.strip("-") in said or {"-V": "--speed", "-d": "--creep"}[flag] in said
-    assert not list(tmp_path.iterdir())
+    for numbers in EMPTY:
+        assert invoke("sweep", *given, flag, numbers, "-o", str(tmp_path / "a.csv")) == USAGE, numbers
+        said = capsys.readouterr().err
+        assert said.count("\n") == 1
+        assert flag.strip("-") in said or {"-V": "--speed", "-d": "--creep"}[flag] in said
+        assert not list(tmp_path.iterdir())
 
 
 # --------------------------------------------------------------------------------------------------------- errors

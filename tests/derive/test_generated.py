@@ -78,8 +78,19 @@ FUNCTIONS = [
 ]
 #: Of the page's functions those of the motion, which come last.
 FUNCTIONS += [Generated("motion", name, getattr(algebra, name)) for name in algebra.__all__[algebra.__all__.index("rhs") :]]
-each_function = pytest.mark.parametrize("function", FUNCTIONS, ids=lambda f: f"{f.module}.{f.name}")
 NAMED = {function.name: function for function in FUNCTIONS}
+
+
+def each_function(test: Callable[[Generated], None]) -> Callable[[str], None]:
+    """The test of one function, for all of a module."""
+
+    @pytest.mark.parametrize("module", sorted({function.module for function in FUNCTIONS}))
+    def of_module(module: str) -> None:
+        for function in FUNCTIONS:
+            if function.module == module:
+                test(function)
+
+    return of_module
 
 
 def call(function: Callable[..., Any], values: dict[str, Any]) -> Any:

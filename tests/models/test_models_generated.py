@@ -11,7 +11,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from tests.support import ROOT
+from tests.support import ROOT, few
 
 FOLDER = ROOT / "generated/models"
 NAMES = sorted(path.parent.name for path in FOLDER.glob("*/model.json"))
@@ -60,7 +60,7 @@ class Generated:
         return getattr(self.algebra, name)(*self.state(q, p), mu, pushing, xp=XP)
 
 
-@pytest.fixture(params=NAMES)
+@pytest.fixture(params=few(NAMES, "kang_nam", "trolley", "stick_slip"))
 def model(request: pytest.FixtureRequest) -> Generated:
     return Generated(request.param)
 

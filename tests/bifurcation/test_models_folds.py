@@ -9,7 +9,6 @@ import pytest
 import sympy as sp
 
 import spragsym as ss
-from spragsym.models.catastrophe import fold_outcomes
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.statics import stability
 from tests.support import few, model_of, shipped_page
@@ -235,15 +234,3 @@ def test_a_curve_of_folds_between_lines_is_seen_however_small(circle, radius, u,
     np.testing.assert_allclose(np.hypot(curve.u, curve.v), radius, rtol=1e-6)
     turned = np.unwrap(np.arctan2(curve.v, curve.u))
     assert abs(turned[-1] - turned[0]) == pytest.approx(angle, rel=1e-4)
-
-
-@pytest.mark.thorough
-def test_what_ends_at_a_fold_is_undecided_where_the_search_at_it_finds_nothing(monkeypatch):
-    """A search that is given up has no states, though those on both sides of the fold had theirs: printing the folds failed."""
-    p = ss.load("kang_nam").Parameters(theta0=0.7)
-    found = ss.folds(p, vary="mu0", between={"mu0": (0.3, 0.8)}, method="search")
-    real = fold_outcomes.equilibria
-    given_up = {"x": (50.0, 51.0)}  # where no state is
-    monkeypatch.setattr(fold_outcomes, "equilibria", lambda q, **way: real(q, within=None if q.shape else given_up, **way))
-    assert found.ends.tolist() == found.when.tolist() == ["undecided"]
-    assert np.isnan(found.after["x"]).all()

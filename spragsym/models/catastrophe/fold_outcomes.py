@@ -1,4 +1,8 @@
-"""What ends at the folds along a parameter, when, and where it jumps to: from the equilibria on both sides of each fold."""
+"""What ends at the folds along a parameter, when, and where it jumps to: from the normal form at each fold.
+
+With K v = 0 and w K = 0 the states near a fold are q + s v, where w · ∂F/∂λ δλ + ½ w · D²F(v, v) s² = 0 up to higher order, and
+det K changes by s ∇(det K) · v. At a regular fold none of these numbers is 0, and each is enclosed over the fold's box.
+"""
 
 from __future__ import annotations
 
@@ -7,16 +11,23 @@ from typing import Any
 import numpy as np
 
 from ...errors import ConvergenceError
-from ...results.equilibria import Equilibria, Stability
+from ...exact.determinants import cofactor
+from ...exact.interval_arrays import FloatArray, Intervals, stacked
+from ...exact.jets import constant, gradient, variables
+from ...results.equilibria import Stability
 from ...results.points import Ended, Points, nothing_ends
 from ..mechanics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
-from .branches import Along, links
-from .paths import BESIDE
+from ..statics.stability import with_a_zero
+from .bifurcation_conditions import Fold, change
+from .defining_systems import Augmented
+from .points import given_column
 
 #: Where two states meet and nothing more is known.
 UNDECIDED = "undecided"
+#: Errors of a fold beyond it where its two states are gone for certain.
+BEYOND = 4.0
 
 
 def ended(points: Points) -> Ended:
@@ -35,46 +46,60 @@ def ended(points: Points) -> Ended:
 
 def _at(points: Points, row: int) -> tuple[str, str, dict[str, float]]:
     """Of one fold: which of the two states that meet is stable, which way they vanish, and what takes the place of that one."""
-    (vary,), p, at = points.vary, points.parameters.of(points.parameters.model.search), getattr(points, points.vary[0])
-    value, model = float(at[row]), p.model
-    stops = _beside(points, row, value)
-    eq = equilibria(p.replace(**{vary: stops}))
-    (pairs,) = links(Along(Balance(model, contact=True), p, vary, at, points.kind), stops, eq)
-    met = [slot for slot in range(int(eq.count[0])) if slot not in pairs]
-    when, side = ("up", 0) if met else ("down", 1)
-    met = met or [slot for slot in range(int(eq.count[1])) if slot not in pairs.values()]
-    if len(met) != 2 or not eq.decided.all():
-        raise ConvergenceError(f"the states that meet at {vary} = {value:.17g} are not told apart")
-    stable = [eq.stability[side, slot] == Stability.STABLE for slot in met]
-    if sum(stable) != 1:
+    (vary,), p = points.vary, points.parameters.of(points.parameters.model.search)
+    balance = Balance(p.model, contact=True)
+    z = np.array([float(getattr(points, name)[row]) for name in (*balance.coordinates, vary)])
+    size = points.error[row] * np.maximum(1.0, np.abs(z))
+    box = Intervals(np.stack([size - z, size + z])[:, :, None])
+    given = given_column(p, balance.parameters, (vary,))
+    side, lower = _normal_form(balance, vary, given, box)
+    given[balance.parameters.index(vary)] = z[-1]
+    when = "up" if side < 0 else "down"
+    if with_a_zero(balance, z[:-1, None], given) != Stability.STABLE:
         return "", when, {}
-    return ("lower", "upper")[stable.index(True)], when, _after(points, row, eq, 1 - side)
+    return "lower" if lower else "upper", when, _after(points, row, -side)
 
 
-def _beside(points: Points, row: int, value: float) -> Any:
-    """Values on both sides of a fold, within the parameter's range and nearer than any other fold."""
-    vary, at = points.vary[0], getattr(points, points.vary[0])
-    allowed = points.parameters.ranges[vary]
-    ends = np.array([*np.delete(at, row), allowed.low, allowed.high])
-    room = min(BESIDE * max(1.0, abs(value)), 0.25 * float(np.abs(ends - value).min()))
-    if not room > 0:
-        raise ConvergenceError(f"{vary} = {value:.17g} is two folds, or an end of the range")
-    return np.array([value - room, value + room])
+def _normal_form(balance: Balance, vary: str, given: FloatArray, box: Intervals) -> tuple[int, bool]:
+    """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
+    system = Augmented(balance, (vary,), Fold())
+    with np.errstate(all="ignore"):
+        at = system.state(variables(list(box), 1), system.prepared(Intervals.point(np.nan_to_num(given))), (1,))
+        K, n = at.stiffness(), balance.n
+        rows = balance.by_coordinate("forces", at.q, at.directions, at.values)
+        adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]
+        sizes = np.abs([[stacked([entry], (1,))[0].middle[0] for entry in line] for line in adjugate])
+        r, c = np.unravel_index(int(sizes.argmax()), sizes.shape)
+        pushed = sum(gradient(force, n + 1)[n] * w for force, w in zip(rows, adjugate[r], strict=True))
+        curved = constant(change(K, int(c)))
+        bent = curved * adjugate[r][c]
+        side = -_sign(pushed) * _sign(bent)
+        first = next((sign for sign in (_sign(line[c]) for line in adjugate) if sign), 0)
+    if not side or not first:
+        raise ConvergenceError("the normal form at the fold is not known well enough")
+    return side, first * _sign(curved) < 0
 
 
-def _after(points: Points, row: int, eq: Equilibria, beyond: int) -> dict[str, float]:
-    """The nearest equilibrium that is stable beyond the fold, as it is at the value of the fold."""
+def _sign(value: Any) -> int:
+    """1 or −1 where it is known, else 0."""
+    number = stacked([value], (1,))[0]
+    return int(number.low[0] > 0) - int(number.high[0] < 0)
+
+
+def _after(points: Points, row: int, forward: int) -> dict[str, float]:
+    """The nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain."""
     vary, names = points.vary[0], points.parameters.model.coordinates
-    before = np.array([getattr(points, name)[row] for name in names])
-    slots = [slot for slot in range(int(eq.count[beyond])) if eq.stability[beyond, slot] == Stability.STABLE]
+    value, allowed = float(getattr(points, vary)[row]), points.parameters.ranges[vary]
+    beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
+    beyond = beyond if allowed.low < beyond < allowed.high else value
+    here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
+    if not here.decided:
+        raise ConvergenceError(f"the states at {vary} = {beyond:.17g} are not told apart")
+    slots = [slot for slot in range(int(here.count)) if here.stability[slot] == Stability.STABLE]
     if not slots:
         return {}
-    behind = np.array([eq.coordinates[name][beyond, slots] for name in names])
+    before = np.array([getattr(points, name)[row] for name in names])
+    behind = np.array([getattr(here, name)[slots] for name in names])
     apart = np.linalg.norm(behind - before[:, None], axis=0)
-    goal = behind[:, foremost(apart, behind, eq.error[beyond, slots] + points.error[row])]
-    here = equilibria(points.parameters.replace(**{vary: float(getattr(points, vary)[row])}), method="search")
-    states = np.array([here.coordinates[name][: int(here.count)] for name in names])
-    if not states.size:
-        raise ConvergenceError(f"the states at {vary} = {getattr(points, vary)[row]:.17g} are not told apart")
-    slot = int(np.linalg.norm(states - goal[:, None], axis=0).argmin())
+    slot = slots[int(foremost(apart, behind, here.error[slots] + points.error[row]))]
     return {name: float(getattr(here, name)[slot]) for name in points.columns}

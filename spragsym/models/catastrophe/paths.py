@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,10 @@ from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
 from ..statics.reference_state import least_strained
 from ..statics.search import columns
-from ..statics.stability import linearization
+from ..statics.stability import with_a_zero
+from ..tubes.tube_regions import Parts, Place
+from ..tubes.tubes import Tubes
+from ..tubes.turning_points import turned
 from .bifurcation_conditions import Touch
 from .branches import Along, links
 from .folds import folds
@@ -38,6 +42,10 @@ BESIDE = 1e-3
 AROUND = 1e-6
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
+#: How near to a fold the place lies at which a tube turns, over the size of its coordinates.
+MATCH = 1e-6
+#: Of two folds that are stops themselves the one this much nearer, over the distance of the other, is that of a state there.
+CLEARLY = 0.1
 
 
 @dataclass(frozen=True)
@@ -123,17 +131,16 @@ def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str 
     for stop in range(1, way.stops.size):
         following = way.followed(stop, place)
         if following is None:
-            return way.end(stop)
+            return way.end(stop, place)
         place = following
     return None
 
 
-#: Where two equilibria meet on a value, instead of the slot of one.
-MET = -1
-
-
 class _Way:
-    """Values and the stops beside each fold, the equilibria at all of them, and which of two neighbours lie on one branch."""
+    """Values and the stops beside each fold, the equilibria at all of them, and which of two neighbours lie on one branch.
+
+    A place is a slot of the equilibria at a stop, or ``~number`` for the state in which two meet at a fold that is a stop itself.
+    """
 
     def __init__(self, model: Model, p: Any, vary: str, along: FloatArray) -> None:
         self.model, self.vary, self.balance = model, vary, Balance(model, contact=True)
@@ -152,13 +159,14 @@ class _Way:
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
         self.along = Along(self.balance, p, vary, self.at, self.kinds)
         self.every: dict[int, dict[int, int]] = {}
+        self.turnings: dict[tuple[int, int, int], int | None] = {}
         self.joined = links(self.along, self.stops, self.eq, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
         """The same; at values at which states meet, and which digits don't decide, with what is known of those.
 
-        Of a pitchfork it is the state in which three meet; the one in which two meet at a fold stands in no slot, see
-        :data:`MET`. That no other is there is known once all states beside the value are joined to those on it.
+        Of a pitchfork it is the state in which three meet; the one in which two meet at a fold stands in no slot. That no other
+        is there is known once all states beside the value are joined to those on it.
         """
         names = self.balance.coordinates
         for stop in np.flatnonzero(~eq.decided).tolist():
@@ -191,8 +199,14 @@ class _Way:
         return [found, *self._touches((low, high))]
 
     def _snapped(self, along: FloatArray) -> FloatArray:
-        """Where states vanish; on a value that lies within the error of that, the value: another search rounds otherwise."""
+        """Where states vanish: one value for those that coincide within their errors, and the value asked for that lies there.
+
+        Twins by a mirror coincide, and each search rounds in its own way.
+        """
         at, error = self._every(self.vary), self._every("error")
+        order = np.argsort(at)
+        begins = np.diff(at[order], prepend=-np.inf) > error[order] + np.roll(error[order], 1)
+        at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
         near = off.argmin(axis=1)
         return np.where(off[np.arange(at.size), near] <= error, along[near], at)
@@ -244,9 +258,10 @@ class _Way:
             raise ParameterError(f"start = {start!r}; give 'small', 'large' or the slot of an equilibrium")
         stable = [slot for slot in range(count) if self.eq.stability[0, slot] == Stability.STABLE] or list(range(count))
         met = self._met(0)
-        if met is not None and (self.stops.size == 1 or count == len(self._links(0))):
+        if met and (self.stops.size == 1 or count == len(self._links(0))):
             # The float of the fold lies just beyond the states that meet there.
-            stable = [MET, *stable] if self._stability_met(met) == Stability.STABLE else (stable or [MET])
+            firm = [~number for number in met if self._stability_met(number) == Stability.STABLE]
+            stable = [*firm, *stable] or [~number for number in met]
         if not stable:
             at = f"the first value, {self.vary} = {float(self.stops[0])!r}"
             raise ParameterError(f"{at}, has no equilibrium in contact; begin where there is one: at folds they begin and end")
@@ -257,39 +272,106 @@ class _Way:
         here = self.p.replace(**{self.vary: float(self.stops[0])})
         return stable[int(least_strained(self.model, here, list(states), error, np.ones(len(stable), dtype=np.bool_)))]
 
-    def _met(self, stop: int) -> int | None:
-        """The number of the fold or border that a stop is equal to."""
-        here = np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork"))
-        return int(here[0]) if here.size else None
+    def _met(self, stop: int) -> list[int]:
+        """Numbers of the folds and borders that a stop is equal to."""
+        return [int(number) for number in np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork"))]
 
     def _stability_met(self, number: int) -> int:
         """Where one λ is 0 the others decide."""
-        q = np.array([[float(self._column(name)[number])] for name in self.balance.coordinates])
         given = columns(self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters)
-        M, _, K = (part[:, :, 0] for part in linearization(self.balance, q, given))
-        squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
-        others = np.delete(squares, np.abs(squares).argmin())
-        if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
-            return int(Stability.FLUTTER)
-        return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
+        return with_a_zero(self.balance, self._states(np.array([number])), given)
 
     def moved(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump | None]:
         """The slot at a stop of the state that was in a slot at the one before, with the jump if it vanishes on the way."""
         following = self.followed(stop, place)
-        return self.jump(stop, choose) if following is None else (following, None)
+        return self.jump(stop, place, choose) if following is None else (following, None)
 
     def followed(self, stop: int, place: int) -> int | None:
         """The slot at a stop of the state that was in a slot at the one before; None if it vanishes on the way."""
         if place in self.joined[stop - 1]:
             return self.joined[stop - 1][place]
+        if place < 0:
+            return self._begun(stop, ~place)
+        several = self._candidates(stop - 1, stop).size > 1
+        if not (several and self._turns(stop - 1, place, stop) is not None) and place in self._links(stop - 1):
+            return self._links(stop - 1)[place]
+        number = self._ending(stop, place)
+        return ~number if self.at[number] == self.stops[stop] and self.kinds[number] != "pitchfork" else None
+
+    def _begun(self, stop: int, number: int) -> int | None:
+        """The stable one of the two states that begin at a fold, at the stop behind it; None if they lie on the other side."""
         links = self._links(stop - 1)
-        if place == MET:
-            begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
-            stable = [slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE]
-            return stable[0] if stable else None
-        if place in links:
-            return links[place]
-        return MET if self._met(stop) is not None else None
+        begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
+        if len(self._met(stop - 1)) > 1:
+            begun = [slot for slot in begun if self._turns(stop, slot, stop - 1) == number]
+        return next((slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), None)
+
+    def _candidates(self, stop: int, other: int) -> NDArray[np.int64]:
+        """Numbers of the points at which states may vanish between two stops, or on them."""
+        low, high = sorted((self.stops[stop], self.stops[other]))
+        error = self._column("error") * np.maximum(1.0, np.abs(self.at))
+        return np.flatnonzero((self.at >= low - error) & (self.at <= high + error))
+
+    def _turns(self, stop: int, slot: int, goal: int) -> int | None:
+        """The fold at which a state is proved to turn back on its way from one stop to another; None if nothing is proved."""
+        if (stop, slot, goal) not in self.turnings:
+            self.turnings[stop, slot, goal] = self._turned(stop, slot, goal)
+        return self.turnings[stop, slot, goal]
+
+    def _turned(self, stop: int, slot: int, goal: int) -> int | None:
+        here = self._candidates(stop, goal)
+        here = here[self.kinds[here] == "fold"]
+        if not here.size:
+            return None
+        tubes, start = self._standing(self.balance, stop, slot)
+        if here.size > 1 and (self.at[here] == self.stops[stop]).all():
+            # The float of the folds is one at which two states are left, too near to each other for a tube.
+            away = np.abs(self._states(here) - start.z[: tubes.n, 0, None]).max(axis=0)
+            nearest, second = np.argsort(away)[:2]
+            return int(here[nearest]) if away[nearest] <= CLEARLY * away[second] else None
+        forward = 1 if self.stops[goal] > self.stops[stop] else -1
+        found = turned(tubes, self._part, start, forward)
+        if not found.sure[0]:
+            return None
+        away = np.abs(np.vstack([self._states(here), self.at[here]]) - found.z) / np.maximum(1.0, np.abs(found.z))
+        nearest = int(away.max(axis=0).argmin())
+        return int(here[nearest]) if away[:, nearest].max() <= MATCH else None
+
+    @cached_property
+    def _part(self) -> Parts:
+        """The parameters, of which none has a width."""
+        nothing = np.zeros((0, 1))
+        return Parts(given_column(self.p, self.balance.parameters, (self.vary,)), nothing, nothing)
+
+    def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
+        """A tube's beginning at a state."""
+        tubes = Tubes(balance, self.vary)
+        z = np.array([*(self.eq.coordinates[name][stop, slot] for name in balance.coordinates), self.stops[stop]])
+        return tubes, tubes.place(self._part, z[:, None], tubes.n)
+
+    def _states(self, numbers: NDArray[np.int64]) -> FloatArray:
+        """Coordinates of points at which states vanish, shape (n, numbers)."""
+        return np.array([self._column(name)[numbers] for name in self.balance.coordinates])
+
+    def _ending(self, stop: int, place: int) -> int:
+        """The number of the point at which a state vanishes on its way to a stop from a place at the one before."""
+        here = self._candidates(stop - 1, stop)
+        if place < 0 or here.size == 1:
+            return ~place if place < 0 else int(here[0])
+        turns = self._turns(stop - 1, place, stop)
+        if turns is not None:
+            return turns
+        for number in here[self.kinds[here] == "border"].tolist():
+            tubes, start = self._standing(Balance(self.model, contact=True, room=OVER_BORDER), stop - 1, place)
+            there = tubes.followed(self._part, start, self.at[[number]])
+            away = np.abs(self._states(np.array([number])) - there.z[: tubes.n])
+            if there.sure[0] and there.z[tubes.n, 0] == self.at[number] and (away <= there.room[: tubes.n]).all():
+                return int(number)
+        pitchforks = here[self.kinds[here] == "pitchfork"]
+        if pitchforks.size == 1:  # at folds the state would be known to turn
+            return int(pitchforks[0])
+        ends = f"{self.vary} = {float(self.stops[stop - 1]):.17g} and {float(self.stops[stop]):.17g}"
+        raise ConvergenceError(f"where the state ends between {ends} is not told apart from {here.size} folds and borders there")
 
     def _links(self, step: int) -> dict[int, int]:
         """All pairs of slots of a step on one branch, not only those that tubes join at once."""
@@ -299,17 +381,16 @@ class _Way:
 
     def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
         """Coordinates, stability, and a bound on the error."""
-        if slot == MET:
-            number = self._met(stop)
-            assert number is not None  # MET is returned where there is one
+        if slot < 0:
+            number = ~slot
             values = [float(self._column(name)[number]) for name in self.balance.coordinates]
             return values, self._stability_met(number), float(self._column("error")[number])
         values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
         return values, int(self.eq.stability[stop, slot]), float(self.eq.error[stop, slot])
 
-    def jump(self, stop: int, choose: Choice | None) -> tuple[int, Jump]:
+    def jump(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
-        end = self.end(stop)
+        end = self.end(stop, place)
         before = end.before
         eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
@@ -354,9 +435,9 @@ class _Way:
         nearest = np.linalg.norm(states - behind[:, None], axis=0).argmin()
         return [float(value) for value in states[:, nearest]]
 
-    def end(self, stop: int) -> ModelEnd:
-        """The fold or border on this side of a stop, where a branch ends."""
-        number = int(np.abs(self.at - self.stops[stop]).argmin())
+    def end(self, stop: int, place: int) -> ModelEnd:
+        """The same, as a result."""
+        number = self._ending(stop, place)
         before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
         error, kind = float(self._column("error")[number]), str(self._column("kind")[number])
         return ModelEnd(float(self.at[number]), kind, before, error)

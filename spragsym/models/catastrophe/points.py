@@ -20,6 +20,7 @@ from ..mechanics.balance import Balance
 from ..mechanics.border import BITS, on_its_side
 from ..mechanics.forces import Model
 from ..mechanics.periodic_coordinates import once_around
+from ..statics.foremost import in_order
 from ..statics.regions import region
 from ..statics.remarks import of_boxes, of_ranges, of_region
 from . import near_zero
@@ -187,7 +188,7 @@ def arranged(
 ) -> Points:
     """The points as a result, sorted by the parameters that vary; given parameters of shape (parameters, 1)."""
     n, middle, left = balance.n, found.roots.middle, found.roots.left
-    order = np.lexsort(middle[n:][::-1])
+    order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
     values: dict[str, FloatArray] = {name: middle[n + i, order] for i, name in enumerate(vary)}
     values |= {name: middle[i, order] for i, name in enumerate(balance.coordinates)}
     values |= {name: column[order] for name, column in (more or {}).items()}

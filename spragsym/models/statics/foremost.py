@@ -1,4 +1,4 @@
-"""Which of some states is meant by "the smallest" or "the nearest" one, where two are alike to within their errors."""
+"""The order of states, and which is "the smallest" or "the nearest" one, where two are alike to within their errors."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from ...exact.interval_arrays import FloatArray
 
 #: Numbers that differ by less than so many bounds of their errors are taken as alike: their sizes and distances are rounded, too.
 ALIKE = 8.0
+#: Numbers that differ by less than this, over 1 and their size, are equal.
+EQUAL = 1e-12
 
 
 def foremost(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDArray[np.intp]:
@@ -39,3 +41,28 @@ def foremost(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDAr
         left &= here <= least + room
     slots: NDArray[np.intp] = left.argmax(axis=-1)
     return slots
+
+
+def in_order(rows: FloatArray, error: FloatArray, point: NDArray[np.int64]) -> NDArray[np.intp]:
+    """Numbers of states of some points in their order: by the rows from the first on, of which those that agree decide nothing.
+
+    Two states that mirror each other have equal coordinates, of which rounding would make a first and a second.
+
+    Parameters
+    ----------
+    rows : ndarray, shape (n, states)
+        Coordinates.
+    error : ndarray, shape (states,)
+        Bounds on their errors, over max(1, |coordinate|).
+    point : ndarray of int, shape (states,)
+        Which states are compared with one another.
+    """
+    keys = []
+    for row in rows:
+        order = np.lexsort((row, point))
+        near = EQUAL * (1 + np.abs(row[order])) + error[order] * np.maximum(1.0, np.abs(row[order]))
+        begins = np.diff(row[order], prepend=-np.inf) > near + np.roll(near, 1)
+        ranks = np.empty(order.size, dtype=np.intp)
+        ranks[order] = np.cumsum(begins | (np.diff(point[order], prepend=-1) != 0))
+        keys.append(ranks)
+    return np.lexsort((*reversed(keys), point))

@@ -39,6 +39,7 @@ from ..mechanics.precise_balance import (
 )
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
+from .foremost import in_order
 from .interval_newton import refined
 from .regions import by_hand, region
 from .remarks import kinds_of, of_region, summed
@@ -49,8 +50,6 @@ STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 
 
 #: Boxes of a point that a second, narrower search leaves where roots form a line.
 ALL_OVER = 2000
-#: Coordinates of two states that differ by less than this are equal.
-EQUAL = 1e-12
 #: Boxes of a point that are looked at where floats only look for what is there.
 SEEN_BUDGET = 8000
 
@@ -91,7 +90,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
     given = np.array([np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in balance.parameters])
     states = places[:, rows]
     found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
-    order = _in_slots(found)
+    order = in_order(found.middle, found.error, found.point)
     point, middle = found.point[order], found.middle[:, order]
     slot = np.arange(point.size) - np.searchsorted(point, point)
     off = apart(middle.T, states[:, point].T, balance.around)
@@ -102,22 +101,6 @@ def rest_index(p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
             index[point[row]] = slot[row]
     out[rows] = index
     return out
-
-
-def _in_slots(found: Roots) -> NDArray[np.intp]:
-    """Roots in the order of their slots: by coordinates from the first on, of which those that agree decide nothing.
-
-    Two states that mirror each other have equal coordinates, of which rounding would make a first and a second.
-    """
-    keys = []
-    for middle in found.middle:
-        order = np.lexsort((middle, found.point))
-        near = EQUAL * (1 + np.abs(middle[order])) + found.error[order]
-        begins = np.diff(middle[order], prepend=-np.inf) > near + np.roll(near, 1)
-        ranks = np.empty(order.size, dtype=np.intp)
-        ranks[order] = np.cumsum(begins | (np.diff(found.point[order], prepend=-1) != 0))
-        keys.append(ranks)
-    return np.lexsort((*reversed(keys), found.point))
 
 
 def columns(p: Any, names: list[str]) -> FloatArray:
@@ -195,7 +178,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
-    order = _in_slots(found)
+    order = in_order(found.middle, found.error, found.point)
     point, states, errors = found.point[order], found.middle[:, order], found.error[order]
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))

@@ -151,6 +151,16 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
     )
 
 
+def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
+    """The code of one state, shape (n, 1), where one λ is 0, as at a fold: the others decide."""
+    M, _, K = (part[:, :, 0] for part in linearization(balance, states, given))
+    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    others = np.delete(squares, np.abs(squares).argmin())
+    if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
+        return int(Stability.FLUTTER)
+    return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
+
+
 def _values(balance: Balance, given: Iterable[FloatArray]) -> dict[str, Any]:
     """Arguments of generated functions by name, of floats."""
     values: dict[str, Any] = {}

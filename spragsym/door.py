@@ -30,8 +30,8 @@ from typing import Any
 
 from .errors import ModelError, ParameterError, ParameterTypeError
 from .parameters import ParameterSet
+from .questions import is_chosen, of
 from .questions import model_of as _model_of
-from .questions import of
 
 #: Public functions that are asked of a model.
 INTERFACE = frozenset((
@@ -55,7 +55,7 @@ def question(general: Callable[..., Any]) -> Callable[..., Any]:
         if method not in WAYS:
             raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
         _check(model, args, options)
-        if method != "search" and name in model.closed:
+        if method != "search" and name in model.closed and not is_chosen(name, args, options):
             room, along = model.closed[name]
             closed = closed_form(room, name)
             alone = len(args) == 1 and not options  # one argument always fits

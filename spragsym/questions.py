@@ -24,6 +24,10 @@ R = TypeVar("R")
 #: Ways to an answer: by closed form where there is one, by closed form only, or by the general algorithm and all that it asks.
 Method: TypeAlias = Literal["auto", "closed", "search"]
 WAYS = ("auto", "closed", "search")
+#: Questions about a state that is followed: closed forms know the reference state, not one that ``p.following(…)`` chose.
+FOLLOWING = frozenset((
+    "quasi_static_path", "first_ends", "have_jumped", "certify", "safe_within", "critical_friction", "critical_value",
+))  # fmt: skip
 
 
 class NotInClosedForm(Exception):
@@ -44,7 +48,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         if asked is not model:
             args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]
         closed = asked.closed_form(name)
-        if closed is not None and _takes(closed, args, options):
+        if closed is not None and not is_chosen(name, args, options) and _takes(closed, args, options):
             try:
                 return closed(*args, **{key: value for key, value in options.items() if value is not None})  # type: ignore[no-any-return]
             except NotInClosedForm:
@@ -90,6 +94,11 @@ def of(model: Model, thing: Any) -> Any:
     if isinstance(thing, ParameterSet) or hasattr(thing, "of_model"):
         return thing.of(model)
     return tuple(of(model, one) for one in thing) if type(thing) is tuple else thing
+
+
+def is_chosen(name: str, args: tuple[Any, ...], options: Mapping[str, Any]) -> bool:
+    """Whether a question is about a state that is followed, and about another one than the reference state."""
+    return name in FOLLOWING and any(getattr(p, "followed", None) is not None for p, _ in _sets((*args, *options.values())))
 
 
 @functools.cache

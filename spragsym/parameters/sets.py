@@ -115,7 +115,44 @@ class ParameterSet(Values):
 
     def _copied(self, kind: type[Self]) -> Self:
         other = object.__new__(kind)
-        other.__dict__.update({name: value for name, value in self.__dict__.items() if name in self.ranges})
+        other.__dict__.update(
+            {name: value for name, value in self.__dict__.items() if name in self.ranges or name == "_followed"}
+        )
+        return other
+
+    @property
+    def followed(self) -> Mapping[str, float] | None:
+        """Coordinates near which the followed state begins; None for the reference state."""
+        return self.__dict__.get("_followed")
+
+    def following(self, **coordinates: float) -> Self:
+        """A copy whose followed state is the stable equilibrium nearest to these coordinates, in place of the reference state.
+
+        It holds for everything that follows a state: paths, jump values, margins, probabilities, certificates, redesigns.
+
+        Parameters
+        ----------
+        **coordinates : float
+            Some of the model's coordinates, angles in radians; the distance is taken in these.
+
+        Raises
+        ------
+        ParameterError
+            For a name that is no coordinate, or none at all.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> rod = ss.load("sprag_rod")
+        >>> p = rod.Parameters(theta0=0.6).following(phi=-0.5)
+        >>> ss.quasi_static_path(p, "mu0", [0.0, 0.2]).phi.round(4).tolist()
+        [-0.5638, -0.5727]
+        """
+        known = self.model.coordinates
+        if not coordinates or not set(coordinates) <= set(known):
+            raise ParameterError(f"coordinates = {', '.join(coordinates) or 'none'}; give some of {', '.join(known)}")
+        other = self._copied(type(self))
+        other.__dict__["_followed"] = {name: as_number(name, value) for name, value in coordinates.items()}
         return other
 
     def replace(self, **changes: ArrayLike | None) -> Self:
@@ -129,6 +166,12 @@ class ParameterSet(Values):
         """A copy with those values that are not None; itself if there are none."""
         known = {name: value for name, value in changes.items() if value is not None}
         return self.replace(**known) if known else self
+
+    def __eq__(self, other: object) -> bool:
+        same = super().__eq__(other)
+        return same if same is NotImplemented else bool(same) and self.followed == getattr(other, "followed", None)
+
+    __hash__ = Values.__hash__
 
     def require(self, *names: str) -> None:
         """Raise unless the named parameters are given."""
@@ -148,16 +191,19 @@ class ParameterSet(Values):
         return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (self.where, self.searched, {name: getattr(self, name) for name in self.ranges})
+        return _again, (self.where, self.searched, {name: getattr(self, name) for name in self.ranges}, self.followed)
 
     def __repr__(self) -> str:
         given = ((name, getattr(self, name)) for name in self.ranges)
-        return f"{type(self).__name__}({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+        text = f"{type(self).__name__}({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+        chosen = ", ".join(f"{name}={value!r}" for name, value in (self.followed or {}).items())
+        return f"{text}.following({chosen})" if chosen else text
 
 
-def _again(where: str, searched: bool, values: dict[str, Any]) -> Any:
+def _again(where: str, searched: bool, values: dict[str, Any], followed: dict[str, float] | None) -> Any:
     model = importlib.import_module("spragsym.models").load(where)
-    return (model.search if searched else model).Parameters(**values)
+    p = (model.search if searched else model).Parameters(**values)
+    return p if followed is None else p.following(**followed)
 
 
 def _plain(value: FloatArray) -> str:

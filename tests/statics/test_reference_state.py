@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -49,3 +50,19 @@ def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float
     smallest = np.where(stable, np.abs(eq.x), np.inf).argmin(axis=1)
     assert several.sum() > 50
     assert (slot == smallest)[several].all()
+
+
+def test_another_state_is_followed_where_it_is_chosen() -> None:
+    """By paths, jump values and certificates, closed forms or not: none of them tells what is true of the reference state."""
+    rod = ss.load("sprag_rod").Parameters(theta0=0.6, mu0=0.7)
+    other = rod.following(phi=-0.5)
+    (fold,) = ss.folds(rod, "mu0", between={"mu0": (0.0, 2.0)}).mu0
+    assert ss.jump_value(rod, "mu0", until=2.0) == pytest.approx(fold, abs=1e-12)
+    assert np.isnan(ss.jump_value(other, "mu0", until=2.0))
+    assert ss.certify(rod, rod, "no jump").outcome == "refuted"
+    assert ss.certify(other, other, "no jump").outcome == "proved"
+    article = ss.Parameters.article(theta0=0.5, mu0=0.6)
+    far = article.following(x=1.8)
+    assert ss.quasi_static_path(far, "mu0", [0.0, 0.3]).x[0] == pytest.approx(ss.equilibria(article.replace(mu0=0.0)).x[2])
+    assert pickle.loads(pickle.dumps(far)) == far  # noqa: S301  # written here
+    assert far != article

@@ -237,7 +237,7 @@ class _Search:
             raise ConvergenceError(
                 f"no state at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
             )
-        slot = reference_state(self.model, eq)
+        slot = reference_state(self.model, eq, self.p.followed)
         first = np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
         way = self.carried(here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))

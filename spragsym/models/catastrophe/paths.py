@@ -25,7 +25,7 @@ from ..mechanics.balance import Balance
 from ..mechanics.forces import Model
 from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
-from ..statics.reference_state import least_strained
+from ..statics.reference_state import chosen_state
 from ..statics.search import columns
 from ..statics.stability import with_a_zero
 from ..tubes.tube_regions import Parts, Place
@@ -79,8 +79,9 @@ def quasi_static_path(
     values : array_like
         One axis, strictly increasing or strictly decreasing.
     start : "small", "large" or int
-        Where to begin, at the first value: the stable equilibrium of smallest or largest first coordinate, by size, or a slot of
-        ``model.equilibria``.
+        Where to begin, at the first value: the reference state, see :mod:`spragsym.models.statics.reference_state`, or the one
+        that ``p.following(…)`` chose; the stable equilibrium of largest first coordinate, by size; or a slot of
+        :func:`spragsym.equilibria`.
     after_jump : callable, optional
         Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the stable one that is nearest.
 
@@ -270,7 +271,8 @@ class _Way:
         if start == "large":
             return stable[int(foremost(-np.abs(states[0]), states, error))]
         here = self.p.replace(**{self.vary: float(self.stops[0])})
-        return stable[int(least_strained(self.model, here, list(states), error, np.ones(len(stable), dtype=np.bool_)))]
+        every = np.ones(len(stable), dtype=np.bool_)
+        return stable[int(chosen_state(self.model, here, list(states), error, every, self.p.followed))]
 
     def _met(self, stop: int) -> list[int]:
         """Numbers of the folds and borders that a stop is equal to."""

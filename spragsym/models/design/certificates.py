@@ -87,7 +87,7 @@ class Splitting:
 
     def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
         model = low.model
-        self.model, self.vary, self.begin = model, vary, begin
+        self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed
         self.balance = BalanceInUnits(model, True, units or {})
         corner = corner_values(model.parameters, low, high)
         ends = [dict(zip(model.parameters, values.tolist(), strict=True)) for values in corner]
@@ -117,7 +117,7 @@ class Splitting:
         stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
         if not eq.decided or not stable.size:
             raise ConvergenceError(f"no state in the middle of the box is known to be stable at {self.vary} = {self.begin:g}")
-        slot = reference_state(self.model, eq)
+        slot = reference_state(self.model, eq, self.near)
         return np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:

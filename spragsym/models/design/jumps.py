@@ -204,6 +204,7 @@ class Followed:
         model = p.model
         model.require_parameter(vary)
         self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
+        self.near = p.followed
         allowed = model.Parameters.ranges[vary]
         if begin is None and vary in FROM_LOWER_END:
             if self.forward < 0:
@@ -277,14 +278,15 @@ class Followed:
         return Ends(out.value.reshape(self.shape), out.error.reshape(self.shape), out.state.reshape(n, *self.shape), reasons)
 
     def _point(self, i: int) -> Any:
-        return self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
+        p: ParameterSet = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
+        return p if self.near is None else p.following(**self.near)
 
     def _start(self, rows: Any) -> tuple[Parts, Place, FloatArray]:
         """Some points, the reference states from which they are followed, where these are known, and up to where."""
         n, begin = self.balance.n, self.begin[rows]
         p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
         eq = equilibria(p)
-        slot = reference_state(self.model, eq)
+        slot = reference_state(self.model, eq, self.near)
         z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0

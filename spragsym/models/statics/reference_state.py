@@ -1,8 +1,8 @@
-"""The reference state, that of small deformation: where a state is followed from, unless told otherwise."""
+"""The reference state, that of small deformation, from which a state is followed unless another one is chosen."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -20,13 +20,15 @@ STEP = 1e-3
 POSITIVE = 1e-6
 
 
-def reference_state(model: Any, eq: Equilibria) -> NDArray[np.intp]:
+def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None = None) -> NDArray[np.intp]:
     """The slot of the stable equilibrium of least strain energy, for each point; where none is stable, of any of least strain.
 
     Parameters
     ----------
     eq : Equilibria
         In contact, of any shape; slots are the last axis.
+    near : mapping, optional
+        Coordinates to which it is the nearest, instead.
 
     Notes
     -----
@@ -38,11 +40,16 @@ def reference_state(model: Any, eq: Equilibria) -> NDArray[np.intp]:
     q = [getattr(eq, name) for name in model.coordinates]
     stable = eq.stability == Stability.STABLE
     among = np.where(stable.any(axis=-1, keepdims=True), stable, ~np.isnan(q[0]))
-    return least_strained(model, eq.parameters, q, eq.error, among)
+    return chosen_state(model, eq.parameters, q, eq.error, among, near)
 
 
-def least_strained(model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: NDArray[np.bool_]) -> NDArray[np.intp]:
+def chosen_state(
+    model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: NDArray[np.bool_], near: Mapping[str, float] | None
+) -> NDArray[np.intp]:
     """The same of coordinates, one array each with slots last, bounds on their errors, and the slots to choose from."""
+    if near is not None:
+        off = np.linalg.norm([q[model.coordinates.index(name)] - value for name, value in near.items()], axis=0)
+        return foremost(np.where(among, off, np.inf), np.array(q), error)
     (_, point), *_ = model.cases()
     missing = {
         name: getattr(point, name) for name in model.parameters if getattr(p, name) is None

@@ -229,8 +229,9 @@ class _Search:
         self.looks += len(pairs)
         np.add.at(self.work, pairs.nodes, 1)
         given, pairs, parameters = self._contracted(pairs)
-        # Widened, so that a root on the border of a box lies well inside.
-        wide = np.minimum(pairs.ends + MARGIN * Intervals(pairs.ends).width, self.limits)
+        # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
+        room = MARGIN * Intervals(pairs.ends).width + NARROW * np.maximum(1.0, np.abs(pairs.ends).max(axis=0))
+        wide = np.minimum(pairs.ends + room, self.limits)
         middle = Intervals(pairs.ends).middle
         at_middle = self.system.at_points(middle, parameters)
         slopes = self.system.jacobian(Intervals(wide), parameters)
@@ -279,7 +280,10 @@ class _Search:
         scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
         # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
         ratio = np.where(widths <= NARROW * scale, 1.0, widths / (before.ends[0] + before.ends[1]))
-        stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
+        # An unknown that has reached rounding does not keep another from being halved that has not.
+        noisy = noise >= SPREAD * widths
+        stuck = np.logical_and.reduce(noisy | (widths <= NARROW * scale)) & np.logical_or.reduce(noisy)
+        stuck &= np.logical_and.reduce(widths <= SMALL * scale)
         narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
         moved = ~np.logical_and.reduce(noise < SPREAD * widths)

@@ -140,8 +140,8 @@ def test_a_double_hopf_point_in_closed_form() -> None:
         k, z = np.asarray(curve.kappa), np.asarray(curve.zeta)
         b = [(1 + g) * (k + g) - g * g, z * (1 + g) - fed * (k + g), 1 + k + 2 * g - fed * z, z - fed]
         np.testing.assert_allclose(b[3] * b[2] * b[1], b[1] ** 2 + b[3] ** 2 * b[0], rtol=0, atol=1e-12)
-    ends = np.array([[curve.kappa[k] - 1.0, curve.zeta[k] - fed] for curve in curves.curves for k in (0, -1)])
-    near = ends[np.hypot(*ends.T) < 0.1]
+    places = np.concatenate([[curve.kappa - 1.0, curve.zeta - fed] for curve in curves.curves], axis=1).T
+    near = places[np.hypot(*places.T) < 0.1]
     assert {tuple(np.sign(row).tolist()) for row in near} == {(1, 1), (1, -1), (-1, 1), (-1, -1)}
 
 

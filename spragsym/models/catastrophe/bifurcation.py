@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...exact.certified_roots import Roots, concatenated
 from ...exact.interval_arrays import FloatArray, Intervals
 from ...parameters import as_count
 from ...progress import doing
@@ -22,7 +23,7 @@ from .bifurcation_conditions import Fold
 from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
 from .fold_extrema import extrema
-from .points import endless, given_column, ranges, search
+from .points import Found, endless, given_column, ranges, search
 
 #: Rounds in which points are joined to those next to them.
 ROUNDS = 4
@@ -35,6 +36,8 @@ _WHERE = {
     "end": "where curves end",
     "border": "where curves leave the contact",
 }
+#: Lines one after the other that stay undecided alone, after which no other is searched alone.
+ENOUGH = 4
 #: How near a line counts as on it, over the range of the parameter.
 ON_LINE = 1e-9
 
@@ -137,7 +140,7 @@ def on_lines(
         column = np.repeat(given, values.size, axis=1)
         column[balance.parameters.index(vary[across])] = values
         with doing("{} lines along {}", values.size, vary[along]):
-            found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET, asked=asked)
+            found = _on_each(balance, vary[along], condition, column, spans[along : along + 1], asked)
         whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
         rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
@@ -153,8 +156,34 @@ def on_lines(
     scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
     curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
-    chains = [curves.smooth(states[:, places]) for places in _chains(curves, states, near)]
+    joined = curves.joined([states[:, places] for places in _chains(curves, states, near)], [lines[name] for name in vary])
+    chains = [curves.smooth(chain) for chain in joined]
     return OnLines(curves, chains, lines, undecided, whole, tuple(f"on lines: {text}" for text in remarks))
+
+
+def _on_each(
+    balance: Balance, vary: str, condition: Condition, columns: FloatArray, span: FloatArray, asked: FloatArray | None
+) -> Found:
+    """All points on lines, searched at once; each line of which boxes are left again alone, with all that decides one line."""
+    found = search(balance, (vary,), condition, columns, span, budget=BUDGET, asked=asked)
+    open_ = np.unique(found.roots.left_point)
+    parts, undecided = [], 0
+    for line in open_:
+        if undecided == ENOUGH:
+            break
+        alone = search(balance, (vary,), condition, columns[:, [line]], span, budget=BUDGET, asked=asked).roots
+        undecided = undecided + 1 if alone.left_point.size else 0
+        parts.append(replace(alone, point=np.full_like(alone.point, line), left_point=np.full_like(alone.left_point, line)))
+    again = open_[: len(parts)]
+    return replace(found, roots=concatenated([_not_on(found.roots, again), *parts], balance.n + 1))
+
+
+def _not_on(roots: Roots, lines: NDArray[np.int64]) -> Roots:
+    """What is known of other lines."""
+    kept, left = ~np.isin(roots.point, lines), ~np.isin(roots.left_point, lines)
+    return Roots(
+        roots.ends[:, :, kept], roots.alone[:, :, kept], roots.point[kept], roots.left[:, :, left], roots.left_point[left]
+    )
 
 
 def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatArray:

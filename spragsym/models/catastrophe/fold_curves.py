@@ -7,6 +7,7 @@ for.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,8 +24,10 @@ SMOOTH = 2e-4
 ROUNDS = 7
 #: Steps of Newton's method, and how far it may lead away over the distance of the neighbours.
 STEPS, NEAR = 6, 0.5
-#: How far behind the last point an end of a range is looked for, over the scales.
-BEYOND = 0.2
+#: First pace behind the end of a chain, over the scales, the least one, and paces that are tried.
+PACE, LEAST, PACES = 0.02, 1e-6, 60
+#: Cosine of the turn within a pace, and distance of a point from its chord, over its length.
+STRAIGHT, BESIDE = 0.9, 0.05
 #: Half-width of the box in which a point is proved, over the size of what it is made of.
 ROOM = 1e-9
 
@@ -39,14 +42,99 @@ class FoldCurves:
     spans: FloatArray
 
     def smooth(self, states: FloatArray) -> FloatArray:
-        """A chain of folds, shape (n + 2, number), with further ones between its neighbours and on the ends of the ranges."""
-        out = self._extended(self._extended(states)[:, ::-1])[:, ::-1] if states.shape[1] > 1 else states
+        """A chain of folds, shape (n + 2, number), with further ones between its neighbours."""
+        out = states
         for _ in range(ROUNDS):
             before = out.shape[1]
             out = self._halved(out)
             if out.shape[1] == before:
                 break
         return out
+
+    def joined(self, chains: Sequence[FloatArray], lines: Sequence[FloatArray]) -> list[FloatArray]:
+        """Chains followed beyond both ends: to the end of a range, or to the end of another chain, with which it then is one.
+
+        ``lines`` are the values of either parameter at which all points are known, so that none is passed unseen.
+        """
+        left, out = list(chains), []
+        while left:
+            chain = left.pop(0)
+            for side in (1, -1):
+                while not _is_closed(chain):
+                    path, met = self._beyond(chain, left, lines, side)
+                    chain = np.concatenate([chain, path], axis=1)
+                    if met is None:
+                        break
+                    if met[0] >= 0:
+                        chain = np.concatenate([chain, left.pop(met[0])[:, :: met[1]]], axis=1)
+                chain = chain[:, ::-1]
+            out.append(chain)
+        return out
+
+    def _beyond(
+        self, chain: FloatArray, others: Sequence[FloatArray], lines: Sequence[FloatArray], side: int
+    ) -> tuple[FloatArray, tuple[int, int] | None]:
+        """Points behind the last by pseudo-arclength, and which chain they lead to, from which end; −1 is its own begin."""
+        known = [(k, way, other[:, 0 if way > 0 else -1]) for k, other in enumerate(others) for way in (1, -1)]
+        known += [(-1, 1, chain[:, 0])] if chain.shape[1] > 2 else []
+        path = [chain[:, -1]]
+        before, pace = chain[:, -2] if chain.shape[1] > 1 else None, PACE
+        for _ in range(PACES):
+            if pace < LEAST:
+                break
+            end = path[-1]
+            along = self.tangents(end[:, None])[:, 0]
+            along = along * (side if before is None else np.sign(along @ ((end - before) / self.scale)))
+            start, fixed = self._stopped(end, end + pace * along * self.scale, self.spans)
+            found, good = self._at(start, along, fixed, pace)
+            if good and fixed is None:
+                start, fixed = self._stopped(end, found, lines)
+                found, good = self._at(start, along, fixed, pace) if fixed is not None else (found, good)
+            if not good or abs(self.tangents(found[:, None])[:, 0] @ along) < STRAIGHT:
+                pace *= 0.5
+                continue
+            for k, way, there in known:
+                if self._lies_between(there, end, found):
+                    return np.array([*path[1:], *([there] if k < 0 else [])]).reshape(-1, len(end)).T, (k, way)
+            path.append(found)
+            if fixed is not None:
+                # A line on which the point belongs to the inside of a chain is no end: what leads there is drawn already.
+                return (np.array(path[1:]).T if found[fixed] in self.spans[fixed - len(end)] else chain[:, :0]), None
+            before, pace = end, 1.5 * pace
+        return np.array(path[1:]).reshape(-1, len(end)).T, None
+
+    def _at(self, start: FloatArray, along: FloatArray, fixed: int | None, near: float) -> tuple[FloatArray, bool]:
+        """The point in the plane across ``along``, or where an unknown is as in ``start``; and whether it is proved."""
+        normal = along if fixed is None else (np.arange(len(start)) == fixed).astype(float)
+        found, good = self.on_curve(start[:, None], normal[:, None], np.array([near]))
+        if fixed is not None:
+            found[fixed] = start[fixed]
+        return found[:, 0], bool(good[0])
+
+    def _stopped(
+        self, end: FloatArray, to: FloatArray, lines: Sequence[FloatArray] | FloatArray
+    ) -> tuple[FloatArray, int | None]:
+        """Where the way from one point to another first passes a line, and the number of the parameter that stands there."""
+        share, place, there = 1.0, None, 0.0
+        for number in (-2, -1):
+            low, high = sorted((end[number], to[number]))
+            room = 1e-12 * self.scale[number]
+            passed = [value for value in lines[number] if low - room <= value <= high + room and abs(value - end[number]) > room]
+            for value in passed:
+                at = (value - end[number]) / (to[number] - end[number])
+                if place is None or at < share:
+                    share, place, there = at, len(end) + number, value
+        start = end + min(share, 1.0) * (to - end)
+        if place is not None:
+            start[place] = there
+        return start, place
+
+    def _lies_between(self, point: FloatArray, one: FloatArray, two: FloatArray) -> bool:
+        """Whether a point of the curve lies between two others near to each other, or is the second one."""
+        chord, away = (two - one) / self.scale, (point - one) / self.scale
+        length = float(np.linalg.norm(chord))
+        share = float(away @ chord) / length**2
+        return bool(1e-9 < share <= 1 + 1e-6 and np.linalg.norm(away - share * chord) <= BESIDE * length)
 
     def tangents(self, states: FloatArray) -> FloatArray:
         """Unit vectors along the curve, over the scales; 0 where there is none."""
@@ -69,28 +157,6 @@ class FoldCurves:
         normal = chord[:, rows] / length[rows]
         found, good = self.on_curve(middle[:, rows] * self.scale[:, None], normal, length[rows])
         return np.insert(states, rows[good] + 1, found[:, good], axis=1)
-
-    def _extended(self, states: FloatArray) -> FloatArray:
-        """With a point at the end of a range of a parameter that the curve reaches behind its last point."""
-        end, chord = states[:, -1], np.diff(states[:, -2:], axis=1)[:, 0] / self.scale
-        along = self.tangents(states[:, -1:])[:, 0]
-        along = along * np.sign(along @ chord)
-        candidates = []
-        for number, span in enumerate(self.spans):
-            place = len(end) - 2 + number
-            away = (span[int(along[place] > 0)] - end[place]) / self.scale[place]
-            if away * along[place] > 0 and away / along[place] <= BEYOND:
-                candidates.append((away / along[place], place, span[int(along[place] > 0)]))
-        if not candidates:
-            return states
-        far, place, value = min(candidates)
-        start = end + far * along * self.scale
-        start[place] = value
-        normal = np.zeros((len(end), 1))
-        normal[place] = 1.0
-        found, good = self.on_curve(start[:, None], normal, np.array([max(far, 1e-6)]))
-        found[place] = value
-        return np.concatenate([states, found[:, good]], axis=1)
 
     def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
         """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
@@ -140,3 +206,7 @@ class FoldCurves:
 
     def _fixed(self, count: int) -> Intervals:
         return self.system.prepared(Intervals.point(np.repeat(np.nan_to_num(self.given), count, axis=1)))
+
+
+def _is_closed(chain: FloatArray) -> bool:
+    return chain.shape[1] > 2 and bool((chain[:, 0] == chain[:, -1]).all())

@@ -312,14 +312,23 @@ class _Lines:
         if not states.shape[1]:
             return []
         omega = self.omegas(states)
-        off = np.abs(states[:, :, None] - self.ends[:, None]) / self.curves.scale[:, None, None]
-        kept = (omega > 0) | (off.max(axis=0) < SAME).any(axis=1)
+        kept = (omega > 0) | self._at_ends(states)
         cuts = np.flatnonzero(np.diff(kept)) + 1
         return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[0]]
 
+    def _at_ends(self, states: FloatArray) -> NDArray[np.bool_]:
+        """Which states are Bogdanov–Takens points."""
+        off = np.abs(states[:, :, None] - self.ends[:, None]) / self.curves.scale[:, None, None]
+        here: NDArray[np.bool_] = (off.max(axis=0) < SAME).any(axis=1)
+        return here
+
     def of_all_pairs(self, chain: FloatArray) -> list[OnsetCurve]:
         """A curve for each pair, on the parts of a chain of states without damping that have as many."""
-        modes = [frequencies(_roots(self.balance, self.given, self.vary, state)) for state in chain.T]
+        modes = []
+        for state, ends in zip(chain.T, self._at_ends(chain), strict=True):
+            roots = _roots(self.balance, self.given, self.vary, state)
+            others = roots[np.argsort(np.abs(roots))[2:]]
+            modes.append([0.0, *frequencies(others)] if ends else frequencies(roots))
         cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
         return [
             self.curve(chain[:, part], np.array([modes[row][mode] for row in part]), [UNPROVED] * len(part))

@@ -38,7 +38,7 @@ def hurwitz(M: Any, C: Any, K: Any) -> float:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("n", [20, 30, 31])
+@pytest.mark.parametrize("n", [30, 31])
 def test_zieglers_map_reaches_both_ends_with_any_number_of_lines(n: int) -> None:
     found = ss.onset_curves(
         model_of(ZIEGLER, "ziegler").Parameters(), ("z2", "P"), n, between={"z2": (0.0, 0.3), "P": (0.5, 3.0)}
@@ -52,9 +52,10 @@ def test_zieglers_map_reaches_both_ends_with_any_number_of_lines(n: int) -> None
         assert abs(hurwitz(M, C, np.array([[2 - P, P - 1], [-1.0, 1.0]]))) < 1e-12
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("n", [5, 20])
 def test_the_peak_at_equal_damping_is_there(n: int) -> None:
-    """Hoffmann and Gaul (2003): weak dampers raise the onset to that without damping where they are equal, and lower it elsewhere."""
+    """Hoffmann and Gaul (2003): under weak dampers the onset is that without damping where they are equal, else lower."""
     p = model_of(shipped_page("mode_coupling", *CHANGES), "hoffmann_gaul").Parameters(V=1.0, d=20.0, c_x=0.002)
     found = ss.onset_curves(p, ("c_y", "mu0"), n, between={"c_y": (0.0, 0.02), "mu0": (0.0, 1.0)})
     (curve,) = found.curves

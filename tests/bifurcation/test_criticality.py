@@ -13,7 +13,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.exact.polynomials import Undecided
-from spragsym.models.catastrophe.normal_forms import BALLS, _pair, _Side, normal_form
+from spragsym.models.catastrophe.normal_forms import BALLS, _pair, normal_form
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from tests.support import needs_a_quick_integrator
@@ -107,34 +107,12 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
                     assert BALLS.ends(ball)[1] - BALLS.ends(ball)[0] < 1
 
 
-def test_undamped_flutter_is_no_hopf_point() -> None:
-    model = ss.load("mode_coupling")
-    onsets = ss.flutter_onsets(model.Parameters(), vary="mu0", damping=False)
-    assert onsets.kind.tolist() == ["flutter"]
-    assert onsets.criticality.tolist() == ["undecided"]
-    assert np.isnan(onsets.lyapunov).all()
-    assert np.isinf(onsets.lyapunov_error).all()
-    assert "damping=True" in onsets.why[0]
-    with pytest.raises(ss.ParameterError, match="no cycle is known to be born"):
-        onsets.cycle()
-
-
 def test_a_linear_mode_has_cycles_of_every_size_at_one_friction() -> None:
     """In mode_coupling y oscillates alone at the onset, under linear forces: l₁ = 0, and its sign is not claimed."""
     onsets = onsets_of("mode_coupling", "mu0")
     assert onsets.criticality.tolist() == ["undecided"]
     assert abs(onsets.lyapunov[0]) <= onsets.lyapunov_error[0] < 1e-15
     assert "not told from 0" in onsets.why[0]
-
-
-@pytest.mark.thorough
-def test_where_all_pairs_cross_at_once_nothing_is_claimed() -> None:
-    onsets = onsets_of("stribeck", "V", theta0=0.7)
-    at_once = np.isclose(onsets.V, onsets.V.max())
-    assert at_once.sum() > 1
-    assert set(onsets.criticality[at_once]) == {"undecided"}
-    assert set(onsets.criticality[~at_once]) == {"dangerous"}
-    assert all("more than one pair" in onsets.why[row] for row in np.flatnonzero(at_once))
 
 
 @pytest.mark.parametrize(
@@ -151,18 +129,6 @@ def test_a_kink_or_no_hopf_point_is_refused(values: dict[str, float], state: lis
     given = np.array(p.scalars(*model.parameters))
     with pytest.raises(Undecided, match=text):
         normal_form(model, given, np.array(state), "mu0", np.full(3, 1e-12))
-
-
-def test_a_law_that_is_smooth_at_rest_is_not_refused() -> None:
-    """μ of stick_slip is odd and smooth: at V = 0 nothing kinks, and damping is all there is to say."""
-    model = ss.load("stick_slip")
-    given = np.array(model.Parameters(V=0.0).scalars(*model.parameters))
-    with pytest.raises(Undecided, match="no two eigenvalues"):
-        normal_form(model, given, np.array([0.0]), "V", np.full(2, 1e-12))
-    side = _Side()
-    assert side * side == 1
-    with pytest.raises(TypeError):
-        side * 2
 
 
 @pytest.mark.thorough
@@ -196,17 +162,6 @@ def test_amplitude_over_the_root_of_the_distance(
         assert off[2] < 0.4 * off[1]
     # On stribeck's page a pair hardly crosses, and the multiplier is 1 but for 1e-7: rounding is all that is seen.
     assert off[-1] < (0.02 if name == "stick_slip" else 2e-3)
-
-
-@needs_a_quick_integrator
-def test_the_amplitude_is_the_one_that_was_asked_for(stick_slip: Any) -> None:
-    """To first order it would be off by 0.3 %; asked for 0.05, a cycle of 0.011 was given."""
-    found = ss.cycle(onset=stick_slip, index=0, amplitude=0.02)
-    assert found.amplitude == pytest.approx(0.02, rel=1.1e-3)
-    with pytest.raises(ss.ConvergenceError, match=r"amplitude 0\.05 was found: .*give a smaller one"):
-        ss.cycle(onset=stick_slip, index=0, amplitude=0.05)
-    with pytest.raises(ss.ConvergenceError, match=r"only amplitudes below 0\.101 do not come to x' = V"):
-        ss.cycle(onset=stick_slip, index=0, amplitude=0.2)  # x = A cos t is as fast as the belt, V = 0.101
 
 
 @pytest.mark.thorough

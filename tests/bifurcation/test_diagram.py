@@ -15,7 +15,6 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
-from tests.support import model_of
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
 
@@ -67,45 +66,6 @@ def test_a_branch_of_equilibria_is_there_once() -> None:
     found = ss.diagram(ss.load("sprag_rod").Parameters(theta0=0.6), "mu0", (0.0, 2.0))
     assert of(found, "LP") == pytest.approx([0.5986956385], abs=1e-9)
     assert len(found.equilibria) == 2
-
-
-def test_a_hopf_point_from_which_no_cycles_are_followed_is_said() -> None:
-    """Statics takes mu0 for the friction; the motion has the law at the belt's speed, and a Hopf point along that."""
-    found = ss.diagram(ss.load("mode_coupling").Parameters(), "V", (0.05, 1.0), points=5)
-    (value,) = of(found, "H")
-    assert not found.cycles
-    assert any(f"no cycles were followed from the Hopf point V = {value:.10g}" in remark for remark in found.remarks)
-
-
-HILL = '''r"""A mass on the top of a hill, which a belt rubs, and beside it a damped mode."""
-from spragsym.derive.model import Page
-page = Page("A mass on the top of a hill, which a belt rubs, and beside it a damped mode.")
-m = page.unit("m", "kg", "mass")
-k = page.unit("k", "N/m", "steepness of the hill")
-N_0 = page.unit("N_0", "N", "normal force")
-c = page.parameter("c", "N s/m", "damper across the belt", ">= 0", 0.3, becomes="zeta")
-mu_s = page.parameter("mu_s", "1", "largest friction coefficient", ">= 0", 0.5)
-v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.5)
-V = page.parameter("V", "m/s", "belt speed", ">= 0", 1.0)
-x = page.coordinate("x", "m", "displacement along the belt")
-y = page.coordinate("y", "m", "displacement across it")
-page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
-page.potential(k * (y**2 - x**2) / 2)
-page.damper(c, along=y)
-page.normal_force(N_0)
-page.friction(x, V, lambda v: 2 * mu_s * v_s * v / (v_s**2 + v**2))
-'''
-
-
-@pytest.mark.thorough
-def test_a_neutral_saddle_is_no_hopf_point() -> None:
-    """At V = v_s nothing damps on the hill: λ = ±1 have the sum 0, and another pair is complex."""
-    pytest.importorskip("sympy")
-    model = model_of(HILL, "hill")
-    found = ss.diagram(model.Parameters(), "V", (0.1, 1.0), points=5)
-    (rest,) = found.equilibria
-    assert not rest.stable.any()
-    assert found.labels == ()
 
 
 @pytest.mark.thorough

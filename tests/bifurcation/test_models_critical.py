@@ -83,29 +83,6 @@ def test_over_a_range_without_its_cusp_the_end_is_lowest() -> None:
 
 
 @pytest.mark.thorough
-def test_over_another_parameter() -> None:
-    p = SEARCH.Parameters(theta0=math.radians(49.0))
-    found = SEARCH.critical_friction(p, "mu0", "kappa", between={"mu0": (0.0, 1.0), "kappa": (0.004, 0.01)})
-    values = ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0), kappa=np.linspace(0.004, 0.01, 25)))
-    assert found.complete
-    assert found.value == pytest.approx(np.min(values), rel=1e-12)
-    assert found.kappa == pytest.approx(np.linspace(0.004, 0.01, 25)[int(np.argmin(values))])
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        ({"vary": "mu0", "over": "mu0"}, "two different"),
-        ({"between": {"mu0": (0, -1)}}, "range"),
-        ({"over": "nobody"}, "not a parameter"),
-    ],
-)
-def test_what_makes_no_sense_is_refused(options: dict[str, Any], words: str) -> None:
-    with pytest.raises(ss.ParameterError, match=words):
-        SEARCH.critical_friction(SEARCH.Parameters(), **options)
-
-
-@pytest.mark.thorough
 def test_a_tube_holds_one_state() -> None:
     """It arrives where the equilibrium is, and never goes through a fold."""
     p = SEARCH.Parameters(theta0=math.radians(49.0))
@@ -126,11 +103,3 @@ def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> 
     p = ss.Parameters.article(**given)
     assert ss.cusp_friction(p, method="search") == pytest.approx(ss.cusp_friction(p), rel=1e-12)
     assert ss.load("kang_nam").search.cusp_friction(p, between={"mu0": (0.0, 0.1)}) == math.inf
-
-
-@pytest.mark.thorough
-def test_a_cusp_that_may_be_lower_is_not_ruled_out() -> None:
-    """Without the vertical plane: 30 to 40 degrees have none, and of an endless range only a part is searched."""
-    p = ss.load("inclined_belt").Parameters()
-    with pytest.raises(ss.ConvergenceError, match=r"searched mu0 in \[0, 10\]"):
-        ss.cusp_friction(p, between={"theta0": (0.5, 0.7)})

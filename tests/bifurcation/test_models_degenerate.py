@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 
-import mpmath as mp
 import numpy as np
 import pytest
 
@@ -26,31 +24,6 @@ def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, ons
     assert found.decided
     assert len(found) == onsets
     assert (getattr(found, vary) > 1e-3).all()
-
-
-@pytest.mark.thorough
-def test_a_belt_at_rest_has_no_onset():
-    model = ss.load("stribeck")
-    assert ss.flutter_onsets(model.Parameters(V=0.0), "theta0").complete
-    assert ss.flutter_onsets(model.Parameters(theta0=1.0), "d").decided
-
-
-@pytest.mark.thorough
-def test_a_law_that_would_jump_at_the_end_of_its_range():
-    # Where v_s goes to 0 the slope of Stribeck's law has a limit that is not 0, but no bound in a box that holds 0.
-    model = ss.load("stribeck")
-    found = ss.flutter_onsets(model.Parameters(theta0=1.0), "v_s")
-    assert found.decided
-    assert 0 < found.region[-1, 0] < 1e-90
-    with mp.workdps(30):
-
-        def law(V, v_s):
-            return (mp.mpf("0.4") + mp.mpf("0.2") * mp.exp(-V / v_s)) * (1 - mp.exp(-10 * V))
-
-        slopes = [mp.diff(lambda V, at=at: law(V, at), 0.5) for at in map(mp.mpf, np.geomspace(1e-2, 10, 400))]
-        assert sum(one * two < 0 for one, two in itertools.pairwise(slopes)) == len(np.unique(found.v_s.round(9))) == 2
-        for v_s in map(mp.mpf, found.v_s):
-            assert abs(mp.diff(lambda V, at=v_s: law(V, at), 0.5)) < 1e-13
 
 
 @pytest.mark.thorough
@@ -85,16 +58,6 @@ def with_a_line(monkeypatch):
     """A model whose sigma is searched down to 0, where nothing holds the mass along the belt."""
     monkeypatch.setattr(near_zero, "begins", lambda *_: False)
     return ss.load("mode_coupling")
-
-
-@pytest.mark.thorough
-def test_a_line_of_equilibria_is_said_in_a_line(with_a_line):
-    model = with_a_line
-    p = model.Parameters(mu0=0.0, alpha=0.0)
-    found = ss.folds(p, "sigma")
-    assert not found.complete
-    assert len(found.undecided) < 5
-    assert any("sigma = 0 det K is 0 in every state" in remark for remark in found.remarks)
 
 
 def stiff():

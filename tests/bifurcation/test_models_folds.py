@@ -6,7 +6,6 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-import sympy as sp
 
 import spragsym as ss
 from spragsym.models.mechanics.balance import Balance
@@ -26,15 +25,6 @@ def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stif
         assert found.decided
         assert len(found) == 0
         assert not any("undecided" in text for text in found.remarks)
-
-
-@pytest.mark.thorough
-def test_the_pitchfork_of_a_trolley_that_nothing_pulls_along_the_belt():
-    model = ss.load("trolley")
-    found = ss.folds(model.Parameters(mu0=0.0, alpha=0.0, theta0=1.0, sigma=0.3), "kappa")
-    assert found.decided
-    assert found.kind.tolist() == ["pitchfork"]
-    assert abs(found.kappa[0] - (1 - np.sin(1.0))) < 1e-12
 
 
 @pytest.mark.thorough
@@ -71,84 +61,6 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
         exact = (a - 1) ** 2 - 4 * (mu - s / 2) * s / 2
         assert (eq.stability[place][0] == ss.Stability.FLUTTER) == (exact < 0)
         assert eq.marginal[place][0] == (exact == 0)
-
-
-@pytest.mark.thorough
-def test_two_states_beside_a_fold_differ_by_the_proved_sign_of_their_stiffness():
-    model = ss.load("kang_nam").search
-    fold = ss.folds(model.Parameters(theta0=1.0), "mu0", between={"mu0": (0.0, 2.0)})
-    for at in fold.mu0:
-        values = at + np.array([-8, -4, -2, 2, 4, 8]) * np.spacing(at) * 2.0**8
-        eq = ss.equilibria(model.Parameters(theta0=1.0, mu0=values))
-        assert eq.complete
-        assert sorted(set(eq.count.tolist())) == [int(eq.count.min()), int(eq.count.min()) + 2]
-        assert not eq.marginal.any()
-        more = eq.count == eq.count.max()
-        signs = np.where(eq.stability == ss.Stability.DIVERGENT, -1, 1) * (eq.stability > 0)
-        assert (signs[more].sum(axis=-1) == signs[~more].sum(axis=-1).max()).all()
-
-
-@pytest.mark.thorough
-def test_three_coordinates_flutter_where_sturm_counts_too_few_real_roots():
-    rng = np.random.default_rng(4)
-    model = ss.load("trolley")
-    changes = {"theta0": rng.uniform(0.2, 2.9, 60), "mu0": rng.uniform(0.0, 3.0, 60), "nu_a": rng.uniform(0.05, 2.0, 60)}
-    eq = ss.equilibria(model.Parameters(**changes))
-    seen = set()
-    for place, slot in np.argwhere(eq.stability > 0):
-        q = [sp.Rational(float(getattr(eq, name)[place, slot])) for name in model.coordinates]
-        at = {name: sp.Rational(float(np.broadcast_to(getattr(eq.parameters, name), (60,))[place])) for name in model.parameters}
-        K = _stiffness_of_trolley(q, at)
-        kappa = sp.Symbol("kappa")
-        polynomial = sp.Poly((K - kappa * sp.diag(1, 1, at["nu_a"])).det(), kappa)
-        real, negative = polynomial.count_roots(), polynomial.count_roots(None, 0)
-        code = ss.Stability.FLUTTER if real < 3 else ss.Stability.DIVERGENT if negative else ss.Stability.STABLE
-        assert eq.stability[place, slot] == code
-        assert not eq.marginal[place, slot]
-        seen.add(code)
-    assert len(seen) == 3
-
-
-def _stiffness_of_trolley(q, at):
-    """K by hand in rational numbers, from directions to 40 digits."""
-    cosine, sine = (sp.Rational(str(function(at["theta0"]).evalf(40))) for function in (sp.cos, sp.sin))
-    dx, dy = cosine - q[0] + q[2], sine - q[1]
-    length = sp.Rational(str(sp.sqrt(dx**2 + dy**2).evalf(40)))
-    c, s, k = dx / length, dy / length, at["sigma"]
-    along, across = sp.Matrix([-c, -s, c]), sp.Matrix([s, -c, -s])
-    K = k * along * along.T + k * (1 - 1 / length) * across * across.T
-    K += sp.diag(at["alpha"], 1 + at["beta"], at["alpha_a"])
-    K[0, 1] += at["mu0"]
-    return K
-
-
-@pytest.mark.validate
-def test_curves_of_folds_are_smooth_to_their_cusps_and_the_ends_of_the_ranges():
-    # The closed forms of the article's model give folds as near to its cusp as we like: none is farther from the drawn line than
-    # a printed line is wide.
-    model, p = ss.load("kang_nam").search, ss.Parameters.article()
-    found = model.bifurcation_set(model.Parameters(theta0=1.0), ("theta0", "mu0"), 12, between={"mu0": (0.0, 2.0)})
-    assert found.complete
-    lines = [np.array([curve.theta0 / np.pi, curve.mu0 / 2]) for curve in found.curves]
-    assert sorted(float(line[1, end]) for line in lines for end in (0, -1)) == [0.0, 0.0, 1.0, 1.0]
-    cusp = found.cusps.mu0[0]
-    assert any(((curve.mu0 == cusp) & (curve.theta0 == found.cusps.theta0[0])).any() for curve in found.curves)
-    for curve in found.curves:  # each point is a fold, or the cusp, in which two have met
-        for theta0, mu0 in zip(curve.theta0, curve.mu0, strict=True):
-            known = ss.folds(p.replace(theta0=theta0), "mu0").mu0
-            assert np.abs(np.append(known, cusp) - mu0).min() < 1e-7 or mu0 == 0.0
-        assert np.abs(np.diff(curve.theta0)).max() < 2.1 * np.pi / 12  # no farther than to the next line, but for the steep ends
-    steps = np.geomspace(1e-6, 0.3, 25)
-    for mu0 in np.concatenate([cusp * (1 + steps), cusp * (1 - steps[steps < 0.9])]):
-        for theta0 in ss.folds(p.replace(mu0=float(mu0))).theta0:
-            assert min(_distance(np.array([theta0 / np.pi, mu0 / 2]), line) for line in lines) < 3e-4
-
-
-def _distance(point, line):
-    """Of a point from a line through points, shape (2, number)."""
-    begin, step = line[:, :-1], np.diff(line, axis=1)
-    part = np.clip(((point[:, None] - begin) * step).sum(axis=0) / np.maximum((step**2).sum(axis=0), 1e-300), 0.0, 1.0)
-    return np.linalg.norm(begin + part * step - point[:, None], axis=0).min()
 
 
 @pytest.mark.thorough

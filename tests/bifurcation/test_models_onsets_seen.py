@@ -9,10 +9,6 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from spragsym.exact.certified_roots import Roots
-from spragsym.models.catastrophe import flutter, points
-from spragsym.models.mechanics.balance import Balance
-from spragsym.models.statics import stability
 from tests.support import model_of
 
 PAD = '''r"""A pad."""
@@ -79,71 +75,3 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     assert found.complete
     assert len(found) == 4
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
-
-
-def test_a_state_without_slopes_costs_only_itself() -> None:
-    """Beyond a touch a law like Hertz's has no slope: of one such state all onsets along a line died."""
-    one, other = np.eye(2), np.full((2, 2), np.nan)
-    found = stability.roots(np.stack([one, one]), np.zeros((2, 2, 2)), np.stack([other, 4 * one]))
-    assert np.isnan(found[0]).all()
-    np.testing.assert_allclose(np.sort(found[1].imag), [-2, -2, 2, 2])
-
-
-LONELY = '''r"""A mass on a belt, and one that swings by itself."""
-from spragsym.derive.model import Abs, Page, exp, sgn
-page = Page("A brake with leaning spring, and a mass that nothing damps and that is tied to nothing else.")
-m = page.unit("m", "kg", "mass")
-k_c = page.unit("k_c", "N/m", "contact stiffness")
-L_0 = page.unit("L_0", "m", "length")
-V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
-d = page.parameter("d", "s/m", "steepness of the friction law", "> 0", 10.0)
-mu0 = page.parameter("mu0", "1", "friction", ">= 0", 0.4)
-F_L = page.parameter("F_L", "N", "preload", ">= 0", 0.05, becomes="kappa")
-k_x = page.parameter("k_x", "N/m", "stiffness to ground", ">= 0", 0.9, becomes="alpha")
-k_12 = page.parameter("k_12", "N/m", "leaning spring", ">= 0", 0.3, becomes="sigma")
-k_w = page.parameter("k_w", "N/m", "stiffness of the other", "> 0", 0.8, becomes="beta")
-c = page.parameter("c", "N s/m", "dampers", ">= 0", 0.03, becomes="zeta")
-x = page.coordinate("x", "m", "along")
-y = page.coordinate("y", "m", "across")
-w = page.coordinate("w", "m", "of the other")
-page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2 + page.rate(w)**2) / 2)
-page.spring(k_x, along=x)
-page.spring(k_12, along=x - y)
-page.spring(k_w, along=w)
-page.damper(c, along=x)
-page.damper(c, along=y)
-page.force(0, -F_L, at=(x, y))
-page.contact(y, lambda depth: k_c * depth)
-page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
-'''
-
-
-@pytest.mark.thorough
-def test_a_mode_that_nothing_damps_hides_no_onset() -> None:
-    """Its pair is on the axis for all frictions, so that no condition tells where another one gets there."""
-    pytest.importorskip("sympy")
-    model = model_of(LONELY, "lonely")
-    alpha, sigma, zeta, kappa, V, d = 0.9, 0.3, 0.03, 0.05, 0.5, 10.0
-
-    def growth(mu: float) -> float:
-        """Of the mass on the belt: K (x, y) = (0, −κ), N = −y, and the slope of the friction law times N along x."""
-        K = np.array([[alpha + sigma, mu - sigma], [-sigma, 1 + sigma]])
-        N = -np.linalg.solve(K, [0, -kappa])[1]
-        C = np.diag([zeta + mu * d * np.exp(-d * V) * N, zeta])
-        return float(np.linalg.eigvals(np.block([[np.zeros((2, 2)), np.eye(2)], [-K, -C]])).real.max())
-
-    found = ss.flutter_onsets(model.Parameters(), "mu0", between={"mu0": (0.0, 1.0)})
-    want = brentq(lambda mu: float(growth(mu)), 0.0, 1.0, xtol=1e-12)
-    assert found.kind.tolist() == ["seen"]
-    assert found.mu0[0] == pytest.approx(want, abs=1e-8)
-    assert not found.complete
-
-
-def test_what_is_left_next_to_an_end_of_the_range_is_kept_where_the_slope_may_be_zero() -> None:
-    """The slope of this law is 0 at V = v_s = 0.1, in the box that is left, and not at the end of the range beside it."""
-    balance = Balance(ss.load("stick_slip"), contact=True)
-    given = points.given_column(ss.load("stick_slip").Parameters(), balance.parameters, ("V",))
-    nothing, box = np.zeros((2, 2, 0)), np.array([[[1.0], [-0.099]], [[1.0], [0.101]]])
-    roots = Roots(nothing, nothing, np.zeros(0, dtype=np.intp), box, np.zeros(1, dtype=np.intp))
-    found = points.Found(roots, np.zeros((2, 1, 1)), np.ones(1, dtype=np.bool_))
-    assert flutter._without_ends(balance, "V", given, np.array([0.098, 0.102]), found).roots.left.shape[2] == 1

@@ -32,12 +32,6 @@ def found(request: pytest.FixtureRequest) -> tuple[Any, Any]:
     return p, ss.onset_curves(p, n=12, between=BETWEEN)
 
 
-@pytest.fixture(scope="module")
-def with_folds() -> Any:
-    p = ss.load("stribeck").Parameters()
-    return ss.onset_curves(p, ("theta0", "V"), n=12, between={"V": (0.001, 0.3)})
-
-
 def by_hand(page: str, P: dict[str, float], q: np.ndarray) -> np.ndarray:
     """A of the equations written by hand, by differences of complex steps."""
     n = len(q)
@@ -170,23 +164,6 @@ def test_bogdanov_takens_points() -> None:
         assert min(np.hypot(theta0 - P["theta0"], mu0 - P["mu0"]) for theta0, mu0 in ends) < 0.05
 
 
-@pytest.mark.validate
-def test_zero_hopf_points(with_folds: Any) -> None:
-    """One eigenvalue 0 and a pair on the axis, of equations written by hand; l₁ has a pole there, and no change is claimed."""
-    points = with_folds.points
-    assert points.kind.tolist() == ["ZH", "ZH"]
-    names = ss.load("stribeck").parameters
-    for row in range(2):
-        P = {name: float(getattr(points, name)[row]) for name in names}
-        roots = np.linalg.eigvals(by_hand("stribeck", P, np.array([points.x[row], points.y[row]])))
-        pair = roots[np.abs(roots.imag) > 0.1]
-        assert np.abs(roots).min() < 1e-9
-        assert len(pair) == 2
-        assert np.abs(pair.real).max() < 1e-9
-        apart = np.hypot(with_folds.changes["theta0"] - P["theta0"], with_folds.changes["V"] - P["V"])
-        assert (apart > 1e-3).all()
-
-
 @pytest.mark.thorough
 def test_where_friction_alone_damps_all_points_are_known() -> None:
     """Where friction is 0 all conditions hold but that of a fold: its slope, a factor of them, is divided out."""
@@ -211,19 +188,6 @@ def columns(p: Any) -> Any:
     return np.array([[float(value)] for value in p.scalars(*p.model.parameters)])
 
 
-@pytest.mark.thorough
-def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
-    pytest.importorskip("matplotlib")
-    from spragsym import figures
-
-    model = ss.load("stick_slip")
-    found = ss.onset_curves(model.Parameters(), ("V", "zeta"), between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
-    artists = figures.draw_onset_curves(found)
-    assert [artist.get_linestyle() for artist in artists[:2]] == ["-", "--"]
-    ends = [artist.get_xdata()[[0, -1]] for artist in artists[:2]]
-    assert ends[0][1] == ends[1][0]
-
-
 def falling() -> Any:
     """The article's model with a friction that falls with the speed, and a damper along the belt alone."""
     damper = 'c_x = page.parameter("c_x", "N s/m", "damper along the belt", ">= 0", 0.001, becomes="zeta_x")\n'
@@ -232,11 +196,3 @@ def falling() -> Any:
         ("page.friction(", "page.damper(c_x, along=x)\npage.friction("),
     )
     return model_of(shipped_page("stribeck", *more), "falling")
-
-
-@pytest.mark.thorough
-def test_what_curves_leave_out_is_said() -> None:
-    """Where friction alone damps, and its slope changes its sign, every pair crosses; those onsets are on no curve."""
-    found = ss.onset_curves(ss.load("stribeck").Parameters(), ("theta0", "V"), n=2, between={"V": (0.01, 2.0)})
-    assert not found.complete
-    assert any("the slope of the friction law is 0" in text for text in found.remarks)

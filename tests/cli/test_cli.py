@@ -15,14 +15,12 @@ from pathlib import Path
 from typing import TypeAlias
 
 import click
-import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
 import spragsym as ss
 from spragsym import cli as command_line
-from spragsym import progress
 from spragsym.cli import main
 from tests.conftest import Run
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, few, needs_posix
@@ -55,20 +53,6 @@ def start(begin: Callable[..., subprocess.Popen[str]]) -> Start:
 
 
 # -------------------------------------------------------------------------------------------------------- results
-
-
-def test_bifurcation_json(run: Run) -> None:
-    found = json.loads(run("bifurcation", "--json"))
-    turns = np.radians([row["theta0_deg"] for row in found["folds"]["points"]])
-    np.testing.assert_allclose(turns, ss.folds(ss.Parameters.article()).theta0)
-    assert [row["mu0"] for row in found["cusps"]["points"]] == [ss.cusp_friction(ss.Parameters.article())]
-    assert found["onsets"]["points"] == []
-    assert all(found[name]["complete"] for name in ("folds", "onsets", "cusps"))
-
-
-@pytest.mark.parametrize(("asked", "at_this_angle"), [(["--theta0", "40"], True), (["--vary", "theta0", "--mu0", "0.7"], False)])
-def test_the_friction_of_the_jump_is_told_where_the_angle_is_given(asked: list[str], at_this_angle: bool, run: Run) -> None:
-    assert ("mu0_jump: mu0 of the jump at this angle" in run("critical", *asked)) == at_this_angle
 
 
 @pytest.mark.usefixtures("checked")
@@ -297,28 +281,6 @@ def end_as_documented(arguments: list[str]) -> None:
 @example("bifurcation", [("--sigma", "1e-300")], [])
 def test_any_arguments_end_as_documented(command: str, options: list[tuple[str, str]], rest: list[str]) -> None:
     end_as_documented([command, *(word for pair in options for word in pair), *rest])
-
-
-@pytest.mark.parametrize(
-    "option", [("--kappa", "5e-324"), ("--mu0", "1e300"), ("--mu0", "1e308"), ("--alpha", "1e300")], ids=" ".join
-)
-def test_numbers_at_the_ends_of_the_range(option: tuple[str, str]) -> None:
-    end_as_documented(["equilibria", "--theta0", "49", *option])
-
-
-def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.delenv("FORCE_COLOR", raising=False)
-    monkeypatch.delenv("NO_COLOR", raising=False)
-    for told in (False, True):
-        if told:
-            monkeypatch.setenv("FORCE_COLOR", "1")
-        with progress.show_progress("searching for folds"):
-            pass
-        shown = capsys.readouterr()
-        assert ("searching for folds" in shown.err) == told
-        assert shown.out == ""
 
 
 ASKED = {

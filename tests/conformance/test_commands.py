@@ -88,17 +88,6 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
     assert "--data is about cubic_contact" in said
 
 
-def test_a_second_witness_is_an_option(run: Run) -> None:
-    closed, search = (
-        json.loads(run("equilibria", "--theta0", "30", "--method", way, "--json"))["equilibria"] for way in ("closed", "search")
-    )
-    assert list(closed[0]) == list(search[0])
-    assert np.allclose([row["x"] for row in closed], [row["x"] for row in search], atol=1e-12)
-    assert "damped answers equilibria with these arguments by no closed form" in run(
-        "equilibria", *of("damped"), "--method", "closed", code=2
-    )
-
-
 # ----------------------------------------------------------------------------------------------- points and paths
 
 
@@ -217,31 +206,6 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, run: Run)
     start = {f"{first}0": math.radians(2.0) if angle else 0.05}
     tr = ss.simulate(a_set(name), t_end=30.0, rtol=1e-8, backend="scipy", **start)
     assert told["rms" + "_deg" * angle] == pytest.approx(unit * tr.rms(22.5), rel=1e-9)
-
-
-@pytest.mark.parametrize("name", few(MOVING, "kang_nam"))
-def test_every_model_is_swept(name: str, tmp_path: Path, run: Run) -> None:
-    file, first = str(tmp_path / "a.csv"), load(name).about["coordinates"][0]
-    vary, base = moved(name, "V")
-    ranges = [f"{options_of(load(name).about, vary)[0]}={0.8 * base!r},{base!r}", f"--{first['name']}0=0,1,2"]
-    told = run("sweep", *of(name), *ranges, "--t-end", "20", "--backend", "scipy", "-q", "-o", file)
-    assert told.startswith(file)
-    assert f"# model: {name}\n" in Path(file).read_text(encoding="utf-8")
-    found = np.genfromtxt(file, delimiter=",", names=True, comments="#", dtype=None, encoding="utf-8")
-    assert sorted(set(found[vary].tolist())) == [0.8 * base, base]
-    begin = np.radians([0.0, 1.0, 2.0]) if first["unit"] == "rad" else np.array([0.0, 1.0, 2.0])
-    p = a_set(name).replace(**{vary: np.array([[0.8 * base], [base]])})
-    known = ss.rms_sweep(p, **{f"{first['name']}0": begin}, t_end=20.0, backend="scipy")
-    assert found["rms"] == pytest.approx(known.rms.ravel(), rel=1e-9, nan_ok=True)
-
-
-@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
-def test_cycles_of_every_model_are_asked_for_alike(name: str, run: Run) -> None:
-    """Where a motion comes to rest, or to no cycle, it is one error; a bad state names what is wrong for all."""
-    said = run("cycles", *of(name), "--near", "1", code=2)
-    assert ", ".join((*load(name).coordinates, *load(name).rates)) in said
-    vary, _ = moved(name, "V")
-    assert f"Give it as {vary}=FROM:TO" in run("cycles", *of(name), "--vary", vary, code=2)
 
 
 @pytest.mark.by_hand("sprag_rod", "hertz_contact", "mode_coupling", "cubic_contact", "inclined_belt", "pad_on_disc")

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import copy
 import math
-import pickle
 from fractions import Fraction
 from typing import Any
 
@@ -15,8 +13,6 @@ import pytest
 import spragsym as ss
 from spragsym import precise
 from spragsym.exact.decimals import exactly
-from spragsym.exact.intervals import Balls
-from spragsym.exact.krawczyk import narrowed
 from spragsym.models.mechanics.forces import undecorated
 from tests.conformance import models
 from tests.conformance.models import MODELS, load
@@ -124,47 +120,6 @@ def test_a_state_beside_the_border_of_the_contact_is_on_its_side(weight: str) ->
         precise.equilibria(p, W=1)
 
 
-def test_a_root_that_newton_meets_elsewhere_is_not_that_of_the_box() -> None:
-    """x³ = x from the middle of a box around 0 leads to −1."""
-
-    class Cubic:
-        bits = 200
-
-        def values(self, unknowns: Any) -> Any:
-            (x,) = unknowns
-            return [x**3 - x]
-
-        def slopes(self, unknowns: Any) -> Any:
-            (x,) = unknowns
-            return [[3 * x**2 - 1]]
-
-    box = np.array([[0.01], [0.95]])
-    assert narrowed(Cubic(), box, box) is None
-    near = np.array([[0.01], [0.02]])
-    found = narrowed(Cubic(), near, box)
-    assert found is not None
-    assert max(map(abs, Balls().ends(found[0]))) < 1e-40
-
-
-def test_a_set_is_taken_exactly_and_numbers_by_name_replace_its_own() -> None:
-    p = ss.Parameters.article(theta0=0.8)
-    assert precise.equilibria(p) == precise.equilibria(theta0=0.8, mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0)
-    assert precise.equilibria(p, kappa="0.007")[0] != precise.equilibria(p)[0]
-    state = precise.equilibria(p)[0]
-    assert pickle.loads(pickle.dumps(state)) == copy.deepcopy(state) == state  # noqa: S301  # our own
-    with pytest.raises(AttributeError, match="phi"):
-        _ = state.phi
-
-
-def test_numbers_that_no_float_is_are_taken_exactly_by_any_model() -> None:
-    """x = μ(V) of the mass on one spring, as its page says: rational for rational parameters."""
-    p = ss.load("stick_slip").Parameters()
-    (state,) = precise.equilibria(p, V="1/3", mu_s="2/7", v_s="1/10", dps=40)
-    exact = 2 * Fraction(2, 7) * Fraction(1, 10) * Fraction(1, 3) / (Fraction(1, 3) ** 2 + Fraction(1, 10) ** 2)
-    number, error = map(exactly, state.decimals()["x"])
-    assert abs(number - exact) <= error < Fraction(1, 10**39)
-
-
 def _are_one(one: Any, other: Any, bound: Fraction) -> None:
     """Two enclosures of the same numbers, both narrow."""
     assert one.names == other.names
@@ -205,37 +160,3 @@ def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
         _are_one(one, other, Fraction(1, 10**24))
         for column, number in one.numbers.items():
             assert float(number) == pytest.approx(float(getattr(floats, column)[slot]), rel=1e-11, abs=1e-11)
-
-
-@pytest.mark.thorough
-def test_the_tangent_forces_of_a_cusp_vanish_by_differences() -> None:
-    """Along the state that the others give, the force has no slope and no curvature, but a third derivative: by mpmath."""
-    p = a_set("two_springs")
-    (cusp,) = precise.cusps(p, between={"mu0": (0, 2)}, dps=60)
-    model, balance = p.model, undecorated(p.model.algebra.forces)
-    with mpmath.workdps(200):
-        values: dict[str, Any] = {one: mpmath.mpf(float(getattr(p, one) or 0)) for one in model.parameters}
-        values |= {"theta0": cusp.theta0, "mu0": cusp.mu0}
-        for angle, (cosine, sine) in model.about["angles"].items():
-            values |= {cosine: mpmath.cos(values[angle]), sine: mpmath.sin(values[angle])}
-        mu = undecorated(model.algebra.friction_at_rest)(*(values[one] for one in model.about["arguments"]["motion"]), xp=mpmath)
-        statics = [values[one] for one in model.about["arguments"]["statics"]]
-
-        def forces(x: Any, y: Any) -> Any:
-            directions: list[Any] = []
-            for dx, dy, _ in undecorated(model.algebra.geometry)(x, y, *statics, xp=mpmath):
-                length = mpmath.hypot(dx, dy)
-                directions += [dx / length, dy / length, length]
-            return balance(x, y, *directions, *statics, mu, 1, xp=mpmath)
-
-        def across(x: Any) -> Any:
-            return forces(x, mpmath.findroot(lambda y: forces(x, y)[1], cusp.y))[0]
-
-        step = mpmath.mpf(10) ** -20
-        below, here, above = (across(cusp.x + k * step) for k in (-1, 0, 1))
-        far = [across(cusp.x + 2 * k * step) for k in (-1, 1)]
-        assert abs(here) < mpmath.mpf(10) ** -58
-        # Differences are off by the third derivative times step², and step².
-        assert abs(above - below) / (2 * step) < 1e-35
-        assert abs(above - 2 * here + below) / step**2 < 1e-15
-        assert abs(far[1] - 2 * above + 2 * below - far[0]) / (2 * step**3) > 1e-3

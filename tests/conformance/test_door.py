@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import inspect
-import itertools
 import math
 import pickle
 import subprocess
@@ -19,12 +18,6 @@ from spragsym import door
 from spragsym.models.design.jumps import have_jumped
 from spragsym.parameters import NAMES
 from tests.conformance.models import MODELS, a_set, load
-
-#: Questions that only closed forms answer so far.
-UNANSWERED = (
-    "flutter_boundary", "surface", "linear_sprag", "linear_critical_friction"
-)  # fmt: skip
-
 
 # ------------------------------------------------------------------------------------------- sets and their models
 
@@ -79,23 +72,6 @@ def test_folds_of_a_cubic_contact_are_not_those_of_a_linear_one() -> None:
     assert round(ss.quasi_static_path(p, "mu0", [0.0, 1.0]).jumps[0].value, 4) == 0.5998
 
 
-@pytest.mark.parametrize("function", UNANSWERED)
-def test_what_a_model_cannot_answer_is_one_error(function: str) -> None:
-    p, public = a_set("two_springs"), getattr(ss, function)
-    taken = [one.name for one in inspect.signature(public).parameters.values() if one.default is one.empty]
-    arguments = {name: (p, p) if name == "distribution" else p for name in taken if name in ("p", "low", "high", "distribution")}
-    with pytest.raises(ss.ModelError, match=rf"^{function} is not there yet for the model two_springs; \w+\(p"):
-        public(**arguments)
-
-
-def test_two_models_in_one_question_are_refused() -> None:
-    for low, high in itertools.permutations([a_set("two_springs"), a_set("damped"), ss.Parameters(theta0=1.0)], 2):
-        with pytest.raises(ss.ParameterTypeError, match=f"is no set of parameters of {low.model.name}"):
-            ss.certify(low, high, "no jump")
-    with pytest.raises(ss.ParameterTypeError, match="p = 3 is no set of parameters"):
-        ss.equilibria(3)  # type: ignore[arg-type]  # the mistake that is tested
-
-
 # ----------------------------------------------------------------------------------------------------- one entry
 
 
@@ -112,18 +88,6 @@ def test_every_question_is_a_method_and_goes_through_the_door() -> None:
 
 def _is_question(thing: Any) -> bool:
     return inspect.isfunction(thing) and thing.__code__.co_filename == door.__file__
-
-
-def test_an_onset_of_flutter_means_the_same_for_every_model() -> None:
-    """Dampers and the slope of the friction law are taken in unless told otherwise; without them the article has (27)."""
-    p = ss.Parameters(alpha=0.7, theta0=1.0)
-    closed, search = (ss.flutter_onsets(p, damping=False, method=method) for method in ("closed", "search"))
-    assert closed.theta0.tolist() == ss.flutter_onsets(p, damping=False).theta0.tolist()
-    assert closed.theta0 == pytest.approx(search.theta0, abs=1e-10)
-    asked = {"vary": "theta0", "between": {"theta0": (2.2, 3.0)}}
-    assert ss.flutter_onsets(p, **asked).theta0.tolist() == ss.flutter_onsets(p, **asked, method="search").theta0.tolist()
-    with pytest.raises(ss.ModelError, match="no closed form"):
-        ss.flutter_onsets(p, method="closed")
 
 
 def test_two_ways_to_one_answer() -> None:

@@ -15,12 +15,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
-from spragsym.kang_nam.statics import adaptive_precision, kernel
 from tests.oracles import c_target, languages, reference
 from tests.oracles.families import FAMILIES
 from tests.support import ROOT, few, in_python, leaves, lowest_sets
@@ -110,47 +107,6 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Build:
 @pytest.fixture(scope="module")
 def library(built: Build) -> ctypes.CDLL:
     return ctypes.CDLL(str(built(COMPILERS[0], *PLAIN, *SHARED)))
-
-
-def shown_example() -> str:
-    """The function that the page on C shows for many points."""
-    page = (SOURCES.parents[1] / "docs" / "howto_c.md").read_text(encoding="utf-8")
-    return next(block for block in re.findall(r"```c\n(.*?)```", page, re.DOTALL) if "count_all" in block)
-
-
-#: Functions that see the static ones of the source.
-INSIDE = """
-int run_example(size_t points, const spragsym_parameters *given, size_t *numbers);
-int run_example(size_t points, const spragsym_parameters *given, size_t *numbers) {
-    return count_all(points, given, numbers, numbers + 5);
-}
-
-int are_two(double first, double second, double reach);
-int are_two(double first, double second, double reach) {
-    const Root at = {1.0, 0.0, -1.0, reach, 0.0, 1, 0, 1.0, 1};
-    tally sum = nothing_yet(1.0, 1);
-    see(first, &at, &sum);
-    see(second, &at, &sum);
-    return sum.certain;
-}
-
-void run_cosine_and_sine(double x, double *out);
-void run_cosine_and_sine(double x, double *out) {
-    const Direction at = cosine_and_sine(x);
-    out[0] = at.cosine;
-    out[1] = at.sine;
-}
-"""
-
-
-@pytest.fixture(scope="module")
-def inside(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
-    """The source with the page's example and :data:`INSIDE` behind it."""
-    folder = tmp_path_factory.mktemp("inside")
-    (folder / "inside.c").write_text(f'#include "spragsym.c"\n#include <stdlib.h>\n{shown_example()}{INSIDE}', encoding="utf-8")
-    command: list[str | Path] = [COMPILERS[0], "-std=c99", "-O0", *SHARED, f"-I{SOURCES}"]
-    subprocess.run([*command, "-o", folder / "inside.so", folder / "inside.c", "-lm"], check=True, timeout=60)
-    return ctypes.CDLL(str(folder / "inside.so"))
 
 
 def _pointer(array: Any) -> Any:
@@ -280,35 +236,6 @@ def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: i
     assert sure.sum() >= (0.35 if regime == CONTACT and re.search("fold|flutter|wedge", kind) else 0.95) * len(points)
 
 
-@pytest.mark.thorough
-def test_cosine_and_sine_are_those_of_python(inside: ctypes.CDLL) -> None:
-    """Bit for bit those of the compiled solver, whose accuracy is tested there."""
-    rng = np.random.default_rng(11)
-    found = np.empty(2)
-    for angle in [*rng.uniform(0.0, math.pi, 2000), *_decades(rng, -300, 0, 100), *(math.pi - _decades(rng, -15, 0, 100))]:
-        inside.run_cosine_and_sine(ctypes.c_double(angle), _pointer(found))
-        assert tuple(found) == kernel.cosine_and_sine(angle)
-
-
-def test_next_to_a_fold_is_certain_and_on_a_border_not(library: ctypes.CDLL) -> None:
-    """Double precision can't tell the number of roots next to a fold, double-double arithmetic can; where L = 0 none can."""
-    folds = [(math.nextafter(math.radians(degrees), to), *BASE[1:])
-             for degrees in (44.559317702565, 155.059418789789) for to in (0, 4)]  # fmt: skip
-    found = solve(library, folds, CONTACT)
-    assert (found.status == OK).all()
-    assert found.count.tolist() == [len(adaptive_precision.equilibria(*point).states) for point in folds]
-    assert solve(library, [(1.0, 0.5, 0.1, 0.0, 0.1, 0.0)], LIFTOFF).status == UNCERTAIN
-
-
-def test_random_points_are_vouched_for(library: ctypes.CDLL) -> None:
-    """The flag is rare on ordinary points, and a count in contact that is vouched for is odd."""
-    rng = np.random.default_rng(5)
-    points = _random(rng, 20_000, mu0=rng.uniform(0.0, 1.5, 20_000), beta=rng.uniform(0.0, 0.5, 20_000))
-    found = solve(library, points, CONTACT)
-    assert np.count_nonzero(found.status) < 100
-    assert set(found.count[found.status == OK]) == {1, 3}
-
-
 def lowest_folds(library: ctypes.CDLL, sets: list[dict[str, float]]) -> list[tuple[int, LowestFold]]:
     points = np.array([[math.nan, math.nan, *(given[name] for name in ("kappa", "alpha", "sigma", "beta"))] for given in sets])
     found = (LowestFold * len(sets))()
@@ -398,22 +325,3 @@ static double outer(double x) {
     assert cost.describe(counted["outer"]) == "25 operations, 6 sqrt"
     with pytest.raises(ArithmeticError, match="can't be counted"):
         cost.costs("void f(void) {\n while (1) {\n }\n}\n", {})
-
-
-@pytest.mark.thorough
-def test_export_runs_and_is_made_anew_for_other_flags(tmp_path: Path) -> None:
-    out = tmp_path / "sprag"
-    arguments = ["export", "--language", "c", "--out", str(out)]
-    assert CliRunner().invoke(cli, arguments).exit_code == 0
-    build = ["make", "-C", str(out), f"CC={COMPILERS[0]}"]
-    subprocess.run([*build, "ARCH=-O0"], check=True, capture_output=True, timeout=60)  # -O3 takes seconds
-    printed = subprocess.run([out / "example"], check=True, capture_output=True, text=True, timeout=60).stdout
-    assert "contact: 1\n  theta 2.203367573653" in printed
-    assert "theta0 from 44 to 45 degrees: 3 to 1 equilibria\ntheta0 from 155 to 156 degrees: 1 to 3 equilibria\n" in printed
-    # What is made anew shows with a compiler that only touches its output.
-    (touch := tmp_path / "touch").write_text('#!/bin/sh\nwhile [ "$1" != -o ]; do shift; done\n: > "$2"\n', encoding="utf-8")
-    touch.chmod(0o700)
-    for flags, again in (("-O0", True), ("-O0", False), ("-Og", True), ("-Og", False)):
-        call = ["make", "-C", str(out), f"CC={touch}", f"ARCH={flags}"]
-        built = subprocess.run(call, capture_output=True, text=True, check=True, timeout=60)
-        assert ("spragsym.o" in built.stdout) == again  # another compiler or other flags make anew

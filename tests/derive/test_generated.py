@@ -18,16 +18,9 @@ import pytest
 import sympy as sp
 
 from spragsym import generated
-from spragsym.derive.kang_nam import catastrophe as folds
-from spragsym.derive.kang_nam import elimination, unit_circles
-from spragsym.derive.kang_nam import equilibrium as balance
-from spragsym.derive.kang_nam import linear_sprag as linear_model
-from spragsym.derive.kang_nam import nomenclature as nm
-from spragsym.derive.kang_nam import stability as linearized
 from spragsym.generated import catastrophe, equilibrium, linear_sprag, scales, stability
-from spragsym.generated._where import where
 from spragsym.generated.models.kang_nam import algebra
-from tests.support import as_mpf, few
+from tests.support import as_mpf
 
 EPS = 2.0**-53
 
@@ -281,96 +274,6 @@ def test_arrays_broadcast_constants_included(function: Generated) -> None:
                 np.testing.assert_allclose([item[i, j] for item in table], alone, rtol=1e-12, atol=1e-13)
 
 
-def test_keyword_arguments_count_as_arguments() -> None:
-    kappa = np.array([0.007, 0.008])
-    coefficients = equilibrium.contact_quartic(0.6, 0.8, mu0=0.5, kappa=kappa, alpha=0.007, sigma=0.1, beta=0.0)
-    assert [item.shape for item in coefficients] == [(2,)] * 5
-    assert equilibrium.contact_matrix(L=Fraction(1), mu0=0, alpha=0, sigma=0, beta=0)[1][0] == 0
-
-
-# ---------------------------------------------------------------------------- against the derived expressions
-
-
-def _spelled(values: Iterable[Any], case: dict[Any, int] | None = None) -> tuple[sp.Expr, ...]:
-    return tuple(balance.spell_out(sp.sympify(value)).subs(case or {}) for value in values)
-
-
-def _cusp_point() -> tuple[sp.Expr, ...]:
-    sin0, ratio = folds.cusp_angles()
-    return sin0, ratio, (folds.cusp_friction() / nm.c / nm.sigma).subs(elimination.f_coefficients())
-
-
-def _in_lines(value: sp.Expr) -> sp.Expr:
-    """The elimination in parameters, for the coefficients that it is written in."""
-    coefficients = (*linearized.reference_lines(), *linearized.flutter_quadratic())
-    names = (*linearized.LINES, *linearized.QUADRATIC)
-    return value.subs(dict(zip(names, coefficients, strict=True)))
-
-
-def _fold_lines(name: sp.Symbol) -> tuple[sp.Expr, ...]:
-    relations = [relation.expand() for relation in _spelled(folds.fold_residuals(), CONTACT)]
-    return tuple(part for relation in relations for part in (relation.subs(name, 0), relation.diff(name)))
-
-
-def _fold_conic() -> tuple[sp.Expr, ...]:
-    u1, w1, u2, w2 = _fold_lines(nm.mu0)
-    conic = sp.Poly(u1 * w2 - u2 * w1, nm.s0, nm.c0)
-    assert set(conic.monoms()) == {(0, 0), (1, 0), (2, 0), (0, 1)}
-    return tuple(conic.coeff_monomial(power) for power in (1, nm.s0, nm.s0**2, nm.c0))
-
-
-def _fold_events() -> tuple[sp.Expr, ...]:
-    """The discriminant of the quartic in S = sin θ₀ that is left of conic and circle, without its further factor (4 Ec E2)²."""
-    e0, e1, e2, ec = (unit_circles.reduce_circles(sp.expand(value)) for value in (*_fold_conic()[:3], _fold_conic()[3] / nm.c))
-    square, S = sp.expand(ec**2 * (1 - nm.s**2)), sp.Symbol("S")
-    symbols = sp.symbols("e0 e1 e2 square")
-    in_sine = sp.Poly((symbols[0] + symbols[1] * S + symbols[2] * S**2) ** 2 - symbols[3] * (1 - S**2), S)
-    meeting = sp.cancel(27 * 256 * sp.discriminant(in_sine) / (4 * symbols[3] * symbols[2]) ** 2)
-    s0, c0 = (value.subs(nm.M, 0) for value in folds.fold_angles())
-    rest = (nm.p * nm.B * nm.q * nm.alpha) ** 2 * (s0**2 + (c0.subs(nm.s0, s0) / nm.c) ** 2 * (1 - nm.s**2) - 1)
-    values = dict(zip(symbols, (e0, e1, e2, square), strict=True))
-    return meeting.subs(values), e0**2 - square, *_spelled([rest.subs(nm.c**2, 1 - nm.s**2)], CONTACT)
-
-
-def _fold_events_without_alpha() -> tuple[sp.Expr, ...]:
-    """Without α the conic is a parabola in sin θ₀: its discriminant, and its values at 0 and 1."""
-    e0, e1, e2 = (unit_circles.reduce_circles(sp.expand(value.subs(nm.alpha, 0))) for value in _fold_conic()[:3])
-    S = sp.Symbol("S")
-    parabola = e0 + e1 * S + e2 * S**2
-    return sp.discriminant(parabola, S), parabola.subs(S, 0), parabola.subs(S, 1)
-
-
-CONTACT, LIFTOFF = balance.CONTACT, balance.LIFTOFF
-#: What the derivation gives, before it is arranged for emission; spelled out in parameters. Of the functions that the tests by
-#: hand below do not hold to equations.
-DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
-    "singular_lengths": lambda: _spelled(elimination.singular_lengths()),
-    "resolvent": lambda: elimination.resolvent_cubic()[:3],
-    "flutter_without_alpha": lambda: _spelled([_in_lines(linearized.flutter_without_alpha())], {**CONTACT, nm.alpha: 0}),
-    "flutter_crossing": lambda: _spelled(linearized.flutter_crossing(), CONTACT),
-    "fold_events": _fold_events,
-    "fold_events_without_alpha": _fold_events_without_alpha,
-    "fold_quadratic": lambda: tuple(value.subs(nm.alpha, 0) for value in _spelled(folds.fold_quadratic(), CONTACT)),
-    "cusp_polynomial": lambda: _spelled(folds.cusp_polynomial(), CONTACT),
-    "cusp_cubic": lambda: _spelled(folds.cusp_cubic(), CONTACT),
-    "cusp_point": lambda: _spelled(_cusp_point(), CONTACT),
-    "cusp_sine": lambda: _spelled(_cusp_point()[::2], CONTACT),
-    "displacement": linear_model.equilibrium,
-}
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("name", few(DERIVED, *(set(DERIVED) - {"cusp_polynomial"})))
-def test_fractions_equal_the_derived_value(name: str) -> None:
-    function, expressions = NAMED[name], DERIVED[name]()
-    for seed in SEEDS[:3]:
-        values = rationals(seed)
-        by_name = {key: sp.Rational(value.numerator, value.denominator) for key, value in values.items()}
-        ours = [sp.Rational(item.numerator, item.denominator) for item in function(values)]
-        derived = [item.xreplace({symbol: by_name[symbol.name] for symbol in item.free_symbols}) for item in expressions]
-        assert ours == derived
-
-
 # --------------------------------------------------------------- against the un-eliminated equations, by hand
 
 
@@ -541,15 +444,6 @@ def test_derivatives_of_f() -> None:
                 assert abs(ours - theirs) < tiny
 
 
-def test_f_in_differences_is_f() -> None:
-    """f and its slope as they are arranged for boxes, anywhere."""
-    for seed in SEEDS:
-        values = rationals(seed) | {"nbar": Fraction(1)}
-        trig = call(equilibrium.f_coefficients, values)
-        at = values["cos"], values["sin"], *trig
-        assert call(catastrophe.f_in_differences, values)[:2] == (equilibrium.f(*at), equilibrium.f_slope(*at))
-
-
 def test_characteristic_polynomial_and_invariants() -> None:
     """det(λ² I + λ C + K) at random λ, as a determinant of numbers."""
     for seed in SEEDS:
@@ -576,24 +470,3 @@ def test_scales_make_the_unit_coefficients() -> None:
         groups = scales.dimensionless_groups(*numbers, xp=mpmath)
         right = (numbers[3] / 400, *(stiffness / 200 for stiffness in numbers[4:7]), 17 * time / 2, 19 * 2 / time)
         assert all(abs(ours - theirs) < 1e-27 for ours, theirs in zip(groups, right, strict=True))
-
-
-@pytest.mark.parametrize("share", [0.0, 0.03, 0.4, 0.97, 1.0])
-@pytest.mark.parametrize("shape", [(3,), (5000,), (2, 3000)])
-def test_the_choice_between_numbers_is_that_of_numpy_bit_for_bit(share: float, shape: tuple[int, ...]) -> None:
-    """For every share of flags, of arrays and single numbers, of one shape or several, and of any type."""
-    rng = np.random.default_rng(5)
-    flag = rng.random(shape) < share
-    one, other = rng.normal(0, 1, (2, *shape))
-    one[..., :2], other[..., 1:3] = (np.nan, -0.0), (np.inf, 0.0)
-    row, long = other.reshape(-1)[: shape[-1]], one.astype(np.longdouble)
-    pairs = [(one, other), (1.0, other), (one, -0.0), (1.0, np.float64(2.0)), (row, one), (long, other)]
-    cases: list[tuple[Any, ...]] = [(flag, *pair) for pair in pairs]
-    cases += [(flag.reshape(-1)[: shape[-1]], one, row), (flag[..., ::2], one[..., ::2], other[..., ::2]), (flag, 1, other)]
-    cases += [(flag, one.astype(np.float32), np.float32(1.0)), (bool(flag.flat[0]), one, other)]
-    for case in cases:
-        got, wanted = where(*case), np.where(*case)
-        assert got.dtype == wanted.dtype
-        assert got.shape == wanted.shape
-        assert got.tobytes() == wanted.tobytes() or wanted.dtype == np.longdouble
-        np.testing.assert_array_equal(got, wanted)

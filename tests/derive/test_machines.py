@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from functools import cache
 from pathlib import Path
 
@@ -45,29 +43,3 @@ def expected(tmp_path_factory: pytest.TempPathFactory) -> str:
 @pytest.mark.parametrize("machine", MACHINES[1:], ids=lambda machine: machine.name)
 def test_the_same_bits(machine: Machine, expected: str, tmp_path: Path) -> None:
     assert _results(machine, tmp_path) == expected
-
-
-@pytest.mark.parametrize(
-    ("compiler", "flags", "said"),
-    [
-        ("gcc", ("-m32", "-mfpmath=387"), "computed in double precision"),
-        ("gcc", ("-Ofast",), "break the error bounds"),
-        ("gcc", ("-ffast-math",), "break the error bounds"),
-        ("gcc", ("-ffinite-math-only",), "break the error bounds"),
-        ("clang", (*MSVC, "/fp:fast"), "break the error bounds"),
-    ],
-    ids=["x87", "fastest", "fast math", "finite numbers", "MSVC's fast math"],
-)
-def test_arithmetic_of_another_kind_is_refused(compiler: str, flags: tuple[str, ...], said: str, tmp_path: Path) -> None:
-    if not shutil.which(compiler):
-        pytest.skip(f"{compiler} is not installed")
-    if "-imsvc" in flags and not WINDOWS_HEADERS.exists():
-        pytest.skip("no headers for Windows: gcc-mingw-w64 is not installed")
-    if "-m32" in flags and Machine("", "gcc", ("-m32",)).missing():
-        pytest.skip("gcc builds nothing for 32 bits here")
-    call = [compiler, *flags, "-c", "-o", str(tmp_path / "refused.o"), "--", str(SOURCES / "spragsym.c")]
-    if compiler == "gcc":
-        call.remove("--")
-    done = subprocess.run(call, capture_output=True, text=True, timeout=60)
-    assert done.returncode != 0
-    assert said in done.stderr

@@ -110,58 +110,9 @@ def test_the_list_is_that_of_the_guide() -> None:
     assert {limit for limit, *_ in BEYOND.values()} == set(limits.LIMITS)
 
 
-#: What the list says to do instead, done.
-INSTEAD = {
-    "a spring for a support": (DAMPER, "page.spring(k, along=y); page.damper(c, along=x)"),
-    "a damper beside the contact": (DAMPER, "page.damper(c, along=y)"),
-    "a damper by the place": (DAMPER, "page.damper(c*(1 + x**2/L_0**2), along=x)"),
-    "a steep law": (LAW, "lambda v: mu0*tanh(d*v)"),
-    "a mass that swings": (
-        "more = []", "z = page.coordinate('z', 'm', 'heavy mass')\n"
-        "more = [1000 * m * page.rate(z)**2]\npage.spring(k, along=x - z)\npage.spring(1000 * k_c, along=z)",
-    ),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("case", INSTEAD)
-def test_what_can_be_done_instead_can_be_done(case: str, tmp_path: Path) -> None:
-    pages.read(written(tmp_path, INSTEAD[case]))
-
-
-@pytest.mark.thorough
-def test_a_heavy_mass_forces_the_body() -> None:
-    """Weakly tied to a heavy mass that swings, the body moves as a forced oscillator does: held against its closed form."""
-    more = INSTEAD["a mass that swings"]
-    model = loaded(more, (CONTACT, "page.normal_force(F_L)"))
-    p = model.Parameters(mu0=0.0, sigma=1e-3, zeta=0.3, kappa=1.0)
-    tr = ss.simulate(p, z0=1.0, t_end=40.0)
-    t = tr.t
-    stiff, drive = 0.25 + 2e-3, 1e-3  # of x, and of the tie
-    free = np.sqrt(stiff)
-    swing = np.sqrt(0.5)  # 2000 m z'' = −1000 k_c z
-    forced = drive / (stiff - swing**2) * (np.cos(swing * t) - np.cos(free * t))
-    assert np.abs(tr.x - forced).max() < 0.02 * np.abs(forced).max()
-
-
 # ------------------------------------------------------------------------------------------------ what a page can say
 
 STATE = (0.1, -0.2, 0.3, 0.4)
-
-
-@pytest.mark.thorough
-def test_a_third_is_exact() -> None:
-    """A rod's inertia m l²/3, as it stands; its number is an enclosure where intervals are asked for."""
-    model = loaded(("page.rate(x)**2 +", "page.rate(x)**2 / 3 +"))
-    given = [float(value) for value in model.arguments(model.Parameters(), "motion")]
-    assert model.algebra.mass_matrix(*STATE[:2], *given)[0][0] == pytest.approx(1 / 3, rel=1e-15)
-    mp = pytest.importorskip("mpmath")
-    with mp.workdps(40):
-        (third, _), _ = model.algebra.mass_matrix(*map(mp.mpf, (*STATE[:2], *given)), xp=mp)
-        assert abs(3 * third - 1) < mp.mpf(10) ** -39
-    intervals = [mp.iv.mpf(value) for value in (*STATE[:2], *given)]
-    (third, _), _ = model.algebra.mass_matrix(*intervals, xp=mp.iv)
-    assert 1 in 3 * third
-    assert third.delta > 0
 
 
 @pytest.mark.parametrize(("said", "words"), [

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 import os
 import shutil
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -18,12 +16,11 @@ import sympy as sp
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 import spragsym as ss
-from spragsym.derive import folder, pages, physical_checks
-from spragsym.derive import units as measured
-from spragsym.derive.kang_nam import mechanics, page_equivalence, variant_models
+from spragsym.derive import folder, pages
+from spragsym.derive.kang_nam import mechanics, page_equivalence
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.model import PageError
-from tests.support import model_of, replaced, shipped_page
+from tests.support import replaced
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
 
@@ -148,42 +145,6 @@ def test_a_coordinate_hides_nothing_of_the_results() -> None:
     assert asked(ss.Points) | asked(ss.Onsets) | {*reported((""), ()), "regime", "equilibrium", "reason"} <= reserved.RESULTS
 
 
-def with_contact(law: str) -> Any:
-    """The article's model with another law of the contact."""
-    return model_of(shipped_page("kang_nam", (LAW, f"lambda depth: {law}")), "mine")
-
-
-@pytest.mark.thorough
-def test_the_energy_of_a_saturating_contact_has_a_logarithm() -> None:
-    """δ/(1 + δ) has the energy δ − log(1 + δ)."""
-    model = with_contact("k_c * depth / (1 + depth / L_0)")
-    taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0), "motion")]
-    inside, outside = (model.algebra.energy(0.0, -0.3, 0.0, 0.0, *taken, pushing) for pushing in (1, 0))
-    assert inside - outside == pytest.approx(0.3 - math.log(1.3), rel=1e-12)
-
-
-# ------------------------------------------------------------------------------------------------ units and groups
-
-
-@pytest.mark.parametrize(
-    ("text", "powers"),
-    [("N/m", (1, 0, -2)), ("N s/m", (1, 0, -1)), ("kg m/s^2", (1, 1, -2)), ("1", (0, 0, 0)),
-     ("N/m^(3/2)", (1, sp.Rational(-1, 2), -2)), ("J", (1, 2, -2)), ("m/s/s", (0, 1, -2))],
-)  # fmt: skip
-def test_units_are_read(text: str, powers: tuple[int, ...]) -> None:
-    assert tuple(sp.Rational(power.numerator, power.denominator) for power in measured.read(text)) == powers
-
-
-def test_groups_follow_from_the_units() -> None:
-    """As the article defines them after (9)."""
-    groups = {name: str(value) for name, value in physical_checks.groups(pages.read(pages.SHIPPED / "kang_nam.py").page).items()}
-    assert groups["kappa"] == "F_L/(L_0*k_c)"
-    assert groups["sigma"] == "k/k_c"
-    assert groups["d"] == "L_0*d*sqrt(k_c)/sqrt(m)"
-    hertz = physical_checks.groups(pages.read(pages.SHIPPED / "hertz_contact.py").page)
-    assert str(hertz["sigma"]) == "k/(sqrt(L_0)*k_h)"
-
-
 # ------------------------------------------------------------------------------------------------ the article's page
 
 
@@ -241,57 +202,3 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     place = tmp_path_factory.mktemp("written")
     folder.write_page(changed(place), place / "out")
     return place / "out"
-
-
-# ------------------------------------------------------------------------------------------------ what falls of the article
-
-
-def judged(name: str) -> dict[str, tuple[str, str]]:
-    model = pages.read(pages.SHIPPED / f"{name}.py").mechanics
-    return {row.id: (row.status, row.remark) for row in variant_models.judge(model)}
-
-
-@pytest.mark.thorough
-def test_every_row_holds_for_the_articles_page() -> None:
-    assert {status for status, _ in judged("kang_nam").values()} == {variant_models.HOLDS}
-
-
-@pytest.mark.thorough
-def test_a_constant_force_changes_the_right_sides_only() -> None:
-    """On the tilted belt the weight stands in b and in nothing that is made of D; the quartic in b_1, b_2 stays."""
-    rows = judged("inclined_belt")
-    assert {id for id, (status, _) in rows.items() if status == variant_models.FAILS} == {
-        *(f"eq-{number}" for number in (1, 2, 8, 9, 12, 13, 14, 15, 19, 25)), "A10", "A11", "A12", "A13",
-    }  # fmt: skip
-    assert rows["A10"][1] == "b_1: -gamma_g*sin_psi"
-    assert {status for status, _ in rows.values()} == {variant_models.HOLDS, variant_models.FAILS}
-
-
-@pytest.mark.thorough
-def test_dampers_change_motion_and_stability_only() -> None:
-    rows = judged("damped")
-    assert {id for id, (status, _) in rows.items() if status != variant_models.HOLDS} == {
-        f"eq-{number}" for number in (1, 2, 8, 9, 12, 13, 27)
-    }
-    assert "zeta_x" in rows["eq-27"][1]
-
-
-@pytest.mark.thorough
-def test_a_cubic_contact_leaves_no_quartic() -> None:
-    rows = judged("cubic_contact")
-    assert rows["eq-11"] == (variant_models.FAILS, "n(δ): depth**3*gamma")
-    assert all(rows[id][0] == variant_models.NO_MEANING for id in ("eq-16", "eq-21", "A2", "A11"))
-    assert all(rows[id][0] == variant_models.HOLDS for id in ("eq-6", "eq-10", "eq-25", "A9", "A12", "def-kappa"))
-    assert judged("trolley")["eq-27"][0] == variant_models.NO_MEANING
-
-
-@pytest.mark.thorough
-def test_check_of_a_mass_on_one_spring() -> None:
-    rows = judged("stick_slip")
-    # What needs the coordinate x, the friction law or a unit alone can be compared; the rest speaks of what is not there.
-    assert {id for id, (status, _) in rows.items() if status != variant_models.NO_MEANING} == {
-        "eq-1", "eq-8", "eq-10", "eq-12", "eq-14", "def-tau", "def-prime", "def-x", "def-n",
-    }  # fmt: skip
-    assert rows["def-tau"] == (variant_models.FAILS, "unit of time: sqrt(m)/sqrt(k)")
-    assert rows["eq-15"] == (variant_models.NO_MEANING, "the model has no coordinate y")
-    assert rows["def-L"] == (variant_models.NO_MEANING, "there is no inclined spring")

@@ -17,9 +17,6 @@ from spragsym.kang_nam.design.claims import Claim
 from spragsym.parameters import NAMES
 from tests.support import as_fraction
 
-BASE = ss.Parameters.article(theta0=0.5, mu0=0.6)
-
-
 #: κ = P u₁⁻¹ u₂⁻², α = P u₁⁻¹ and σ = P u₂² with units 6 and 7.
 POWERS = {"kappa": ((6, -1), (7, -2)), "alpha": ((6, -1),), "sigma": ((7, 2),)}
 
@@ -75,18 +72,6 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, powers: Any) -> Non
     assert max(ground.c.error.max(), ground.s.error.max()) < (0.13 if fixed else 0.6)
 
 
-def test_a_unit_changes_all_that_depend_on_it() -> None:
-    """The chain rule, by a complex step."""
-    boxes, rng = random_boxes(4, 9, POWERS), np.random.default_rng(5)
-    changes = {name: rng.normal(size=9) for name in NAMES}
-    found, middle = boxes.by_side(changes), 0.5 * (boxes.low + boxes.high)
-    for side in range(8):
-        moved = middle.astype(complex)
-        moved[side] += 1e-100j
-        p = boxes.parameters(moved)
-        assert found[side] == pytest.approx(sum(changes[name] * np.imag(p[name]) for name in NAMES) / 1e-100, rel=1e-13)
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize(("k_c", "outcome"), [((0.85, 1.15), "proved"), ((0.02, 1.15), "refuted")])
 def test_units_of_measure_with_ranges(k_c: tuple[float, float], outcome: str) -> None:
@@ -109,51 +94,6 @@ def test_units_of_measure_with_ranges(k_c: tuple[float, float], outcome: str) ->
         assert 0.1 - 1e-12 <= point.sigma / point.alpha * low.alpha <= 0.11 + 1e-12
     else:
         assert ss.certify(low, high, "no jump", units=units, method="search").outcome == outcome
-
-
-@pytest.mark.thorough
-def test_a_search_refutes_what_jumps_within_units() -> None:
-    """About a stiffness of the contact and a length at which a state jumps at μ₀ = 0.4."""
-    units = {
-        "k_c": Unit(0.0553, 0.0554, dict.fromkeys(("kappa", "alpha", "sigma", "beta"), -1.0)),
-        "L_0": Unit(0.899, 0.901, {"kappa": -1.0}),
-    }
-    low = ss.Parameters.article(theta0=np.radians(40.0), mu0=0.3999)
-    softest = ss.Parameters(low.theta0, 0.4, *(value / 0.0553 for value in (0.007 / 0.9, 0.007, 0.1, 0.0)))
-    assert ss.jump_value(softest, "mu0") < 0.4
-    assert ss.certify(low, low.replace(mu0=0.4), "no jump", units=units, method="search").outcome == "refuted"
-
-
-UNITS: dict[str, tuple[Any, str]] = {
-    "named as a parameter": ({"sigma": Unit(1.0, 1.5, {"kappa": 1.0})}, "'sigma' is a parameter of the model"),
-    "ends exchanged": ({"u": Unit(1.3, 0.7, {"sigma": 1.0})}, "from 1.3 to 0.7; give two ends above 0"),
-    "ends below 0": ({"u": Unit(-1.3, -0.7, {"sigma": 2.0})}, "give two ends above 0"),
-    "no end": ({"u": Unit(0.9, np.inf, {"sigma": 1.0})}, "give two ends above 0"),
-    "no number": ({"u": Unit(np.nan, 1.0, {"sigma": 1.0})}, "give two ends above 0"),
-    "no power": ({"u": Unit(0.9, 1.0, {"sigma": np.nan})}, "has the power nan"),
-    "of an angle": ({"u": Unit(0.9, 1.0, {"theta0": 1.0})}, "theta0 has the power 1.0"),
-    "of nothing": ({"u": Unit(0.9, 1.0, {"gamma": 1.0})}, "'gamma' is not a parameter"),
-    "no unit": ({"u": 1.0}, "is no Unit"),
-    "no mapping": ([Unit(0.9, 1.0, {})], "is no mapping"),
-}
-
-
-@pytest.mark.parametrize("method", ["closed", "search"])
-@pytest.mark.parametrize("case", UNITS)
-def test_what_is_no_unit_is_named(case: str, method: str) -> None:
-    units, told = UNITS[case]
-    with pytest.raises((ss.ParameterError, ss.ParameterTypeError), match=told):
-        ss.certify(BASE, BASE, "no jump", units=units, method=method)
-
-
-@pytest.mark.thorough
-def test_a_power_of_0_is_none_and_other_claims_are_not_answered_without_their_units() -> None:
-    base = ss.Parameters.article(theta0=np.radians(30.0), mu0=0.6)
-    units = {"u": Unit(0.9, 1.1, {"theta0": 0.0, "mu0": 0.0, "V": -1.0})}
-    for method in ("closed", "search"):
-        assert ss.certify(base, base.replace(mu0=0.65), "no jump", units=units, method=method).outcome == "proved"
-    with pytest.raises(ss.ParameterError, match="units: a search takes them for 'no jump' only"):
-        ss.certify(base, base, "one equilibrium", units={"u": Unit(0.9, 1.1, {"sigma": 1.0})}, method="search")
 
 
 def whole(count: int) -> Boxes:

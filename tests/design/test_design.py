@@ -15,10 +15,7 @@ from scipy.stats import truncnorm
 import spragsym as ss
 from spragsym.design import sampling
 from spragsym.exact import bernstein
-from spragsym.exact.polynomials import Undecided
 from spragsym.exact.rounded import Rounded
-from spragsym.kang_nam.catastrophe import fold_arrays
-from spragsym.kang_nam.catastrophe.fold_digits import sharpened
 from spragsym.kang_nam.design import jump_values
 from spragsym.kang_nam.design.cells import Boxes
 from spragsym.kang_nam.design.claims import CLAIMS
@@ -159,25 +156,6 @@ def test_signs_between_two_places_are_those_of_the_polynomial() -> None:
     assert not near.positive[0]
 
 
-@pytest.mark.parametrize("vary", ["sigma", "beta"])
-def test_values_that_float64_leaves_wide_get_their_digits(vary: str) -> None:
-    """Among 2 000 points some folds are known to 1e-11 only; more bits give them, to the bound that is told."""
-    p = families.random(np.random.default_rng(5), 2000)
-    given = {name: np.asarray(getattr(p, name)) for name in NAMES}
-    found = fold_arrays.folds(vary, {name: column for name, column in given.items() if name != vary}, 2000)
-    wide = np.flatnonzero((found.best.error > 1e-12 * np.maximum(np.abs(found.best.value), 1.0)) & np.isfinite(found.best.error))
-    assert wide.size >= 5
-    for k in wide[:5]:
-        q = one(p, found.row[k])
-        point = {name: float(getattr(q, name)) for name in NAMES}
-        new, error = sharpened(vary, point, *((float(at.value[k]), float(at.error[k])) for at in (found.t, found.value)))
-        exact = getattr(ss.folds(q, vary), vary)
-        assert error < 1e-12 * max(new, 1.0)
-        assert np.abs(exact - new).min() <= error + 2.0**-52 * new
-    with pytest.raises(Undecided):  # anything may be within such bounds
-        sharpened(vary, point, (1.0, 1e3), (1.0, 1e3))
-
-
 @pytest.mark.parametrize("vary", few(["mu0", "theta0", "sigma"], "mu0"))
 def test_gradients_are_those_of_forty_digits(vary: str) -> None:
     """f = f′ = 0 solved with 50 digits from the forces, at parameters moved by 1e-15 both ways."""
@@ -280,11 +258,6 @@ def test_a_box_that_touches_the_fold_ends_undecided() -> None:
     assert 0 < wide.undecided < 0.2
 
 
-def test_a_point_is_a_box() -> None:
-    point = BASE.replace(theta0=1.2)
-    assert ss.certify(point, point, "one equilibrium").outcome == "proved"
-
-
 # ------------------------------------------------------------------------------------------- margins and new designs
 
 
@@ -327,17 +300,6 @@ def test_a_new_design_keeps_the_target_and_a_smaller_change_does_not() -> None:
     assert both.distance < better.distance
     assert both.jump["mu0"] >= 0.7 * (1 - 1e-12)
     assert ss.redesign(p, "sigma", {"mu0": 0.4}).distance == 0.0
-
-
-@pytest.mark.thorough
-def test_physical_quantities_change_all_that_they_enter() -> None:
-    brake = ss.PhysicalParameters(m=0.35, k=1.8e5, k_x=9e3, k_y=0, k_c=1.5e6, F_L=420, L_0=0.038, theta0=0.9, mu0=0.3)
-    better = ss.redesign(brake, "k_c", {"mu0": 0.45})
-    assert isinstance(better.parameters, ss.PhysicalParameters)
-    assert better.parameters.k_c == pytest.approx(1.5e6 + better.change["k_c"])
-    assert not ss.jump_value(better.parameters.dimensionless()) < 0.45
-    margin = ss.jump_margin(brake, {"k_c": 2e5})
-    assert ss.jump_value(margin.parameters.dimensionless()) == pytest.approx(0.3, rel=1e-9)
 
 
 # ------------------------------------------------------------------------------------------------------ probability
@@ -432,19 +394,6 @@ def test_a_probability_with_correlated_normals_is_that_of_plain_samples() -> Non
     # All three hang together: one group, which decides all.
     assert [set(title.split(", ")) for title in found.total] == [{"sigma", "alpha", "mu0"}]
     assert next(iter(found.total.values())) == pytest.approx(1.0, abs=0.05)
-
-
-@pytest.mark.thorough
-def test_one_quantity_may_decide_another() -> None:
-    """With correlation 1 a range is the same share of both: as one variable."""
-    both: dict[str, Any] = {"sigma": (0.09, 0.11), "alpha": (0.018, 0.022), "kappa": 0.007, "beta": 0.0, "theta0": 0.7}
-    both["mu0"] = float(ss.jump_value(ss.Parameters(theta0=0.7, sigma=0.1, alpha=0.02))) + 1e-3
-    found = ss.jump_probability(both, correlation={("sigma", "alpha"): 1.0}, n=1 << 13, rng=1)
-    share = np.linspace(0, 1, 20_001)
-    p = ss.Parameters(**both | {"sigma": 0.09 + 0.02 * share, "alpha": 0.018 + 0.004 * share})
-    plain = float((np.asarray(ss.jump_value(p)) <= both["mu0"]).mean())
-    assert found.low - 1e-3 < plain < found.high + 1e-3
-    assert 0 < plain < 1
 
 
 # ------------------------------------------------------------------------------------------------------------- mistakes

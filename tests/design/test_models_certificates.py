@@ -9,9 +9,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.models.catastrophe.paths import first_end
-from spragsym.models.design.certificates import ENDS, OPEN, SAFE, THIN, Splitting
-from spragsym.models.tubes.tube_regions import Parts
-from tests.support import few, model_of
+from spragsym.models.design.certificates import ENDS, OPEN, THIN, Splitting
+from tests.support import few
 
 SEARCH = ss.load("kang_nam").search
 BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
@@ -75,17 +74,6 @@ def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     assert np.array_equal(outcome[outcome != OPEN] == ENDS, jumps[outcome != OPEN])
 
 
-@pytest.mark.parametrize("name", few(["two_springs", "cubic_contact", "inclined_belt"]))
-def test_outcomes_of_points_are_those_of_states_followed_one_by_one(name: str) -> None:
-    model = ss.load(name)
-    box = Splitting(*sets(model, {"theta0": (0.9, 1.2), "mu0": (0.1, 0.4)}), "mu0", 0.0)
-    values = box.whole.low + np.random.default_rng(3).random((2, 6)) * (box.whole.high - box.whole.low)
-    outcome = box.settled(box.points(values), THIN)[0].outcome
-    for (theta0, mu0), one in zip(values.T, outcome, strict=True):
-        end = first_end(model.Parameters(theta0=theta0), "mu0", (0.0, mu0))
-        assert one == (SAFE if end is None else ENDS)
-
-
 @pytest.mark.validate
 @pytest.mark.parametrize(("boxes", "width"), [(128, 0.2), pytest.param(2400, 0.025, marks=pytest.mark.thorough)])
 def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
@@ -94,71 +82,6 @@ def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: fl
     assert found.proved[0] <= theirs.low < theirs.high <= found.proved[1]
     assert found.proved[1] - found.proved[0] < width
     assert found.low <= theirs.probability <= found.high
-
-
-#: Its state ends where mu0 kappa = 2/(3√3).
-SOFTENING = '''r"""A mass on a spring that softens, pressed on a belt by a given force.
-
-::
-
-    |--/\\/\\/--[m]--> x
-"""
-
-from ..model import Page, exp
-
-page = Page("A mass on a spring that softens, pressed on a belt by a given force.")
-
-m = page.unit("m", "kg", "mass")
-k = page.unit("k", "N/m", "stiffness of the spring")
-L_0 = page.unit("L_0", "m", "length")
-
-mu0 = page.parameter("mu0", "1", "friction coefficient at full slip", ">= 0", 0.3)
-F_L = page.parameter("F_L", "N", "normal force", ">= 0", 0.5, becomes="kappa")
-c = page.parameter("c", "N/m^3", "softening of the spring", "> 0", 1.0, becomes="gamma")
-V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
-d = page.parameter("d", "s/m", "steepness of the friction law", "> 0", 10.0)
-
-x = page.coordinate("x", "m", "displacement along the belt")
-
-page.kinetic(m * page.rate(x) ** 2 / 2)
-page.potential(k * x**2 / 2 - c * x**4 / 4)
-page.normal_force(F_L)
-page.friction(x, V, lambda v: mu0 * (1 - exp(-d * v)), at_rest=mu0)
-'''
-
-
-@pytest.mark.validate
-def test_probability_bracket_and_shares_are_those_of_a_closed_form() -> None:
-    """mu0 and kappa uniform in [0, 1]: P = 1 − A + A ln A, and the variance of P given one of them is 1 − A² + 2 A ln A − P²."""
-    pytest.importorskip("sympy")
-    model, A = model_of(SOFTENING, "softening"), 2 / (3 * np.sqrt(3))
-    P = 1 - A + A * np.log(A)
-    first = (1 - A**2 + 2 * A * np.log(A) - P**2) / (P * (1 - P))
-    found = ss.jump_probability(
-        {"mu0": (0.0, 1.0), "kappa": (0.0, 1.0)}, model=model, n=1 << 13, rng=1, sobol=True, max_boxes=400
-    )
-    assert found.low < P < found.high
-    assert found.proved[0] <= P <= found.proved[1] < found.proved[0] + 0.01
-    for name in ("mu0", "kappa"):
-        assert found.first[name] == pytest.approx(first, abs=0.02)
-        assert found.total[name] == pytest.approx(1 - first, abs=0.02)
-    np.testing.assert_allclose(ss.jump_value(model.Parameters(kappa=np.array([0.5, 1.0]))), [2 * A, A], rtol=1e-12)
-
-
-@pytest.mark.thorough
-def test_another_state_is_not_taken_for_the_followed_one() -> None:
-    """Of three in contact, about two of which a part may begin; by way of other angles the followed one is still told."""
-    ranges = {"theta0": (0.66, 0.67), "mu0": (0.2, 0.21)}
-    box = Splitting(*sets(SEARCH, ranges), "mu0", 0.2)
-    part = box._parts(box.whole.low, box.whole.high).middles()
-    eq = ss.equilibria(SEARCH.Parameters(theta0=float(part.centre[0, 0]), mu0=0.2))
-    places = [box.tubes.place(part, np.array([[x], [y], [0.2]]), 2) for x, y in zip(eq.x, eq.y, strict=True)]
-    assert len(places) == 3
-    for shift in (0.0, 0.004):
-        other = Parts(part.fixed, part.centre + shift, part.half)
-        before = box.tubes.place(other, places[0].z, 2)
-        linked = [bool(box._linked(other.centre, before, part.centre, here)[0]) for here in places]
-        assert linked == [True, False, False]
 
 
 @pytest.mark.thorough

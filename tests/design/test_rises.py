@@ -101,22 +101,6 @@ def test_the_probability_is_the_share_of_loads_beyond(tmp_path: Path) -> None:
     assert low < share < high < low + 1e-4
 
 
-@pytest.mark.thorough
-def test_another_quantity_meets_the_same_fold_as_the_friction(tmp_path: Path) -> None:
-    """At the belt's speed: 0.1 m/s, where 63 % of the friction work."""
-    rows = {**BRAKE, "vary": "F_L", "begin": "50 N"}
-    found = ss.Study.from_file(written_brake(tmp_path, rows)).report(**QUICKLY)
-    assert found.jump_at is not None
-    at = ss.Study.from_file(written_brake(tmp_path, BRAKE | {"F_L": f"{found.jump_at!r} N"})).report(**QUICKLY)
-    assert at.mu_jump == pytest.approx(0.45 * -math.expm1(-1), rel=1e-9)
-    friction = ss.Study.from_file(written_brake(tmp_path, BRAKE)).report(**QUICKLY)
-    assert friction.distance == pytest.approx(found.distance, rel=1e-6) == (found.jump_at - 420) / 42
-    assert friction.states == found.states
-    assert found.vary == "F_L"
-    assert friction.vary == "mu0"
-    assert friction.jump_at == friction.mu_jump
-
-
 @pytest.mark.parametrize(
     ("rows", "named"),
     [
@@ -136,26 +120,6 @@ def test_what_can_t_rise_is_said_with_its_line(rows: dict[str, str], named: tupl
         assert part in str(error.value)
 
 
-def test_in_python_it_is_an_argument() -> None:
-    values = dict(m=0.35, k=1.5e6, b=0.038, h=0.0114, P=200.0, c=70.0)
-    study = ss.Study(values, model=str(derived(PAGE, "snapping_truss")), vary="P", begin=100.0)
-    assert study.report(**QUICKLY).jump_at == pytest.approx(LOAD, rel=1e-10)
-    with pytest.raises(ss.errors.ParameterError, match="P = 200"):
-        ss.Study(values, model=str(derived(PAGE, "snapping_truss")), vary="P", begin=300.0)
-
-
-@pytest.mark.by_hand("283")
-@pytest.mark.thorough
-@pytest.mark.parametrize("load", [0.0, LOAD])
-def test_a_load_of_nothing_and_one_at_the_fold_have_their_page(load: float, tmp_path: Path) -> None:
-    pytest.importorskip("jinja2")
-    study = truss(tmp_path, P=f"{load!r} N")
-    found = study.report(**QUICKLY)
-    assert found.jump_at == pytest.approx(LOAD, rel=1e-10)
-    study.to_html(tmp_path / "report.html", found)
-    assert "as P rises" in (tmp_path / "report.html").read_text(encoding="utf-8")
-
-
 @pytest.mark.thorough
 def test_a_load_may_be_negative(tmp_path: Path) -> None:
     found = weighted(tmp_path).report(**QUICKLY)
@@ -164,23 +128,3 @@ def test_a_load_may_be_negative(tmp_path: Path) -> None:
     assert found.margin_percent == pytest.approx(100 * (LOAD - 400 + 180) / 180)
     assert "35 % above the largest that you have, -180 N" in found.verdict
     assert "full slip" not in found.text()
-
-
-@pytest.mark.thorough
-def test_where_nothing_is_applied_it_may_have_jumped_already(tmp_path: Path) -> None:
-    found = weighted(tmp_path, P="0 N").report(oscillation=False)
-    assert found.facts.jumped
-    assert found.margin_percent == -math.inf
-    assert not found.redesign
-    assert any("1.2 times P = 0 N" in one for one in found.warnings)
-
-
-@pytest.mark.validate
-def test_no_change_brings_the_load_behind_its_fold_before_it_begins(tmp_path: Path) -> None:
-    """A bar that is 12 % softer has snapped at 250 N, and would end nowhere above that."""
-    study = truss(tmp_path, P="260 N", begin="250 N")
-    found = study.report(oscillation=False, probability=False, safety=1.4)
-    assert {name for one in found.redesign for name in one.after} == {"k", "b", "h"}
-    for one in found.redesign:
-        values = {**study.values, **one.after}
-        assert one.jump_at == pytest.approx(snaps(values["k"], values["b"], values["h"]), rel=1e-9)

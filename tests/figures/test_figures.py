@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 from pathlib import Path
 from typing import Any
@@ -25,14 +24,9 @@ from spragsym.figures import (  # noqa: E402  # after matplotlib was found
     curves,
     extras,
     figure_11,
-    figure_14,
-    plot_equilibria,
-    space,
     surfaces,
     write,
 )
-from spragsym.figures.style import LINES  # noqa: E402  # after matplotlib was found
-from tests.oracles import article_motion  # noqa: E402  # after matplotlib was found
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
@@ -120,37 +114,6 @@ def test_branches_end_at_the_exact_folds() -> None:
         assert sum((value, state) == (theta0, x) for _, value, state in ends) == 2
 
 
-def test_branches_change_stability_at_the_exact_onset() -> None:
-    p = P.replace(alpha=0.7)
-    (found,) = (branch for branch in curves.branches(p) if branch.stability == ss.Stability.FLUTTER)
-    np.testing.assert_allclose(found.values[[0, -1]], ss.flutter_onsets(p, damping=False).theta0, atol=1e-6)
-
-
-def test_plot_equilibria_draws_by_stability() -> None:
-    ax = Figure().add_subplot()
-    lines = plot_equilibria(P.replace(sigma=1.0), ax=ax)
-    dashes = {line.get_linestyle() for line in lines if line.get_marker() == "None"}
-    assert dashes == {"-", "--"}  # matplotlib calls every pattern of its own "--"
-    patterns = {line._unscaled_dash_pattern for line in lines if line.get_marker() == "None"}  # type: ignore[attr-defined]  # of a line, or of axes in space
-    known = {None, *(LINES[kind][1] for kind in (ss.Stability.DIVERGENT, ss.Stability.FLUTTER))}
-    assert {pattern[1] and tuple(pattern[1]) for pattern in patterns} == known
-    marked = [line for line in lines if line.get_marker() == "o"]
-    np.testing.assert_allclose(marked[0].get_xdata(), np.degrees(ss.folds(P.replace(sigma=1.0)).theta0), rtol=1e-12)
-    assert lines == ax.get_lines()
-
-
-def test_a_path_is_drawn_to_the_fold_and_from_where_it_lands() -> None:
-    path = ss.quasi_static_path(P.replace(theta0=np.radians(60)), "mu0", np.linspace(1, 0, 30))
-    first, second = curves.passages(path)
-    (jump,) = path.jumps
-    assert (first[0][-1], first[1][-1]) == (jump.value, jump.before["x"])
-    assert (second[0][0], second[1][0]) == (jump.value, jump.after["x"])
-    assert first[0].size + second[0].size == 32
-    assert (np.diff(first[0]) < 0).all()
-    artists = curves.draw_path(path, ax=Figure().add_subplot(), arrows=(0.3, 0.7))
-    assert len(artists) == 2 * (1 + 2) + 2
-
-
 # --------------------------------------------------------------------------------------------------- surfaces
 
 
@@ -179,81 +142,7 @@ def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: floa
     assert wrong <= 3  # within a cell of an edge
 
 
-def _seen_from(ax: Any, place: np.ndarray[Any, Any], samples: int = 1500) -> tuple[np.ndarray[Any, Any], ...]:
-    """θ₀ in degrees, μ₀ and x along the line of sight from a place towards the eye, within the axes' box."""
-    view = ax.get_proj()
-    at = view @ [*place, 1.0]
-    screen = at[:3] / at[3]
-    depths = screen[2] - np.linspace(0.0, 1.0, samples) * 0.5 * (1 if at[3] > 0 else -1) * abs(screen[2])
-    sight = np.stack([np.full(samples, screen[0]), np.full(samples, screen[1]), depths, np.ones(samples)])
-    homogeneous = np.linalg.solve(view, sight)
-    return tuple(homogeneous[:3] / homogeneous[3])
-
-
-def _crosses_a_sheet(p: ss.Parameters, ax: Any, place: np.ndarray[Any, Any]) -> bool | None:
-    """Whether the surface of equilibria stands before a place, from equilibria alone; None where the line of sight grazes it."""
-    theta0, mu0, x = _seen_from(ax, place)
-    inside = (theta0 > 0.5) & (theta0 < 179.5) & (mu0 > 0) & (mu0 < 1) & (np.abs(x) < 2.2)
-    away = np.abs(theta0 - place[0]) / 180 + np.abs(mu0 - place[1]) + np.abs(x - place[2]) / 4 > 0.02
-    good = np.flatnonzero(inside & away)
-    if good.size < 2:
-        return False
-    eq = ss.equilibria(p.replace(theta0=np.radians(theta0[good]), mu0=mu0[good]))
-    below = (eq.x < x[good, None]).sum(axis=-1)
-    # Passing a sheet turns the parity of how many equilibria lie below; passing beside a fold does not.
-    turned = np.flatnonzero((np.diff(below) % 2 != 0) & (np.diff(good) == 1))
-    return bool(turned.size)
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("draw", [figure_11, figure_14])
-def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
-    """Against the surface itself, along the line of sight from each piece to the eye: no mesh takes part in it."""
-    ax = draw().axes[0]
-    p = P if draw is figure_11 else P.replace(sigma=1.0)
-    wrong = looked_at = 0.0
-    seen = set()
-    for line in ax.get_lines():
-        if line.get_marker() != "None":
-            continue
-        points = np.column_stack(line.get_data_3d())
-        hidden = line.get_linewidth() == space.BEHIND["linewidth"]
-        length = np.hypot.reduce(np.diff(points / (180, 1, 4), axis=0), axis=1).sum()
-        for share in (0.3, 0.5, 0.7):
-            crossed = _crosses_a_sheet(p, ax, points[int(share * (len(points) - 1))])
-            looked_at += length
-            wrong += length * (crossed != hidden)
-            seen.add(hidden)
-    assert seen == {True, False}
-    assert wrong <= 0.1 * looked_at, (wrong, looked_at)  # a line on a sheet seen nearly edge on
-
-
 # ----------------------------------------------------------------------------------------------------- extras
-
-
-@pytest.mark.thorough
-def test_what_the_caption_says_of_the_second_region(sheets: dict[str, Sheet]) -> None:
-    """By SciPy: a stable equilibrium alone, a large cycle beside it, and a start from rest that bounces into it."""
-
-    def reach(mu0: float, state: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 2000.0) -> tuple[float, Any, float]:
-        p = P.replace(theta0=np.radians(132.0), mu0=mu0)
-        run = article_motion.integrated(p, 0.5, 10.0, state, t_end, rtol=1e-7, atol=1e-9, max_step=1.0)
-        late = run.t > 0.75 * t_end
-        return float(np.ptp(run.y[0, late])), run.y[:, -1], float(np.mean(run.y[1, late] > 0))
-
-    small, _, _ = reach(0.75)
-    assert small < 0.2
-    large, state, above = reach(0.93)
-    assert large > 3
-    assert above > 0.5
-    for mu0 in (0.8, 0.6, 0.45, 0.3):  # followed down, far below where the start from rest reaches it
-        swing, state, above = reach(mu0, state, 600.0)
-        assert swing > 3
-        assert above > 0.5
-    for mu0 in (0.3, 0.75, 0.93):
-        eq = ss.equilibria(P.replace(theta0=np.radians(132.0), mu0=mu0))
-        assert eq.count == 1
-        assert eq.stability[0] == ss.Stability.STABLE
 
 
 def test_the_false_double_root() -> None:
@@ -284,17 +173,6 @@ def test_files_have_the_same_bytes_every_time(tmp_path: Path, kinds: tuple[str, 
     for kind in kinds:
         content = (tmp_path / "one" / f"figure_11.{kind}").read_bytes()
         assert not any(word in content for word in (b"CreationDate", b"dc:date", b"Software", b"Matplotlib"))
-
-
-def test_data_are_written_to_twelve_digits(tmp_path: Path, sheets: dict[str, Sheet]) -> None:
-    write(sheets["4"], tmp_path, "figure_4", [])
-    with (tmp_path / "figure_4_a.csv").open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    assert {row["stability"] for row in rows} == {"stable", "divergent"}
-    theta0 = {row["theta0_deg"] for row in rows}
-    assert {f"{angle:.12g}" for angle in np.degrees(ss.folds(P).theta0)} <= theta0
-    assert (tmp_path / "figure_4.txt").read_text(encoding="utf-8").startswith("Figure 4. Equilibria")
-    assert all(len(line) <= 100 for line in (tmp_path / "figure_4.txt").read_text(encoding="utf-8").splitlines())
 
 
 @pytest.mark.thorough

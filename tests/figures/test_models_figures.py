@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import pickle
-
 import numpy as np
 import pytest
 
@@ -68,53 +65,6 @@ def test_curves_pass_through_all_equilibria(name, ax):
     lines = figures.plot_equilibria(p, vary=vary, ax=ax, n=20)
     assert lines == ax.get_lines()
     assert ax.get_xlabel()
-
-
-@pytest.mark.thorough
-def test_curves_by_search_are_those_of_closed_forms():
-    p = ss.Parameters.article(mu0=0.7)
-    closed = figures.branches(p, n=60)
-    search = figures.branches(ss.load("cubic_contact").Parameters(mu0=0.7, gamma=0.0), n=60)
-    assert len(closed) == len(search)
-    for one in closed:
-        assert any(
-            one.values.shape == other.values.shape
-            and np.allclose(one.values, other.values, atol=1e-9)
-            and np.allclose(one.x, other.x, atol=1e-6)
-            for other in search
-        )
-        assert pickle.loads(pickle.dumps(one)).x.tolist() == one.x.tolist()  # noqa: S301  # our own
-
-
-@pytest.mark.thorough
-def test_plot_on_the_command_line(tmp_path, monkeypatch, run, found):
-    monkeypatch.setattr("spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: found)
-    file = tmp_path / "set.svg"
-    command = ["bifurcation", "--method", "search", "--plot", str(file)]
-    run(*command)
-    assert file.read_text(encoding="utf-8").startswith("<?xml")
-    assert "--force" in run(*command, code=2)
-    run(*command[:-1], str(tmp_path / "set.gif"), code=2)
-
-
-@pytest.mark.thorough
-def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, run):
-    """Of the two folds of the article's model only the one within the range; the cusp is outside of it."""
-    search = ss.load("kang_nam").search.bifurcation_set
-    monkeypatch.setattr(
-        "spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: search(p, vary, 4, **options)
-    )
-    command = ["bifurcation", "--vary", "theta0=100:170", "--vary", "mu0=0.3:0.6", "--json"]
-    told = json.loads(run(*command, "--plot", str(tmp_path / "set.svg")))
-    assert [row["theta0_deg"] for row in told["folds"]["points"]] == pytest.approx([155.05941879], abs=1e-7)
-    assert told["cusps"]["points"] == []
-    wrong = {
-        "mu0=": "give it as mu0=0:1", "mu0=1": "give it as mu0=0:1", "mu0=1:1": "both ends are 1",
-        "mu0=-1:1": "is not in [0, inf)",
-        "theta0=0:181": "theta0_deg = 181 is not in (0, 180)", "mu0=0:1:1": "2 to 100000", "sgma=0:1": "did you mean sigma?",
-    }  # fmt: skip
-    for given, text in wrong.items():
-        assert text in run("bifurcation", "--vary", given, code=2)
 
 
 @pytest.mark.thorough

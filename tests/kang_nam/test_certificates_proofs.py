@@ -130,22 +130,6 @@ def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str)
     assert len(seen) > 1
 
 
-@pytest.mark.parametrize("vary", NAMES)
-def test_the_state_after_a_fold_is_an_equilibrium(vary: str, arith: Arithmetic) -> None:
-    """At the parameters of the fold, and not the state that ends there: by the balance of forces."""
-    exact = dict(zip(NAMES, map(Fraction, ("1/2", "2/3", "1/200", "1/150", "1/10", "1/20")), strict=True))
-    with arith.precision(300):
-        folds = [fold for fold in fold_proofs.folds(arith, vary, exact, 300) if fold.kind == "fold"]
-        with mpmath.workdps(60):
-            for fold in folds:
-                values = [_middle(arith, value) for value in fold.point.parameters]
-                state = [_middle(arith, value) for value in fold.after]
-                assert abs(reference.along(state[0], *values)) < mpmath.mpf(10) ** -30
-                assert abs(state[0] - _middle(arith, fold.point.theta)) > 1e-6
-                assert reference.lack_of_a_state(state, *_of_states(values)) < mpmath.mpf(10) ** -30
-    assert folds
-
-
 @pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
 def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
     """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""
@@ -210,20 +194,6 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
         (lambda s: s * s - 1, (False, False, False)),
     ):
         assert tuple(is_zero(root, numerator) for root in (third, rational, exact)) == zeros
-
-
-@pytest.mark.parametrize("side", [-1, 1])
-def test_an_upright_cusp_is_one(side: int, arith: Arithmetic) -> None:
-    """sin θ = ±1 and sin θ₀ = −1, by κ (α + σ) = (1 + β)(α + 2 σ) − α σ, and κ (α + σ) = α (1 + β + σ) for −1."""
-    alpha, sigma, beta = (Fraction(1), Fraction(1), Fraction(1)) if side < 0 else (Fraction(1, 2), Fraction(1), Fraction(0))
-    B = 1 + beta
-    kappa = (alpha * (B + sigma) if side < 0 else B * (alpha + 2 * sigma) - alpha * sigma) / (alpha + sigma)
-    with arith.precision(300):
-        points = list(cusp_proofs.cusps(arith, (kappa, alpha, sigma, beta), 300))
-        angles = [[float(_middle(arith, value)) for value in (one.theta, one.parameters[0], one.parameters[1])] for one in points]
-    upright = [one for one in angles if abs(one[0] - side * math.pi / 2) < 1e-6]
-    assert len(upright) == 1
-    assert upright[0] == pytest.approx([side * math.pi / 2, -math.pi / 2, 0.0], abs=1e-15)
 
 
 # -------------------------------------------------------------------------------------------- folds at coincidences
@@ -315,33 +285,6 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
     monkeypatch.setattr(fold_proofs, "_lines_meet", lambda *_: True)
     with pytest.raises(ss.ConvergenceError, match="not isolated"):
         fold_proofs._independent_of_theta0("kappa", exact)
-
-
-_HALVES = Fraction(-1, 2)
-#: u₁, w₁, u₂, w₂ of cos θ, sin θ, cos θ₀, sin θ₀, and whether both relations can hold at once.
-RELATIONS = {
-    "nothing": (lambda c, s, c0, s0: (0, 0, 0, 0), True),
-    "one value, always": (lambda c, s, c0, s0: (_HALVES, 1, _HALVES, 1), False),
-    "a second of half the scale": (lambda c, s, c0, s0: (_HALVES, 1, -1, 2), False),
-    "the second alone": (lambda c, s, c0, s0: (0, 0, -1, 2), False),
-    "the first alone": (lambda c, s, c0, s0: (-1, 2, 0, 0), False),
-    "both free at cos θ = 0": (lambda c, s, c0, s0: (_HALVES * c, c, _HALVES * c * (2 + s), c * (2 + s)), True),
-    "one of them free at cos θ = 0": (lambda c, s, c0, s0: (_HALVES * c, c, _HALVES, 1), False),
-    "both free at θ = 0": (lambda c, s, c0, s0: (_HALVES * s, s, _HALVES * s, s), False),
-    "both free below": (lambda c, s, c0, s0: (_HALVES * (s - _HALVES), s - _HALVES, _HALVES * (s - _HALVES), s - _HALVES), False),
-    "two values of the first but at t = ±3/5": (lambda c, s, c0, s0: (_HALVES + c - Fraction(8, 17), 1, _HALVES, 1), True),
-    "two values": (lambda c, s, c0, s0: (_HALVES, 1, Fraction(-1, 3), 1), True),
-    "two values but at θ = 0": (lambda c, s, c0, s0: (_HALVES + s, 1, _HALVES, 1), True),
-    "two values but at t = ±3/5": (lambda c, s, c0, s0: (_HALVES, 1, _HALVES + c - Fraction(8, 17), 1), True),
-    "free at one angle of the samples": (lambda c, s, c0, s0: (_HALVES * (7 * s0 - 1 - c0), 7 * s0 - 1 - c0, 0, 0), True),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", RELATIONS)
-def test_relations_that_are_one_meet_where_both_leave_the_parameter_free(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    relations, meet = RELATIONS[name]
-    monkeypatch.setitem(fold_proofs._LINES, "kappa", lambda c, s, c0, s0: tuple(map(Fraction, relations(c, s, c0, s0))))
-    assert fold_proofs._lines_meet("kappa", []) == meet
 
 
 def test_a_pitchfork_has_no_upper_pair(arith: Arithmetic) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 import mpmath
@@ -168,27 +167,6 @@ def test_points_without_an_answer_are_marked_with_their_reason(monkeypatch: pyte
     assert ss.equilibria(p.replace(mu0=0.5, kappa=0.3)).require_decided().count == 1
 
 
-def test_no_point_sees_another() -> None:
-    """One at a time, all together, in blocks, in two dimensions, with parameters broadcast: the same bits."""
-    p = _points(3)
-    whole = ss.equilibria(p)
-    columns = p.broadcast(*NAMES)
-    for row in range(0, whole.count.size, 5):
-        one = ss.equilibria(ss.Parameters(*(float(value[row]) for value in columns)))
-        assert one.count == whole.count[row]
-        for name in ("theta", "L", "x", "y", "stability", "error", "escalated", "fold"):
-            np.testing.assert_array_equal(getattr(one, name), getattr(whole, name)[row])
-    size = whole.count.size // 3 * 3
-    square = ss.equilibria(ss.Parameters(*(value[:size].reshape(3, -1) for value in columns)))
-    np.testing.assert_array_equal(square.theta.reshape(size, 3), whole.theta[:size])
-    np.testing.assert_array_equal(square.count.reshape(size), whole.count[:size])
-    theta0, mu0 = np.linspace(0.2, 2.9, 7)[:, None], np.linspace(0, 2, 5)
-    grid = ss.equilibria(ss.Parameters.article(theta0=theta0, mu0=mu0))
-    flat = ss.equilibria(ss.Parameters.article(theta0=np.repeat(theta0, 5), mu0=np.tile(mu0, 7)))
-    for name in ("theta", "count", "error", "stability", "escalated"):
-        np.testing.assert_array_equal(getattr(grid, name).reshape(getattr(flat, name).shape), getattr(flat, name))
-
-
 @pytest.mark.parametrize("contact", [True, False])
 def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch, contact: bool) -> None:
     p = _points(8 if contact else 4)
@@ -248,51 +226,6 @@ def test_the_logarithm_of_a_length_beyond_float64_is_said(backend: str, size: fl
     (state,) = ss.precise.equilibria(**given, dps=20)
     said = float(str(failure.value).split("log10 L = ")[1].split(" ")[0])
     assert said == pytest.approx(float(mpmath.log10(state.L)), rel=2e-6)
-
-
-LONG = (1.0, 1e200, 1e200, 1.0, 1.0, 1.0)
-
-
-@pytest.mark.parametrize("backend", ["numpy", "compiled"])
-def test_slots_without_an_equilibrium_are_empty_whatever_memory_held(monkeypatch: pytest.MonkeyPatch, backend: str) -> None:
-    if backend == "compiled" and not compiled.available():
-        pytest.skip("the compiled solver was not built: no C compiler")
-    ss.set_backend(backend)
-    made = state_columns.Slots.__post_init__
-
-    def filled(self: state_columns.Slots) -> None:
-        made(self)
-        for values in self.first.values():
-            values[:] = 7
-
-    monkeypatch.setattr(state_columns.Slots, "__post_init__", filled)
-    # Of the last one, whose length float64 can't carry, nothing is written.
-    columns = [np.append(column, value) for column, value in zip(_points(6).broadcast(*NAMES), LONG, strict=True)]
-    p = ss.Parameters(*columns)
-    for contact, room in ((True, 3), (False, 4)):
-        eq = ss.equilibria(p, contact=contact)
-        assert eq.theta.shape == (*p.shape, room)
-        empty = np.arange(room) >= eq.count[:, None]
-        assert np.isnan(eq.theta[empty]).all()
-        assert not eq.stability[empty].any()
-        assert eq.count[-1] == 0
-        assert "Slots" not in repr(eq)
-
-
-def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And of their states the two slots that hold one."""
-    plain = adaptive_precision.equilibria
-
-    def fold(*given: float, contact: bool) -> adaptive_precision.Settled:
-        found = plain(*given, contact=contact)
-        (one,) = found.states
-        return replace(found, states=(replace(one, theta=one.theta - 1), one, one), fold=True) if given[0] > 1 else found
-
-    monkeypatch.setattr(adaptive_precision, "equilibria", fold)
-    p = ss.Parameters([0.9, 1.1, 1.2], [0.5, 0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
-    assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
-    assert ss.equilibria(p).fold.tolist() == [False, False, True]
-    assert ss.equilibria(p).marginal.tolist() == [[False] * 3] * 2 + [[False, True, True]]
 
 
 def test_the_error_of_a_stored_state_covers_its_rounding() -> None:

@@ -72,32 +72,7 @@ def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend:
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-6 * np.abs(tr.vx).max() ** 2
 
 
-def test_a_shallow_penetration_keeps_its_digits() -> None:
-    """Hertz's force goes with (depth)^(3/2), however small the depth."""
-    model = ss.load("hertz_contact")
-    taken = model.arguments(model.Parameters(theta0=1.0), "motion")
-    powers = [float(model.algebra.friction_power(0.0, -depth, 1.0, 0.0, *taken, 1, -1, 1)) for depth in (3e-13, 1e-12)]
-    assert powers[0] / powers[1] == pytest.approx(0.3**1.5, rel=1e-12)
-
-
 # ------------------------------------------------------------------------------------------------ arguments
-
-
-@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
-def test_a_ball_that_comes_back_to_touch_goes_down_again(backend: str) -> None:
-    """Released at touch with hardly any friction, it comes back to it and falls again: with |t − t_0|³, which no series shows."""
-    if backend == "heyoka":
-        pytest.importorskip("heyoka")
-    model = ss.load("hertz_contact")
-    p = model.Parameters(
-        theta0=0.2084, mu0=17.256, kappa=0.0099346, alpha=0.00010157, sigma=0.00026774, beta=4.5666, V=8.8207e-6, d=7.1211
-    )
-    tr = ss.simulate(p, t_end=6.0, rtol=1e-12, backend=backend)
-    low, high = tr.y.min(), tr.y[tr.t > 2.0].max()
-    assert low < -0.004
-    assert abs(high) < 1e-9
-    energy = tr.energy()
-    assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-14
 
 
 @pytest.mark.by_hand("rail")

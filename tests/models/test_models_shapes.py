@@ -179,20 +179,6 @@ def test_a_double_pendulum_moves_as_in_the_textbook(models: dict[str, Any], back
     assert np.ptp(energy) < 1e-8
 
 
-def test_slopes_of_a_coupled_motion_are_those_of_differences(models: dict[str, Any]) -> None:
-    model = models["double_pendulum"]
-    state, given, h = np.array([0.7, -1.1, 0.4, 0.9]), [0.3, 0.7], 1e-6
-    exact = np.array(model.algebra.regime_jacobian(*state, *given, 1, 1), dtype=float)
-    by = np.array(model.algebra.regime_by_parameters(*state, *given, 1, 1), dtype=float)
-    for column in range(6):
-        ends = [[*state, *given] for _ in range(2)]
-        ends[0][column] -= h
-        ends[1][column] += h
-        one, two = (np.array(model.algebra.regime_rhs(*end, 1, 1), dtype=float) for end in ends)
-        want = exact[:, column] if column < 4 else by[:, column - 4]
-        assert np.allclose(want, (two - one) / (2 * h), atol=1e-8)
-
-
 @pytest.mark.thorough
 def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) -> None:
     """A double pendulum has four: each of its links hangs or stands; standing is π, where the searched turn ends."""
@@ -213,28 +199,6 @@ def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) 
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("contact", [True, False])
-def test_an_angle_of_the_page_may_stand_by_itself(models: dict[str, Any], contact: bool) -> None:
-    """An arm on a torsion spring k (φ − θ₀)²/2, pressed on a belt: a coordinate that is an angle and does not come around."""
-    model = models["arm"]
-    for theta0, tau in ((1.3, 0.3), (1.3, 0.01), (2.0, 0.004)):
-        eq = ss.equilibria(model.Parameters(theta0=theta0, tau=tau), contact=contact)
-        assert eq.complete
-        assert eq.whole.all()
-
-        def balance(phi: Any, theta0: float = theta0, tau: float = tau) -> Any:
-            push = (mpmath.sin(phi) - 0.9) if contact else 0
-            return tau * (phi - theta0) - push * (-mpmath.cos(phi) - mpmath.sin(phi) / 2)
-
-        want = [root for (root,) in roots(balance, [[s] for s in np.linspace(-60, 60, 241)])]
-        want = sorted(root for root in want if (math.sin(root) >= 0.9) == contact)
-        assert np.allclose(states(model, eq)[:, 0], want, rtol=1e-12)
-    change = [model.algebra.forces(1.2, theta0, math.cos(theta0), math.sin(theta0), 0.3, 0.9, 0.5, 1)[0] for theta0 in (1.1, 1.2)]
-    slopes = model.algebra.forces_by_parameters(1.2, 1.1, math.cos(1.1), math.sin(1.1), 0.3, 0.9, 0.5, 1)
-    assert math.isclose((change[1] - change[0]) / 0.1, slopes[0][model.about["by_parameters"].index("theta0")])
-
-
-@pytest.mark.thorough
 def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     """Virtual work: N ∂(−gap)/∂q, and friction along the slide alone."""
     model = models["bumps"]
@@ -250,12 +214,3 @@ def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     starts = [(x, y) for x in np.linspace(-2, 2, 41) for y in (-0.2, 0.1)]
     want = sorted(root for root in roots(balance, starts) if 0.2 * math.sin(3 * root[0]) - root[1] >= 0)
     assert np.allclose(states(model, eq), want, atol=1e-12)
-
-
-def test_a_fraction_by_itself_is_exact() -> None:
-    """A rod's mass of 1/3 is a fraction in the arguments' number type; one quarter is a float."""
-    text = HEAD + "x = page.coordinate('x', 'm', 'along')\npage.kinetic(m * page.rate(x)**2 / 6)\npage.spring(k_c / 2, along=x)\n"
-    for number, squared in (("6", 1.5), ("8", 2.0)):
-        model = model_of(text.replace("/ 6", f"/ {number}"), "rod")
-        eq = ss.equilibria(model.Parameters())
-        assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(squared))

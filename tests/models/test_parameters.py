@@ -5,16 +5,12 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import inspect
-import math
 from collections.abc import Callable
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 import spragsym as ss
-from spragsym.parameters import degrees
 
 BRAKE = ss.PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=0.8, mu0=0.5, V=20)
 
@@ -55,36 +51,3 @@ def test_physical_parameters_are_told_what_to_do(name: str) -> None:
     arguments = {p.name: BRAKE if p.annotation in ("Parameters", "ParameterSet") else OTHERS[p.name] for p in needed}
     with pytest.raises(ss.ParameterTypeError, match=r"\.dimensionless\(\)"):
         function(**arguments)
-
-
-# ---------------------------------------------------------------------------------------------------------- names
-
-TYPOS = {
-    "teta0": "theta0", "theta": "theta0", "theta_0": "theta0", "θ0": "theta0", "θ₀": "theta0", "Theta0": "theta0",
-    "theta0_deg": "theta0", "mu": "mu0", "mu_0": "mu0", "μ0": "mu0", "µ_0": "mu0", "kapa": "kappa", "κ": "kappa",
-    "Alpha": "alpha", "aplha": "alpha", "sgima": "sigma", "σ": "sigma", "bet": "beta",
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("typo", TYPOS)
-def test_a_name_that_was_meant_is_named(typo: str) -> None:
-    article = ss.Parameters.article
-    calls: list[Callable[[], Any]] = [
-        lambda: ss.Parameters(kappa=1, alpha=1, sigma=1, beta=1, **{typo: 1}), lambda: article(**{typo: 1}),
-        lambda: article().replace(**{typo: 1}),
-    ]  # fmt: skip
-    for call in calls:
-        with pytest.raises(ss.ParameterTypeError, match=rf"^{typo} is not a parameter; did you mean {TYPOS[typo]}\?$"):
-            call()
-
-
-# --------------------------------------------------------------------------------------------------------- numbers
-
-
-@given(st.floats(1e-9, 180.0, exclude_max=True) | st.integers(1, 17999).map(lambda n: n / 100))
-def test_degrees_come_back(typed: float) -> None:
-    """What was typed, or where several numbers have the same radians the shortest of them."""
-    back = degrees(math.radians(typed))
-    assert math.radians(back) == math.radians(typed) or back == pytest.approx(typed, rel=1e-15)
-    if len(repr(typed)) <= 14:
-        assert back == typed

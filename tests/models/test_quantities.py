@@ -9,31 +9,7 @@ import pytest
 import spragsym as ss
 from spragsym.generated import scales
 from spragsym.generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
-from spragsym.models.load import shipped
 from spragsym.parameters import RANGES, range_of
-
-
-@pytest.mark.parametrize("name", shipped())
-def test_files_say_what_one_of_each_number_is(name: str) -> None:
-    """Of parameters by the quantities of the page, in any units of measure; of results by those of what they are made of."""
-    from spragsym.studies import brake_quantities
-
-    model = ss.load(name)
-    about, said = model.about, model.quantities
-    bases = dict(zip((entry["name"] for entry in about["units"]), (0.3, 7.0e5, 0.05), strict=False))
-    sizes = {**bases, "sqrt": math.sqrt, "rad": 1.0}
-    given = {entry["quantity"]: 0.1 * (place + 1) for place, entry in enumerate(about["parameters"])}
-    p, _ = brake_quantities.dimensionless(name, {**given, **bases})
-
-    def one_of(key: str) -> float:
-        return float(eval(said[key][0], {}, sizes))  # noqa: S307  # written by the derivation
-
-    for entry in about["parameters"]:
-        assert float(getattr(p, entry["name"])) * one_of(entry["name"]) == pytest.approx(given[entry["quantity"]], rel=1e-12)
-    first = model.coordinates[0]
-    assert {said[key][0] for key in ("rms", "mean", f"cycle_{first}", f"rest_{first}", first, f"{first}0")} == {said["rms"][0]}
-    assert one_of("period") * one_of("rate") == pytest.approx(1.0)
-    assert all(first in said[key][1] for key in ("rms", "largest", f"cycle_{first}"))
 
 
 @pytest.mark.parametrize("name", ["x", "y", "L", "vx", "vy", "V", "d", "tau"])

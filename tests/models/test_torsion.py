@@ -5,8 +5,6 @@ from __future__ import annotations
 import importlib.util
 import itertools
 import math
-from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -17,8 +15,6 @@ import spragsym as ss
 from spragsym.exact import ball_functions, wide_balls
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.interval_functions import atan2
-from spragsym.exact.intervals import Balls
-from spragsym.exact.jets import Jet, argument, turned
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.mechanics.balance import Balance
 from spragsym.models.mechanics.precise_balance import ball
@@ -229,24 +225,6 @@ def test_balls_that_meet_the_ray_are_unknown() -> None:
         ball_functions.XP.atan2(ball(0.0, 160), ball(-1.0, 160))
 
 
-def test_derivatives_of_an_angle_are_those_of_its_series() -> None:
-    """Of jets, up to the third order, of balls and of intervals, against Taylor coefficients in 40 digits."""
-    x0, y0 = 0.7, -1.1
-    x, y = (Jet.variable(ball(value, 160), number, 3) for number, value in enumerate((x0, y0)))
-    of_balls = ball_functions.XP.atan2(y * y - 2 * x, x * y)
-    known = [Jet.variable(Intervals.point([value]), number, 3) for number, value in enumerate((x0, y0))]
-    of_boxes = argument(*turned(known[1] * known[1] - known[0] * 2, known[0] * known[1]))
-    with mpmath.workdps(40):
-        for i, j in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)):
-            exact = mpmath.diff(lambda x, y: mpmath.atan2(y * y - 2 * x, x * y), (x0, y0), (i, j))
-            numbers = (0,) * i + (1,) * j
-            low, high = Balls().ends(of_balls.derivative(*numbers))
-            assert low - Fraction(1, 10**15) <= Fraction(str(mpmath.nstr(exact, 30))) <= high + Fraction(1, 10**15)
-            box = of_boxes.derivative(*numbers)
-            assert box.low[0] - 1e-13 <= exact <= box.high[0] + 1e-13
-            assert box.width[0] < 1e-10
-
-
 def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model: Any) -> None:
     """The mean value theorem does not hold there, so slopes are unknown; the forces on either side show that none is inside."""
     balance = Balance(model, contact=False)
@@ -264,24 +242,6 @@ def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model
 
 
 # ---------------------------------------------------------------------------------------------- other languages, older folders
-
-
-@pytest.mark.thorough
-def test_a_number_is_no_inclination_at_rest(tmp_path: Path) -> None:
-    """Its cosine would be no algebra: a parameter is, and pi/2 is."""
-    from spragsym.derive import pages
-    from spragsym.derive.model import PageError
-
-    text = PAGE.read_text(encoding="utf-8").replace("Page, cos, exp, sgn", "Page, cos, exp, pi, sgn")
-    wrong, right = tmp_path / "wrong.py", tmp_path / "right.py"
-    wrong.write_text(text.replace("rest=theta0)", "rest=theta0 + 1)"), encoding="utf-8")
-    right.write_text(text.replace("rest=theta0)", "rest=2 * theta0 - pi / 2)"), encoding="utf-8")
-    with pytest.raises(PageError, match=r"line 41: the inclination at rest is theta0 \+ 1; expected is an angle of the page"):
-        pages.read(wrong)
-    (torsion,) = pages.read(right).mechanics.torsions
-    (angle,) = pages.read(right).mechanics.angles
-    value = torsion.cosine_of_rest.subs({angle.c: mpmath.cos(0.3), angle.s: mpmath.sin(0.3)})
-    assert abs(value - mpmath.cos(0.6 - mpmath.pi / 2)) < 1e-14
 
 
 def test_a_cycle_behind_the_anchor_is_refused(model: Any) -> None:
@@ -305,32 +265,3 @@ def test_a_cycle_behind_the_anchor_is_refused(model: Any) -> None:
         assert fly(start, constants, 0.1, none).state[0] != start[0]
     with pytest.raises(ss.ParameterError, match="arc tangent"):
         exact_field(model.where)
-
-
-@pytest.mark.thorough
-def test_the_explorer_has_the_states_and_the_motion(model: Any, tmp_path: Path) -> None:
-    """Its search finds the proved states, and its motion passes behind the anchor as Python's does."""
-    from click.testing import CliRunner
-
-    from spragsym.cli.explore import explore
-    from tests.explorer.pages import Explorer, chromium
-
-    out = tmp_path / "page.html"
-    done = CliRunner().invoke(explore, ["--model", model.where, "--out", str(out), "--no-open"])
-    assert done.exit_code == 0, done.output
-    with chromium() as browser:
-        page = Explorer(browser.new_context().new_page(), out.as_uri())
-        page.open()
-        for changes in ({}, {"tau": 0.02}):
-            p = model.Parameters(**changes)
-            point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
-            found = page.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": True})
-            assert [state["x"] for state in found["states"]] == pytest.approx(sorted(ss.equilibria(p).x), abs=1e-9)
-        p = model.Parameters(tau=0.02, mu0=0.3)
-        point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
-        start = list(map(float, behind(p, -0.1, 0.5)))
-        run = "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 300; i++) s = m.step(s, 0.01); return s; }"
-        assert page.page.evaluate(run, [point, start]) == pytest.approx(
-            ss.simulate(p, start=start, t_end=3.0).state[:, -1], abs=2e-6
-        )
-        assert page.errors == []

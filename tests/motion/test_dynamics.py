@@ -17,11 +17,8 @@ from spragsym.dynamics import (
     simulate,
     with_compiled,
     with_heyoka,
-    with_scipy,
 )
-from spragsym.dynamics.lobatto import DEGREE, unit_points
-from spragsym.dynamics.problem import event_at
-from spragsym.files import storage
+from spragsym.dynamics.lobatto import unit_points
 from spragsym.generated import stability
 from spragsym.kang_nam.statics.solver import equilibria
 from tests.support import few
@@ -143,39 +140,6 @@ def test_start_on_the_kink_is_the_limit_of_starts_beside_it(backend: str) -> Non
     assert np.isfinite(both.state).all()
 
 
-def test_short_flights_are_found_within_a_step() -> None:
-    # Thrown off the belt for a tenth of a time unit, well inside one step of either integrator.
-    for backend in _installed():
-        tr = simulate(BASE, **BELT, y0=-1e-6, vy0=4e-4, t_end=5.0, rtol=1e-9, backend=backend)
-        assert tr.events.which[:2].tolist() == [Event.CONTACT_LOST, Event.CONTACT_REGAINED]
-        flight = np.diff(tr.events.t[:2])[0]
-        assert flight == pytest.approx(2 * tr.events.state[0, 3] / 0.007, rel=0.05)  # y″ = −κ near y = 0
-        assert flight < 0.12
-
-
-def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
-    problem = BASE.model.prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
-
-    def dense(t: np.ndarray) -> np.ndarray:  # leaves the belt twice, and is back on it, rising, at both ends
-        phase = 4 * np.pi * t
-        return np.array([0 * t, 0.3 * np.sin(phase) - 0.2, 0 * t, 1.2 * np.pi * np.cos(phase)])
-
-    time, row = with_scipy.first_crossing(problem.field, problem.constants, (1, 1, 1), dense, 0.0, 1.0)
-    border = problem.field.borders[row]
-    assert (border.beyond((1, 1, 1)), event_at(border, upward=True)) == ((0, 1, 1), Event.CONTACT_LOST)
-    assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
-
-
-def test_a_flight_between_two_points_of_the_search_is_found() -> None:
-    problem = BASE.model.prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
-
-    def dense(t: np.ndarray) -> np.ndarray:  # above the belt for 0.02, a sixth of the distance of the points
-        return np.array([0 * t, 1e-4 - (t - 0.56) ** 2, 0 * t, -2 * (t - 0.56)])
-
-    time, _ = with_scipy.first_crossing(problem.field, problem.constants, (1, 1, 1), dense, 0.0, 1.0)
-    assert time == pytest.approx(0.55, abs=1e-9)
-
-
 @pytest.mark.thorough
 def test_integrators_find_the_same_events_from_random_starts() -> None:
     rng = np.random.default_rng(5)
@@ -221,17 +185,6 @@ def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
     assert (np.diff(tr.events.t) > 0).all()
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_a_motion_is_given_up_after_as_many_steps_as_asked(backend: str) -> None:
-    with pytest.raises(ss.ConvergenceError, match=r"max_steps = 20 steps were made by t = .* less steep"):
-        simulate(BASE, **BELT, backend=backend, max_steps=20)
-    steps = (len(simulate(BASE, **BELT, t_end=50.0, backend=backend).t) - 1) // DEGREE
-    simulate(BASE, **BELT, t_end=50.0, backend=backend, max_steps=steps + 1)
-    for wrong, error in ((0, ss.ParameterError), (1.5, ss.ParameterTypeError), (True, ss.ParameterTypeError)):
-        with pytest.raises(error, match="max_steps"):
-            simulate(BASE, **BELT, backend=backend, max_steps=wrong)
-
-
 @pytest.mark.usefixtures("ctrl_c")
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="timers are of POSIX")
 def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
@@ -250,19 +203,6 @@ def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
         signal.signal(signal.SIGPROF, former)
     problem = p.model.prepare(p.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=1.0, rtol=1e-10)
     assert 0 < with_heyoka.compiled_for(problem).solver.time < 1e6
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_error_falls_with_the_tolerance_and_is_estimated(backend: str, base: dict[str, Trajectory]) -> None:
-    reference = base["scipy"]
-    errors = []
-    for rtol in (1e-6, 1e-8, 1e-10):
-        tr = simulate(BASE, **BELT, rtol=rtol, t_end=200.0, estimate_error=True, backend=backend)
-        error = np.abs(tr.state - reference(tr.t)).max()
-        assert error / 3 < tr.error.max() < 3 * error
-        errors.append(error)
-    assert 20 * errors[2] < min(errors[:2])
 
 
 def _wave(omega: float, centre: float, steps: int = 120, step: float = 0.9) -> Trajectory:
@@ -299,30 +239,6 @@ def test_measures_of_a_known_wave(omega: float, centre: float) -> None:
         assert course.moments(row) == pytest.approx((centre + whole, np.sqrt(wave - whole**2)), abs=1e-13)
     times = np.linspace(0, end, 501)
     np.testing.assert_allclose(tr(times)[0], centre + np.cos(omega * times), atol=1e-13)
-
-
-def test_values_between_samples_are_those_of_a_run_that_ends_there() -> None:
-    tr = simulate(BASE, **BELT, t_end=50.0, rtol=1e-12)
-    for t in (7.7, 33.3):
-        shorter = simulate(BASE, **BELT, t_end=t, rtol=1e-12)
-        np.testing.assert_allclose(tr(t), shorter.state[:, -1], atol=1e-10)
-    assert tr.after(10.0).integral(1.0) == pytest.approx(40.0, abs=1e-12)
-
-
-BAD = [
-    ({"V": -0.1}, "V = -0.1.* is not in"), ({"V": np.nan}, "V = nan"), ({"d": 0.0}, "d = 0 is not in"),
-    ({"d": np.inf}, "d = inf"), ({"rtol": 1e-15}, "rtol = .* is not in .*float64"), ({"rtol": 0.5}, "rtol = 0.5 is not in"),
-    ({"t_end": 0.0}, "t_end = 0 is not in"), ({"t_end": -1.0}, "t_end = -1"), ({"x0": np.nan}, "x0 = nan"),
-    ({"vy0": np.inf}, "vy0 = inf"),
-    ({"x0": float(np.cos(BASE.theta0)), "y0": float(np.sin(BASE.theta0))}, "both ends of spring 1 .* start anywhere else"),
-    ({"backend": "euler"}, "backend = 'euler' is not one of heyoka, compiled, scipy"),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("bad", "message"), BAD)
-def test_bad_arguments(bad: dict[str, float], message: str) -> None:
-    with pytest.raises(ss.ParameterError, match=message):
-        simulate(BASE, **{**BELT, **bad})
 
 
 @pytest.mark.thorough
@@ -366,20 +282,3 @@ def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
         assert turns[0].t == 0
         assert [turn.direction for turn in turns] == [(-1) ** (i + 1) for i in range(len(turns))]
         assert len(turns) > 3
-
-
-def test_files_hold_the_trajectory(tmp_path) -> None:
-    xarray = pytest.importorskip("xarray")
-    tr = simulate(BASE, **BELT, t_end=100.0)
-    assert len(tr.events) > 5
-    tr.save(tmp_path / "run.nc")
-    with xarray.open_dataset(tmp_path / "run.nc", engine="h5netcdf") as data:
-        np.testing.assert_array_equal(data.x, tr.x)
-        np.testing.assert_array_equal(data.event, tr.events.which)
-        np.testing.assert_array_equal(data.event_t, tr.events.t)
-        assert data.x.units == "L_0"
-        assert data.attrs["generated_from"] == storage.SOURCE_HASH
-        assert data.attrs["theta0"] == float(BASE.theta0)
-    tr.save(tmp_path / "run.csv")
-    table = np.loadtxt(tmp_path / "run.csv", delimiter=",", skiprows=0, comments=["#", "t,"])
-    np.testing.assert_array_equal(table.T, [tr.t, *tr.state])

@@ -118,10 +118,3 @@ def test_exponents_of_a_cycle_are_within_their_errors(epsilon: float) -> None:
     divergence = -epsilon * (found.outcome.cycle_rms**2 - 1)
     assert abs(found.exponents.sum() - divergence) <= found.error.sum()
     assert found.error[0] == 0
-
-
-@needs_a_quick_integrator
-def test_a_cycle_that_nothing_damps_is_not_called_unstable() -> None:
-    found = ss.fate(model_of(BOUNCING, "bouncing").Parameters(), start=(2.0, 0.0), t_end=400.0)
-    assert found.kind == "undecided"
-    assert "neither stable nor unstable" in found.near

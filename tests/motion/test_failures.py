@@ -8,10 +8,8 @@ import os
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import replace
-from io import FileIO
 from pathlib import Path
 from typing import Any
 
@@ -20,8 +18,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.dynamics import integrators
-from spragsym.errors import StoreError, SweepError
-from spragsym.files import locks, storage
+from spragsym.errors import SweepError
 from spragsym.files.journal import path_of
 from spragsym.sweeps import rms_sweep
 from tests.oracles import sweep_attacks as attack
@@ -120,25 +117,6 @@ def test_a_worker_that_fails_is_one_error_at_once(
     assert points_of(tmp_path / "rms.csv") == []
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("way", ["file", "standard input"])
-def test_a_script_needs_no_guard(tmp_path: Path, begin: Begin, way: str) -> None:
-    script = (
-        "print('once')\n"
-        "import numpy as np, spragsym as ss\n"
-        "p = ss.Parameters.article(theta0=np.radians([35.0, 40.0]))\n"
-        "print(ss.rms_sweep(p, 0.5, 10.0, t_end=5.0, transient=1.0, workers=2, backend='scipy').rms.tolist())\n"
-    )
-    path = tmp_path / "script.py"
-    path.write_text(script, encoding="utf-8")
-    with path.open(encoding="utf-8") as file:  # as from a shell's here-document
-        call = [sys.executable, str(path) if way == "file" else "-"]
-        process = begin(call, stdin=file, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    p = ss.Parameters.article(theta0=np.radians([35.0, 40.0]))
-    expected = rms_sweep(p, 0.5, 10.0, t_end=5.0, transient=1.0, backend="scipy").rms.tolist()
-    assert process.communicate(timeout=60) == (f"once\n{expected}\n", "")
-
-
 #: Stands before heyoka in a worker: the same package, but the fourth motion of the process is killed in its midst.
 KILLED = """
 import importlib, os, signal, sys
@@ -203,35 +181,6 @@ def wait_for(condition: Callable[[], bool], seconds: float = 30.0) -> None:
         time.sleep(0.02)
 
 
-# --------------------------------------------------------------------------------------------------- two on one store
-
-
-def test_a_killed_process_holds_nothing(tmp_path: Path, begin: Begin, recorded: attack.Recorded) -> None:
-    path = tmp_path / "rms.csv"
-    code = (
-        "import sys, time; from pathlib import Path; from spragsym.files.journal import journal\n"
-        "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)"
-    )
-    process = begin([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True)
-    assert process.stdout is not None
-    assert process.stdout.readline() == "held\n"
-    with pytest.raises(StoreError, match=f"process {process.pid} on this machine"):
-        rms_sweep(P, **SHORT, store=path, workers=recorded)
-    process.kill()
-    process.wait()
-    rms_sweep(P, **SHORT, store=path, workers=recorded)
-    assert path.exists()
-
-
-def test_what_another_has_finished_is_loaded(tmp_path: Path, recorded: attack.Recorded) -> None:
-    path = tmp_path / "rms.csv"
-    expected = rms_sweep(P, **SHORT, store=path, workers=recorded)
-    left = attack.journal_bytes(tmp_path / "other.csv", recorded, 3)
-    path_of(path).write_bytes(left)  # killed after the result was in place, before the journal was gone
-    assert attack.same(expected, rms_sweep(P, **SHORT, store=path))
-    assert not path_of(path).exists()
-
-
 # -------------------------------------------------------------------------------------------------------- damage
 
 
@@ -276,30 +225,3 @@ def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: 
     rms_sweep(P, **SHORT, store=path, workers=recorded)
     assert path.read_bytes() == whole.read_bytes()
     assert sorted(file.name for file in tmp_path.iterdir()) == sorted([path.name, whole.name])
-
-
-def test_a_file_that_another_program_shows_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As on Windows, which neither renames nor removes open files, and replaces none that a spreadsheet has open."""
-    path, opened = tmp_path / "rms.csv", []
-
-    @contextmanager
-    def exclusive(name: Path) -> Iterator[FileIO]:
-        with locks.exclusive(name) as file:
-            opened.append(file)
-            yield file
-
-    def replace(source: Path, target: Path) -> None:
-        assert opened[-1].closed
-        raise PermissionError(13, "Permission denied", str(target))
-
-    storage.write_text(path, "before\n")
-    monkeypatch.setattr(storage, "_OPEN_FILES_STAY", True)
-    monkeypatch.setattr(storage, "exclusive", exclusive)
-    with monkeypatch.context() as windows:
-        windows.setattr(os, "replace", replace)
-        with pytest.raises(StoreError, match="close what has it open"):
-            storage.write_text(path, "after\n")
-    assert [file.name for file in tmp_path.iterdir()] == [path.name]
-    assert storage.read_text(path) == "before\n"
-    storage.write_text(path, "after\n")
-    assert storage.read_text(path) == "after\n"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -10,7 +9,6 @@ import pytest
 
 import spragsym as ss
 from spragsym import claims
-from spragsym.progress import doing, tell
 
 BELT = ss.load("inclined_belt")
 P = BELT.Parameters(theta0=1.0, mu0=0.3)
@@ -43,25 +41,3 @@ def said_by(ask: Callable[[], Any]) -> list[str]:
 )
 def test_what_takes_long_says_what_it_is_at(ask: Callable[[], Any], expected: str) -> None:
     assert any(expected in text for text in said_by(ask))
-
-
-def test_parts_stand_within_parts_and_leave_with_them() -> None:
-    told: list[str] = []
-    with ss.show_progress("all", told.append):
-        with doing("{:.2f}", 1.0):
-            tell("{} of {}", 1, 2)
-        with pytest.raises(ZeroDivisionError), doing("lost"):
-            raise ZeroDivisionError
-        with doing("second"):
-            pass
-    tell("nobody listens {}", "here")
-    assert told == ["all: 1.00", "all: 1 of 2", "all: lost", "all: second"]
-
-
-def test_what_other_threads_compute_is_not_told() -> None:
-    def other() -> None:
-        with doing("elsewhere"):
-            tell("still elsewhere")
-
-    thread = threading.Thread(target=other)
-    assert said_by(lambda: (thread.start(), thread.join())) == []

@@ -3,22 +3,15 @@
 from __future__ import annotations
 
 import importlib.util
-from dataclasses import asdict, replace
 from functools import partial
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import spragsym as ss
 from spragsym.dynamics import with_compiled
-from spragsym.dynamics.classify import classify
-from spragsym.dynamics.flows import Onward
-from spragsym.dynamics.measures import Course
-from spragsym.dynamics.periodic_orbit import Closed
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.regimes import Regime
-from spragsym.kang_nam.statics import solver
 from spragsym.sweeps import basin, rms_sweep
 from tests.oracles import article_motion
 
@@ -98,95 +91,6 @@ def problem() -> Problem:
     return SLOW.model.prepare(SLOW.replace(**BELT), start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
 
 
-PERIOD = 25.433
-
-
-def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, Onward]:
-    """A motion whose largest x, after every PERIOD, follow s → s* + matrix (s − s*); and how it goes on."""
-    fixed = np.array([1.0, 0.2, 0.1])
-
-    def course(state: np.ndarray, duration: float) -> Course:
-        t = np.arange(1, int(duration / PERIOD + 1e-9) + 1) * PERIOD
-        s = [fixed + np.linalg.matrix_power(matrix, i) @ (state[[0, 1, 3]] - fixed) for i in range(1, len(t) + 1)]
-        maxima = np.array([[x, y, 0.0, vy] for x, y, vy in s]).reshape(-1, 4)
-        integrals = np.zeros((len(t) + 1, 3))
-        minima = np.array([[0.0, -0.8, 0.0, -0.9]])
-        events = np.array([1, 1, 0, 0])
-        last = np.array([0.5, -0.1, 0.1, 0.1])
-        reach = float(min(0.0, last[0], *maxima[:, 0])), float(max(last[0], *maxima[:, 0], state[0]))
-        return Course(0.0, duration, np.asarray(state, dtype=float), last, t, maxima, integrals, minima, events, reach)
-
-    def courses(states: np.ndarray, duration: float) -> list[Course]:
-        return [course(state, duration) for state in states]
-
-    def ends(states: np.ndarray, duration: float) -> np.ndarray:
-        return np.array([course(state, duration).last for state in states])
-
-    first = fixed + start
-
-    def closed(state: np.ndarray, section: int, period: float, reach: float) -> Closed:
-        # One round is what Newton's method finds of two or more.
-        return Closed(np.insert(fixed, 2, 0.0), PERIOD, matrix, section)
-
-    def roughly(state: np.ndarray, section: int, period: float, reach: float) -> tuple[np.ndarray, float, np.ndarray]:
-        return np.insert(fixed, 2, 0.0), PERIOD, matrix
-
-    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), Onward(courses, ends, roughly, closed)
-
-
-def _turn(size: float, angle: float) -> np.ndarray:
-    turn = np.zeros((3, 3))
-    turn[:2, :2] = size * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    turn[2, 2] = 0.3
-    return turn
-
-
-def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: Problem) -> None:
-    # After eight periods the motion is back within 1e-5 of its reach, and 1e-2 away from what it settles to.
-    course, flow = _mapped(_turn(0.9995, np.pi / 4), np.array([0.01, 0.0, 0.0]), 20)
-    found = classify(course, problem, flow)
-    assert np.abs(course.maxima[-1] - course.maxima[-9]).max() < 1e-4
-    assert found.regime == Regime.APPROACHES_CYCLE
-    assert found.period == pytest.approx(PERIOD)
-    assert found.rate == pytest.approx(-np.log(0.9995) / PERIOD, rel=1e-4)
-    assert 0.5e-2 < found.distance < 1e-2
-
-
-@pytest.mark.parametrize("count", [20, 21])
-def test_a_contraction_from_alternate_sides_is_not_a_doubled_period(problem: Problem, count: int) -> None:
-    course, flow = _mapped(np.diag([0.2, -0.998, 0.1]), np.array([0.0, 0.08, 0.0]), count)
-    found = classify(course, problem, flow)
-    assert (found.regime, found.period) == (Regime.APPROACHES_CYCLE, pytest.approx(PERIOD))
-
-
-@pytest.mark.parametrize("size", [1.0, 1.0005])
-def test_what_does_not_contract_is_not_settled_however_close(problem: Problem, size: float) -> None:
-    course, flow = _mapped(_turn(size, 1.0), np.array([1e-6, 0.0, 0.0]), 20)
-    assert classify(course, problem, flow).regime == Regime.UNSETTLED
-
-
-def test_settled_is_what_has_little_left(problem: Problem) -> None:
-    course, flow = _mapped(_turn(0.7, 1.0), np.array([1e-2, 0.0, 0.0]), 20)
-    assert classify(course, problem, flow).regime == Regime.LIMIT_CYCLE
-    # a hidden slow direction: successive states differ by 1e-6, and 1e-2 is left
-    slow, flow = _mapped(np.diag([0.5, 1 - 2e-4, 0.3]), np.array([0.0, 0.01, 0.0]), 20)
-    assert np.abs(np.diff(slow.maxima[-3:], axis=0)).max() < 3e-6
-    found = classify(slow, problem, flow)
-    assert found.regime == Regime.APPROACHES_CYCLE
-    assert found.distance == pytest.approx(0.01, rel=0.02)  # over an extent of 1.01
-
-
-@needs_heyoka
-def test_a_cycle_that_is_only_passed_is_not_approached() -> None:
-    # After 2000 the motion nears a stable cycle of period 127 for some periods, 0.16 of its extent away, and then leaves it.
-    p = ss.Parameters.article(theta0=1.0678653629583241, mu0=0.6923557050091425)
-    belt = {"V": 0.5637567400450765, "d": 6.3204302657746405, "vy0": -0.008474085948289408}
-    passing = rms_sweep(p, **belt)
-    late = rms_sweep(p, **belt, t_end=4e4, transient=3.95e4)
-    assert passing.regime == Regime.UNSETTLED
-    assert 0 < late.period < 30
-
-
 @needs_heyoka
 @pytest.mark.parametrize("t_end", [8000.0, 20_000.0])
 def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) -> None:
@@ -225,55 +129,3 @@ def test_beside_an_equilibrium_that_repels_nothing_rests() -> None:
     # 4.9e-6 by the eigenvalues of the 4 x 4 linearization, in x the share of that mode
     early = rms_sweep(p, **BELT, x0=eq.x[2], y0=eq.y[2] + 1e-4, t_end=1e5, transient=9.99e4)
     assert beside[1].spread > 1.4 * early.spread
-
-
-def test_rest_where_the_equilibria_are_undecided_has_no_index(monkeypatch: pytest.MonkeyPatch) -> None:
-    p = ss.Parameters.article(theta0=np.radians(30))
-    eq = ss.equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0))))
-    start = {"x0": eq.x[0], "y0": eq.y[0], "t_end": 20.0, "transient": 10.0}
-    assert rms_sweep(p, **BELT, **start).equilibrium == 0
-
-    def undecided(p: ss.Parameters, contact: bool = True) -> SimpleNamespace:
-        empty = np.full((*p.shape, 3), np.nan)
-        none = np.zeros((*p.shape, 3), dtype=np.int8)
-        return SimpleNamespace(x=empty, y=empty, stability=none, undecided=np.ones(p.shape, dtype=bool))
-
-    monkeypatch.setattr(solver, "equilibria", undecided)
-    found = rms_sweep(p, **BELT, **start)
-    assert (found.regime, found.equilibrium) == (Regime.EQUILIBRIUM, -1)
-
-
-# --------------------------------------------------------------------------------------------------- lift-off
-
-
-@needs_heyoka
-def test_lift_off_is_for_good_in_a_well_of_the_energy() -> None:
-    p = ss.Parameters.article(theta0=np.radians(60), kappa=0.001)
-    lifted = ss.equilibria(p, contact=False)
-    (at,) = np.flatnonzero(lifted.stability == ss.Stability.STABLE)
-    start = {"x0": float(lifted.x[at]) + 0.01, "y0": float(lifted.y[at])}
-    assert rms_sweep(p, **BELT, **start, t_end=200.0, transient=100.0).regime == Regime.LIFT_OFF
-    assert ss.simulate(p, **BELT, **start, t_end=2e4).y.min() > 1.0
-    # pushed over the brim it comes down
-    pushed = rms_sweep(p, **BELT, **start, vx0=0.2, t_end=3.0, transient=1.0)
-    assert pushed.regime == Regime.UNSETTLED
-    assert rms_sweep(p, **BELT, **start, vx0=0.2, t_end=500.0, transient=1.0).contact_lost > 0
-
-
-# ------------------------------------------------------------------------------------------------- one for all
-
-
-@needs_heyoka
-def test_sweep_and_trajectory_say_the_same() -> None:
-    p = ss.Parameters.article(theta0=np.radians([30.0, 40.0, 42.0, 49.0]))
-    found = rms_sweep(p, **BELT)
-    for i, theta0 in enumerate(p.theta0):
-        tr = ss.simulate(p.replace(theta0=theta0), **BELT)
-        outcome = tr.outcome()
-        assert (outcome.regime, outcome.equilibrium) == (found.regime[i], found.equilibrium[i])
-        np.testing.assert_allclose(outcome.period, found.period[i], rtol=1e-6)
-        settled = found.regime[i] in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
-        assert tr.converged() == settled
-        assert np.isfinite(tr.period()) == (found.regime[i] == Regime.LIMIT_CYCLE)
-        if not np.isnan(outcome.distance):
-            np.testing.assert_equal(asdict(replace(tr, events=None).outcome()), asdict(outcome))

@@ -19,8 +19,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.dynamics import Event, Regime, simulate
-from spragsym.files import storage
-from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
+from spragsym.sweeps import Sweep, basin, code, rms_sweep
 from tests.support import ROOT, needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
@@ -67,18 +66,6 @@ def test_basin() -> None:
     assert (found.attractor[0] == found.attractor[1]).all()
     assert (found.attractor[0] != found.attractor[2]).all()
     assert found.attractors[found.attractor[0, 0]][:2] == (Regime.EQUILIBRIUM, 0)
-
-
-@pytest.mark.thorough
-@needs_a_quick_integrator
-def test_sensitivity_brackets_the_jump() -> None:
-    p = ss.Parameters.article(theta0=np.radians([38.0, 40.0, 42.0, 44.0]))
-    table = sensitivity(p, V=[0.5, 1.0], d=[10.0], refine=4)
-    assert table.theta0.shape == (2, 1)
-    assert table.width == pytest.approx(np.radians(2.0) / 2**5)
-    for V, theta0 in zip(table.V, table.theta0[:, 0], strict=True):
-        beside = rms_sweep(p.replace(theta0=theta0 + np.array([-1, 1]) * table.width * 1.0001), V, 10.0)
-        assert beside.rms[1] > 3 * beside.rms[0]
 
 
 # -------------------------------------------------------------------------------------------------- the store
@@ -128,19 +115,6 @@ def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int)
         assert len(computed) == (3 if cut else 2)
         assert path.read_bytes() == whole.read_bytes()
         assert not partial.exists()
-
-
-@pytest.mark.thorough
-def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
-    path = tmp_path / "rms.nc"
-    interrupted(path, 2)
-    with pytest.raises(ss.ParameterError, match="belongs to another sweep"):
-        rms_sweep(P, **{**SHORT, "V": 0.4}, store=path)
-    rms_sweep(P, **SHORT, store=path)
-    before = path.read_bytes()
-    with pytest.raises(ss.ParameterError, match="holds something else"):
-        rms_sweep(P, **{**SHORT, "V": 0.4}, store=path)
-    assert path.read_bytes() == before
 
 
 @pytest.mark.thorough
@@ -211,24 +185,6 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callab
     assert len(set(numbers)) == len(numbers) > 0
     kept = f"{len(numbers)} of 61 points are kept in {partial}, and the same call goes on from there"
     assert stderr == f"spragsym: interrupted; {kept}\n"
-
-
-@pytest.mark.thorough
-def test_files_say_what_they_hold(tmp_path: Path) -> None:
-    import xarray
-
-    found = rms_sweep(P, **SHORT, store=tmp_path / "rms.nc")
-    with xarray.open_dataset(tmp_path / "rms.nc", engine="h5netcdf") as data:
-        np.testing.assert_array_equal(data.rms, found.rms)
-        np.testing.assert_array_equal(data.theta0, P.theta0)
-        assert data.rms.dims == ("theta0",)
-        assert data.mu0 == 0.5
-        assert all("units" in variable.attrs for variable in data.variables.values())
-        assert data.attrs["generated_from"] == storage.SOURCE_HASH
-        assert ss.__version__ in data.attrs["source"]
-    found.save(tmp_path / "rms.csv")
-    table = np.genfromtxt(tmp_path / "rms.csv", delimiter=",", names=True, comments="#")
-    assert table["rms"].tolist() == found.rms.tolist()
 
 
 @pytest.mark.thorough

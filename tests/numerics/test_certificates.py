@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 import random
 from collections.abc import Iterator
 from fractions import Fraction
@@ -128,28 +127,6 @@ def test_interval_coefficients_decide_or_say_that_they_cannot(arith: Arithmetic)
     assert decided >= 20
 
 
-@pytest.mark.parametrize(
-    ("polynomial", "low", "high", "words"),
-    [
-        ([(1, 1), (-1, 1)], -1, 1, "leading coefficient"),
-        ([(-1, 1), (1, 1)], -1, 0, "Sturm function holds 0"),  # a root at about the upper end
-        ([(-1, 1), (1, 1)], 0, 1, "Sturm function holds 0"),
-        ([(Fraction(-1, 2**20), Fraction(1, 2**20)), (1, 1)], -1, 1, "holds 0 near a root"),
-    ],
-    ids=["degree", "upper end", "lower end", "width"],
-)  # fmt: skip
-def test_what_intervals_leave_open_is_no_answer(
-    polynomial: list[tuple[Any, Any]], low: int, high: int, words: str, arith: Arithmetic
-) -> None:
-    def sign(value: Any) -> int:
-        return intervals.sign(arith, value)
-
-    with arith.precision(100):
-        coefficients = tuple(arith.between(Fraction(a), Fraction(b)) for a, b in polynomial)
-        with pytest.raises(Undecided, match=words):
-            polynomials.real_roots(coefficients, Fraction(low), Fraction(high), sign, arith.exact, 60)
-
-
 # ------------------------------------------------------------------------------------------------- descartes
 
 
@@ -189,20 +166,6 @@ def test_descartes_finds_every_root_in_the_range(roots: list[Fraction], low: Any
                 assert not polynomials.has_root(others, *root)
 
 
-def test_common_factors_are_exact_also_where_a_prime_divides_the_leading_coefficient() -> None:
-    shared, prime = _with_roots(Fraction(1, 3), Fraction(2, 5)), polynomials._PRIME
-    one, other = (polynomials.primitive(_product(shared, factor)) for factor in ((1, 1, prime), (5, 7, prime)))
-    for first, second in ((one, other), (other, one), (one, shared), (shared, one), (shared, ()), ((), shared)):
-        factor = polynomials.common_divisor(first, second)
-        assert factor in (shared, tuple(-value for value in shared))
-    assert polynomials.common_divisor((1, 1, prime), (5, 7, prime)) in ((1,), (-1,))
-    assert polynomials.common_divisor((), ()) == ()
-    assert polynomials.without(one, shared) == (1, 1, prime)
-    # The same modulo the prime, but different: (t − 1)(t − 2) and (t − 1 − p)(t − 3).
-    one, other = _with_roots(Fraction(1), Fraction(2)), _with_roots(Fraction(1 + prime), Fraction(3))
-    assert len(polynomials.common_divisor(one, other)) == 1
-
-
 def test_residues_prove_what_has_no_common_factor() -> None:
     """Integer roots, so that a common factor is a root in common; degrees as different as they come."""
     rng = random.Random(9)
@@ -229,22 +192,3 @@ def test_a_root_counts_at_the_upper_end_only_and_once() -> None:
         assert not polynomials.has_root(polynomial, Fraction(2), Fraction(2))
         assert not polynomials.has_root(polynomial, Fraction(3), Fraction(4))
     assert not polynomials.has_root((5,), Fraction(0), Fraction(1))
-
-
-def test_a_polynomial_between_0_and_1_is_a_positive_multiple() -> None:
-    rng = random.Random(10)
-    for _ in range(20):
-        polynomial = tuple(rng.randint(-9, 9) for _ in range(rng.randint(1, 7)))
-        low, high = Fraction(rng.randint(-9, 0), rng.randint(1, 9)), Fraction(rng.randint(1, 9), rng.randint(1, 9))
-        unit = descartes._between_0_and_1(polynomial, low, high)
-        common = math.lcm(low.denominator, high.denominator) ** (len(polynomial) - 1)
-        for u in (Fraction(-1), Fraction(0), Fraction(1, 3), Fraction(1)):
-            assert polynomials.evaluate(unit, u) == common * polynomials.evaluate(polynomial, low + (high - low) * u)
-
-
-def test_an_end_that_is_no_root_must_be_seen_to_be_none(arith: Arithmetic) -> None:
-    """Refinement goes by the sign at the upper end: where an interval holds 0 there, it has none to go by."""
-    with arith.precision(60):
-        line = (arith.between(Fraction(-1), Fraction(0)), arith.exact(Fraction(1)))
-        with pytest.raises(Undecided, match="holds 0 near a root"):
-            polynomials._refined(line, Fraction(-1), Fraction(1, 2), lambda v: intervals.sign(arith, v), arith.exact, 20)

@@ -227,17 +227,6 @@ def test_halves_make_up_the_box():
         assert (share != 0.5).all()
 
 
-def test_room_stays_inside_of_what_was_given():
-    given = ends_of([[0.0, 0.0, 0.0]], [[1.0, 1.0, 1.0]])
-    narrowed = boxes._with_room(ends_of([[0.4, -1.0, np.nan]], [[0.6, 0.5, 0.5]]), given, 0.0)
-    low, high = -narrowed[0, 0], narrowed[1, 0]
-    assert 0 < low[0] < 0.4 - 0.04
-    assert 0.64 < high[0] < 0.7
-    assert low[1:].tolist() == [0.0, 0.0]  # what is not known is not narrowed
-    noisy = boxes._with_room(ends_of([[0.4]], [[0.6]]), given[:, :, :1], 0.05)
-    assert -noisy[0, 0, 0] < low[0]
-
-
 # ------------------------------------------------------------------------------------------------- from boxes to roots
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import itertools
-import json
 import math
 import types
 from fractions import Fraction
@@ -28,7 +27,6 @@ from spragsym.exact.decimals import exactly
 from spragsym.exact.number_types import Functions
 from spragsym.generated import laws
 from spragsym.models.field import exact_field
-from tests.conftest import Run
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
 from tests.support import few
@@ -361,26 +359,6 @@ def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("every", [4, pytest.param(1, marks=pytest.mark.thorough)], ids=["some", "all"])
-def test_the_branches_that_the_diagram_draws_are_of_cycles(every: int) -> None:
-    """One cycle of each, found again: its period, and that it is stable where the committed search says so."""
-    pytest.importorskip("matplotlib")
-    from spragsym.figures.oscillation import found_cycles
-
-    found = found_cycles()
-    assert (found["V"], found["d"]) == (BELT["V"], BELT["d"])
-    kinds = {"fold", "period_doubling", "torus", "homoclinic", "end"}
-    for line in found["branches"][::every]:
-        theta0, period, *state = line["at"]
-        again = ss.cycle(ss.Parameters.article(theta0=theta0), **BELT, near=state, patient=False)
-        assert again.period == pytest.approx(period, rel=1e-10), line["name"]
-        nearest = int(np.argmin(np.abs(np.array(line["theta0"]) - theta0) + np.abs(np.array(line["period"]) - period)))
-        assert again.rms == pytest.approx(line["rms"][nearest], rel=1e-6)
-        assert again.stable == bool(line["stable"][nearest])
-        assert {event[0] for event in line["events"]} <= kinds
-
-
-@pytest.mark.thorough
 def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     doubled = branch.switch(doubling)
@@ -451,48 +429,7 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     assert not bifurcation_functions.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
 
 
-@pytest.fixture(scope="module")
-def next_to_a_grazing() -> ss.CycleBranch:
-    """A branch of doubled cycles that ends 1e-8 after a grazing and a doubling, and 2e-11 before its halves fold."""
-    p = ss.Parameters(
-        theta0=1.0564949527218082, mu0=0.9253447759570808, kappa=0.004290005406816794, alpha=0.005727831336348484,
-        sigma=0.1393571731404502, beta=0.0,
-    )  # fmt: skip
-    state = (2.896574687183739, 0.6385699327244739, 0.0, 0.4451951304086741)
-    begun = ss.cycle(p, V=0.4427840555969569, d=12.501497517120324, near=state)
-    return ss.cycle_branch(begun, "theta0", (1.0564, 1.0567))
-
-
-@pytest.mark.thorough
-def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: ss.CycleBranch) -> None:
-    """Its halves differ by 1e-6: as a cycle of half the period it had the multiplier −1.38."""
-    (doubling,) = next_to_a_grazing.of("period_doubling")
-    assert np.abs(doubling.cycle.multipliers[1:] + 1).min() < 1e-2
-    assert doubling.cycle.period > 270
-    # By the algebra of (8) and (9) as printed, in the place of the page's: rounding alone differs, and moves it by 5e-14, with
-    # the matrix products of other processors by 1.5e-12; the grazing lies 1e-8 away.
-    assert abs(doubling.value - 1.0566308519693666) < doubling.error < 1e-10
-
-
-@pytest.mark.thorough
-def test_a_border_that_is_touched_twice_between_two_points_is_found() -> None:
-    """The turn that touches it is none of the first point's, and below the border again at the second one."""
-    wide = (0.2646977605651634, 0.4347930962813028)
-    branch = ss.cycle_branch(drawn(1109), "V", wide, points=120)
-    doubled = branch.switch(branch.of("period_doubling")[0])
-    for step in (0.08, 0.02):
-        each = ss.cycle_branch(doubled, "V", wide, points=120, longest=step)
-        assert sorted(event.value for event in each.of("grazing")) == pytest.approx([0.2758161630417, 0.2759937273693], abs=1e-11)
-
-
 # --------------------------------------------------------------------------------------------- fates and exponents
-
-
-@pytest.mark.thorough
-def test_a_motion_that_cannot_be_followed_is_undecided() -> None:
-    found = ss.fate(at(42.0), V=0.5, d=1e6, t_end=1000.0)
-    assert found.kind == "undecided"
-    assert found.why.startswith("the motion can't be followed: ")
 
 
 @pytest.mark.thorough
@@ -536,15 +473,6 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
 
 
 @pytest.mark.thorough
-def test_what_has_not_settled_is_no_fate() -> None:
-    """An end is a transient that is irregular for 40 000 time units."""
-    with pytest.raises(
-        ss.ConvergenceError, match=r"nothing that is decided by t = 40000 at theta0 = 0\.7237 and it comes to nothing"
-    ):
-        ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7237, 0.7237 + 1e-12), V=0.25, d=20.0)
-
-
-@pytest.mark.thorough
 def test_chaos_is_proved_by_exponents() -> None:
     found = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0)
     assert found.kind == "chaotic", found.why
@@ -554,17 +482,6 @@ def test_chaos_is_proved_by_exponents() -> None:
     short = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0, t_end=4000.0)
     assert short.kind == "undecided"
     assert "not told from 0" in short.why
-
-
-@pytest.mark.thorough
-def test_rounding_is_no_chaos() -> None:
-    """x″ + x = 0, both exponents of which are 0, and whose orbits lie in a plane."""
-    model = ss.load("stick_slip")
-    p = model.Parameters(mu_s=0.0, zeta=0.0, V=0.5)
-    for found in (ss.fate(p, start=(1.0, 0.0), t_end=4000.0), ss.lyapunov(p, start=(1.0, 0.0), t_end=4000.0)):
-        assert found.kind == "undecided"
-        assert "not told from 0" in found.why
-        assert (np.abs(found.exponents) <= found.error).all()
 
 
 @pytest.mark.thorough
@@ -622,19 +539,6 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
     still = growth_rates.rates_along(VAN_DER_POL, fly, (-1.0,), np.array([0.1, 0.0]), 200.0)
     assert not still.moves
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
-
-
-def test_errors_of_means_hold_for_correlated_noise_and_for_beats() -> None:
-    """Of 400 runs of a first-order autoregression 95 in 100 hold, and all of an oscillation."""
-    rng, held = np.random.default_rng(3), []
-    for _ in range(20):
-        noise = rng.normal(size=(2000, 20))
-        for i in range(1, len(noise)):
-            noise[i] += 0.9 * noise[i - 1]
-        held.append(np.abs(noise.mean(axis=0) / 5.0) < growth_rates.half_widths(noise, 5.0))
-    assert np.mean(held) > 0.95
-    beats = np.cos(np.outer(np.arange(700), rng.uniform(0.01, 3.0, 50)) + rng.uniform(0, 6, 50))
-    assert (np.abs(beats.mean(axis=0) / 5.0) <= growth_rates.half_widths(beats, 5.0)).all()
 
 
 # -------------------------------------------------------------------------------------------------- clear outcomes
@@ -697,46 +601,6 @@ def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, provin
     assert told.error < 10.0**-digits
     assert told.state[1] == 0  # the section is x' = 0, exactly
     assert told.decimals()["period"].text in str(told)
-
-
-@pytest.mark.parametrize("duration", [-0.25, math.nan])
-def test_balls_are_carried_onward_only(duration: float, proving: types.SimpleNamespace) -> None:
-    flint, accuracy = proving.flint, [proving.ball_flow.Accuracy(20, 53)] * 2
-    point, unit, none = [flint.arb(0.5), flint.arb(0)], flint.arb_mat(2, 2, [1, 0, 0, 1]), [flint.arb(0)] * 2
-    balls = proving.ball_flow.Balls(CIRCLE, [flint.arb(0.25)], *accuracy, point, unit, none, (0,))
-    with pytest.raises(ss.ParameterError, match="onward"):
-        balls.carry(flint.arb(duration))
-
-
-@pytest.mark.thorough
-def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Path, run: Run) -> None:
-    slow.save(tmp_path / "cycle.csv")
-    assert (tmp_path / "cycle.csv").stat().st_size > 1000
-    assert slow.to_dataset().attrs["cycle_period"] == slow.period
-    picture = tmp_path / "branch.pdf"
-    near = ["--theta0", "42", "--near", ",".join(map(str, slow.state))]
-    told = json.loads(run("cycles", *near, "--vary", "theta0=41.9:42.1", "--points", "2", "--plot", str(picture), "--json"))
-    assert told["period"] == pytest.approx(slow.period, abs=1e-10)
-    assert [event["kind"] for event in told["branch_events"]] == ["end", "end"]
-    assert picture.exists()
-
-
-@pytest.mark.thorough
-def test_a_loaded_model_has_branches_and_exponents() -> None:
-    model = ss.load("stick_slip")
-    first = ss.cycle(model.Parameters(V=0.2))
-    branch = ss.cycle_branch(first, "V", (0.08, 0.21), longest=0.2)
-    assert branch.of("end")[0].value == pytest.approx(bench_auto.hopf_exactly(), abs=1e-5)
-    found = ss.lyapunov(model.Parameters(V=0.2), start=first.state, t_end=20 * first.period)
-    assert found.zero.tolist() == [True, False]
-    assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-4)  # volumes shrink by e^−17 a stretch
-    with pytest.raises(ss.ParameterError, match="not one of"):
-        ss.fate_boundary(model.Parameters(), vary="gamma", bracket=(0.1, 0.2))
-    with pytest.raises(ss.ParameterError, match="one divergent equilibrium is needed"):
-        ss.basin_boundary(model.Parameters(), plane=("x", "vx"))
-    stribeck = ss.load("stribeck")
-    with pytest.raises(ss.ParameterError, match="grows in one direction only"):  # there is one that is divergent, and swings
-        ss.basin_boundary(stribeck.Parameters(theta0=0.6))
 
 
 @pytest.mark.thorough
@@ -821,16 +685,6 @@ def test_a_loaded_model_is_proved() -> None:
     assert stiff.stable
     assert abs(float(stiff.period) - cycle.period) < 1e-12
     assert stiff.multipliers[1][1] < 1e-11
-
-
-@pytest.mark.thorough
-def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
-    pytest.importorskip("flint")
-    found = ss.precise.prove_cycle(slow, patience=0.3)
-    assert not found.proved
-    assert "given up" in found.reason
-    with pytest.raises(ss.ParameterError, match="digits"):
-        ss.precise.prove_cycle(slow, digits=3)
 
 
 @pytest.mark.thorough

@@ -15,10 +15,9 @@ import pytest
 import spragsym as ss
 from spragsym.design.design_space import PHYSICAL, dimensionless
 from spragsym.kang_nam.design.events import have_jumped
-from spragsym.studies import brake_quantities, friction, jump_verdicts, measurements, pages, redesigns, tolerances
+from spragsym.studies import jump_verdicts, pages, redesigns, tolerances
 from spragsym.studies.jump_verdicts import certificate
 from tests.conftest import Run
-from tests.oracles import article_motion
 from tests.support import few, written_brake
 
 #: A brake's file: quantity and value.
@@ -172,23 +171,6 @@ def with_friction(folder: Path, speed: Any, friction: Any, head: str = "v [m/s],
     return studied(folder, {"mu0": None, "d": None, "friction": "measured.csv"})
 
 
-@pytest.mark.thorough
-def test_mu0_and_d_of_one_fit_are_correlated(tmp_path: Path) -> None:
-    rng, speed = np.random.default_rng(3), np.linspace(0.005, 0.15, 20)
-
-    def measured() -> Any:
-        return 0.42 * (1 - np.exp(-8.0 * speed)) + rng.normal(0, 0.004, speed.size)
-
-    study = with_friction(tmp_path, speed, measured())
-    assert study.fit is not None
-    # A steeper law with less friction fits nearly as well where the curve does not level off.
-    assert study.correlation[("mu0", "d")] == study.fit.correlation < -0.9
-    assert study.quantities["mu0"].sd == study.fit.mu0_error
-    again = [measurements.fit_friction(speed, measured()) for _ in range(60)]
-    together = np.corrcoef([one.mu0 for one in again], [one.d for one in again])[0, 1]
-    assert together == pytest.approx(study.fit.correlation, abs=0.1)
-
-
 def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(report: ss.Report) -> None:
     far = ss.Study(brake(mu0=0.2), tolerance={"k": "5 %", "k_c": "5 %", "mu0": 0.02})
     assert certificate(far).outcome == "proved"
@@ -278,28 +260,6 @@ def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
     assert 57000 * tr.spring_force().min() == pytest.approx(lives.spring_force_N[0], rel=1e-2)
 
 
-def test_forces_and_spectra_of_a_motion() -> None:
-    p = ss.Parameters.article(theta0=math.radians(30))
-    eq = ss.equilibria(p.replace(mu0=ss.sliding_friction(0.5, 0.5, 10.0)))
-    start = dict(x0=float(eq.x[0]) + 1e-3, y0=float(eq.y[0]))
-    tr = ss.simulate(p, V=0.5, d=10.0, t_end=400.0, **start)
-    L = np.hypot(math.cos(p.theta0) - tr.x, math.sin(p.theta0) - tr.y)
-    assert np.allclose(tr.spring_force(), 0.1 * (L - 1), atol=1e-14)
-    assert np.allclose(tr.contact_force(), np.where(tr.y < 0, -tr.y, 0.0), atol=0)
-    slow = np.abs(eq.eigenvalues[0].imag).min() / (2 * math.pi)
-    assert tr.spectrum(0.0).peak() == pytest.approx(slow, rel=0.01)
-    # A motion so small is linear: the slow mode's rate is that of the linearization.
-    constants = (math.cos(p.theta0), math.sin(p.theta0), 0.5, 0.007, 0.007, 0.1, 0.0, 0.5, 10.0)
-    rows = np.array(article_motion.slopes((eq.x[0], eq.y[0], 0.0, 0.0), constants, True, 1))
-    roots = np.linalg.eigvals(np.vstack([np.hstack([np.zeros((2, 2)), np.eye(2)]), rows]))
-    rate = -roots[np.argmin(np.abs(roots.imag))].real
-    assert tr.decay_rate() == pytest.approx(rate, rel=0.2)
-    with pytest.raises(ss.ParameterError, match="points"):
-        tr.spectrum(points=3)
-    with pytest.raises(ss.ParameterError, match="of = 'vx'"):
-        tr.decay_rate(of="vx")
-
-
 def test_commands_take_the_file(path: Path, tmp_path: Path, run: Run) -> None:
     def answer(command: str, *more: str) -> Any:
         return json.loads(run(command, *more, "--data", str(path), "--json"))
@@ -335,24 +295,6 @@ def test_commands_take_the_file(path: Path, tmp_path: Path, run: Run) -> None:
     assert "add V" in run("simulate", "--data", str(written(tmp_path, {"V": None, "d": None})), code=2)
 
 
-def test_a_cycle_in_seconds_millimetres_and_newtons(tmp_path: Path, run: Run) -> None:
-    """The article's values with V = 0.5, d = 10, in scales of 0.5 s, 500 mm and 2 N."""
-    rows = {
-        "m": "1 kg", "k": "0.4 N/m", "L_0": "500 mm", "theta0": "42 deg", "k_x": "0.028 N/m", "k_y": "0 N/m", "k_c": "4 N/m",
-        "F_L": "0.014 N", "mu0": "0.5", "V": "0.5 m/s", "d": "10 s/m",
-    }  # fmt: skip
-    asked = ("cycles", "--data", str(written(tmp_path, rows)), "--json")
-    found = json.loads(run(*asked))
-    cycle = ss.cycle(ss.Parameters.article(theta0=math.radians(42)), V=0.5, d=10.0)
-    assert found["period_s"] == pytest.approx(0.5 * cycle.period, rel=1e-9)
-    assert found["amplitude_mm"] == pytest.approx(500 * cycle.amplitude, rel=1e-9)
-    assert found["contact_force_N"] == pytest.approx([2 * force for force in cycle.contact_force], rel=1e-9)
-    # Where it is printed it is typed: lengths as the file has them, speeds in the unit of V.
-    assert found["state"] == pytest.approx((cycle.state * [500, 500, 1, 1]).tolist(), rel=1e-9)
-    again = json.loads(run(*asked, "--near", ",".join(map(str, found["state"]))))
-    assert again["period_s"] == pytest.approx(found["period_s"], rel=1e-9)
-
-
 @pytest.mark.parametrize(
     ("friction", "outcome"), [(0.38, "refuted"), pytest.param(0.3, "proved", marks=pytest.mark.thorough), (0.0, "proved")]
 )
@@ -361,52 +303,6 @@ def test_with_another_model_the_brake_as_drawn_is_looked_at_first(tmp_path: Path
     found = certificate(studied(tmp_path, EXACT | CUBIC | {"mu0": f"[0, {friction}]" if friction else "0"}))
     assert found.outcome == outcome
     assert (found.counterexample or {}).get("mu0") == (friction if outcome == "refuted" else None)
-
-
-def test_a_range_as_text_is_a_tolerance() -> None:
-    """As messages advise, with the value where it holds it, else with its middle."""
-    study = ss.Study(brake(), tolerance={"k_y": "[0, 1] N/mm", "k": "[200, 300] N/mm"})
-    assert (study.quantities["k_y"].low, study.quantities["k_y"].high, study.quantities["k_y"].value) == (0.0, 1000.0, 0.0)
-    assert study.quantities["k"].value == 250e3
-    still = ss.Study(brake(V=0.0), tolerance={"V": (0.0, 0.1), "mu0": (0.0, 0.9)})
-    assert still.friction[0] == 0.0
-
-
-@pytest.mark.parametrize(
-    "after", [{"F_L": 24.0}, {"k_x": 54.5e3}, {"theta0": math.radians(34.6)}, {"k": 24.7e3, "k_x": 10.4e3, "k_c": 1.47e6}]
-)
-def test_a_changed_brake_is_proved_in_few_boxes(after: dict[str, float], study: ss.Study) -> None:
-    """Where cuts go along sides on which nothing rests, twenty thousand are not enough; at samples nothing jumps."""
-    new = study.changed(after)
-    found = certificate(new, hasty=True)
-    assert found.outcome == "proved"
-    assert found.boxes < 1000
-    assert not jump_verdicts.jumping(new, tolerances.samples(new, 4096)).any()
-
-
-@pytest.mark.parametrize(
-    ("model", "more", "rises"),
-    [
-        ("kang_nam", {"mu0": 0.45}, {"mu0", "V", "d"}),
-        ("stribeck", {"mu_s": 0.5, "mu_k": 0.3, "v_s": 0.1}, {"mu_s", "mu_k", "v_s", "d"}),  # less friction at more speed
-    ],
-)
-def test_quantities_with_which_friction_rises(model: str, more: dict[str, float], rises: set[str]) -> None:
-    """Only of these the lower ends of tolerances are left out; at random brakes more of one is never less friction."""
-    given = {"m": 0.35, "k": 180e3, "k_x": 9e3, "k_y": 0.0, "k_c": 1.5e6, "F_L": 420.0, "L_0": 0.038, "theta0": 0.9}
-    given |= {"V": 1.2, "d": 10.0, **more}
-    study = ss.Study(given, tolerance=dict.fromkeys(("k_c", "m", *rises, "V"), "10 %"), model=model)
-    found = friction.rising(study)
-    assert found == rises
-    corners = tolerances.corners(study)[1:]
-    assert {name for name, shares in zip(tolerances.varied(study), corners.T, strict=True) if (shares == 1).all()} == found
-    rng = np.random.default_rng(8)
-    values = tolerances.values_at(study, rng.uniform(size=(500, len(tolerances.varied(study)))))
-    law = friction.law_of(study)
-    for name in study.about["friction"]["quantities"]:
-        most = {**values, name: np.full(500, study.quantities[name].high)}
-        less, more_of_it = (ss.load(model).friction(brake_quantities.dimensionless(model, one)[0], law) for one in (values, most))
-        assert (more_of_it >= less * (1 - 1e-14)).all() == (name in found)
 
 
 @pytest.mark.validate
@@ -509,30 +405,3 @@ SLOW = {
 def told(tmp_path: Path, model: str, rows: dict[str, str | None], **options: Any) -> ss.Report:
     """The report on the slow brake with some quantities replaced, or left out."""
     return studied(tmp_path, {"model": model} | rows, SLOW).report(**({"oscillation": False, "redesign": False} | options))
-
-
-@pytest.mark.thorough
-def test_a_motion_falls_only_where_steady_sliding_holds_it(tmp_path: Path) -> None:
-    """By another integrator: after 9000 units of time it swings for ever, by 5.5 mm peak to peak, where sliding is unstable."""
-    found = told(tmp_path, "kang_nam", {"theta0": "120 deg", "V": "1 m/s", "d": "3 s/m"}, oscillation=True, probability=False)
-    assert found.current is not None
-    assert not found.current.stable
-    assert found.oscillation is not None
-    assert found.oscillation.kind == "motion"
-    assert "From rest it goes on swinging" in found.verdict
-    rows = {"mu0": None, "mu_s": "0.6", "mu_k": "0.3", "v_s": "0.5 m/s", "V": "1 m/s", "d": "20 s/m"}
-    found = told(tmp_path, "stribeck", rows, probability=False)  # the damping ratio of every state is negative
-    assert found.verdict.endswith("Steady sliding is unstable: small disturbances grow.")
-
-
-@pytest.mark.thorough
-def test_what_comes_to_rest_has_no_amplitude_and_no_forces() -> None:
-    found = ss.Study(brake(mu0=0.5, V=0.03)).report(probability=False, redesign=False)
-    lives = found.oscillation
-    assert lives is not None
-    assert lives.kind == "rest"
-    assert "none: it decays to rest" in found.text()
-    assert "amplitude" not in found.text()
-    told = found.to_dict()
-    assert told["spring_force_N"]["oscillation"] is None
-    assert told["displacement_mm"]["oscillation_amplitude"] is None

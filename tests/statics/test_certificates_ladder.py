@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Iterator
 from fractions import Fraction
@@ -75,13 +74,6 @@ def test_counts_codes_and_errors_of_the_ladder(contact: bool, arith: Arithmetic)
             assert state.stability == _code(state, point, contact)
             assert (state.y < 0) == contact
             assert state.L > 0
-
-
-def test_widely_spread_parameters_are_settled(arith: Arithmetic) -> None:
-    for point in ((1.0, 1e150, 1.0, 1e150, 1e150, 1e150), (1.0, 0.0, 1e-300, 0.0, 1e-3, 0.0), (1e-9, 0.5, 1e-9, 1e-9, 1e9, 1e-9)):
-        found = adaptive_precision.equilibria(*point, arith=arith)
-        assert len(found.states) == reference.count_contact(*point)
-        assert _holds(found.states, point, True, 300) <= 1  # the bits that such a spread takes give as many digits
 
 
 @pytest.fixture
@@ -186,37 +178,3 @@ def test_lengths_and_sides_that_hold_0_are_undecided(monkeypatch: pytest.MonkeyP
     for L, y in ((open_one, minus), (one, open_one)):
         with pytest.raises(Undecided, match="L or y holds 0"):
             _states(monkeypatch, held, [L, one, y], 0)
-
-
-@pytest.mark.parametrize("fold", [True, False])
-def test_kinds_by_the_signs_of_what_decides_them(monkeypatch: pytest.MonkeyPatch, held: Arithmetic, fold: bool) -> None:
-    """λ² − trace λ + slope: flutter where they are not real; on a fold one of them is 0, and the trace is the other one."""
-    signs = {sign: held.between(Fraction(sign) - Fraction(1, 2), Fraction(sign) + Fraction(1, 2)) for sign in (-1, 0, 1)}
-    unit = held.exact(Fraction(1))
-    for flutter, slope, trace in itertools.product((-1, 0, 1), repeat=3):
-        monkeypatch.setattr(kernel, "invariants", lambda *_, t=trace, f=flutter: (signs[t], unit, signs[f]))
-        monkeypatch.setattr(kernel, "f_slope", lambda *_, s=slope: signs[s])
-        call = (held, unit, unit, unit, (unit,) * 4, (unit,) * 7 + (1,), fold)
-        if flutter < 0:
-            wanted = 3
-        elif flutter == 0:
-            wanted = None
-        elif slope < 0:
-            wanted = 2
-        elif (slope == 0 and not fold) or trace == 0:
-            wanted = None
-        else:
-            wanted = 1 if trace > 0 else 2
-        if wanted is None:
-            with pytest.raises(Undecided, match="a stability boundary"):
-                adaptive_precision._stability(*call)
-        else:
-            assert adaptive_precision._stability(*call) == wanted
-
-
-@pytest.mark.parametrize("digits", [1, 18, 40, 120])
-def test_errors_hold_at_any_number_of_digits(digits: int, arith: Arithmetic) -> None:
-    for point in [BASE, *list(_points(1))[::2]]:
-        found = adaptive_precision.equilibria(*point, digits=digits, arith=arith)
-        assert _holds(found.states, point, True, digits) <= 1
-        assert all(state.error <= mpmath.mpf(10) ** -digits for state in found.states)

@@ -226,7 +226,7 @@ def same(field: Field, one: Attractor, other: Attractor) -> bool:
 
 def same_cycle(one: Cycle, other: Cycle) -> bool:
     """Whether two cycles at the same values of the parameters are one."""
-    size = np.pi if np.isnan(one.amplitude) or np.isnan(other.amplitude) else max(one.amplitude, other.amplitude)
+    size = max(one.amplitude, other.amplitude)
     if abs(one.period / other.period - 1) >= SAME or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= SAME * size:
         return False
     return bool(np.abs(apart(one.samples.states.T, other.state, one.field.around)).max(axis=1).min() < ON * size)

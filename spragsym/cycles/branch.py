@@ -18,7 +18,7 @@ from ..progress import doing
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
 from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated, vertical
-from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of
+from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, sampled
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
@@ -435,8 +435,8 @@ class _Trace:
         if extent(loop) < LEAST * min(1.0, extent(start.loop)):
             return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
         error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
-        if loop.guess.period > LONG * self.setting.period and slowest(loop) < STILL:
-            return End("homoclinic", loop, error, how=_rests(loop))
+        if loop.guess.period > LONG * self.setting.period and stillest(loop, self.backend)[0] < STILL:
+            return End("homoclinic", loop, error, how=_rests(loop, self.backend))
         if count > 10 and self._passes(start, point, ahead):
             return End("closed", loop, 0.0)
         return None
@@ -469,8 +469,8 @@ class _Trace:
 
     def _lost(self, point: Point, error: ConvergenceError) -> End:
         loop = point.loop
-        if slowest(loop) < STILL and loop.guess.period > 2 * self.setting.period:
-            return End("homoclinic", loop, 1e-6, how=_rests(loop))
+        if loop.guess.period > 2 * self.setting.period and stillest(loop, self.backend)[0] < STILL:
+            return End("homoclinic", loop, 1e-6, how=_rests(loop, self.backend))
         return End("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
@@ -479,18 +479,15 @@ def _reach(point: Point) -> float:
     return min(FAR, SHARE * extent(point.loop))
 
 
-def slowest(loop: Loop) -> float:
-    """Least size of the field at the turns of an orbit."""
-    return min(float(np.linalg.norm(rate(loop.field, turn.state, loop.constants))) for turn in loop.turns())
+def stillest(loop: Loop, backend: str) -> tuple[float, FloatArray]:
+    """Least size of the field at the turns of an orbit, or all along one that only turns around, and where that is."""
+    states = [turn.state for turn in loop.turns()] or list(sampled(loop, backend).states.T)
+    sizes = [float(np.linalg.norm(rate(loop.field, state, loop.constants))) for state in states]
+    return min(sizes), states[int(np.argmin(sizes))]
 
 
-def stillest(loop: Loop) -> FloatArray:
-    """Where that is."""
-    return min(loop.turns(), key=lambda turn: float(np.linalg.norm(rate(loop.field, turn.state, loop.constants)))).state
-
-
-def _rests(loop: Loop) -> str:
+def _rests(loop: Loop, backend: str) -> str:
     """Where an orbit of a very long period hardly moves, without the sign of a zero."""
-    names, place = loop.field.coordinates, np.round(stillest(loop), 6) + 0.0
+    names, place = loop.field.coordinates, np.round(stillest(loop, backend)[1], 6) + 0.0
     told = (f"{name} = {value:g}{' rad' * loop.field.is_angle(name)}" for name, value in zip(names, place, strict=False))
     return f"it comes to rest near {', '.join(told)}"

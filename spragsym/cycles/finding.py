@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from ..dynamics import Trajectory
 from ..dynamics.bifurcation_functions import multipliers
 from ..dynamics.field import Field
 from ..dynamics.flows import NEAR, carrier, follower, scout
-from ..dynamics.regimes import Regime
+from ..dynamics.regimes import Outcome, Regime
 from ..dynamics.segment import Fly, Turn
 from ..dynamics.shooting import (
     CLOSED,
@@ -159,7 +160,14 @@ def cycle_near(
         if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
             break
         start = passage.state
-    raise ConvergenceError(_why(field, values, start, stage))
+    try:
+        outcome = field.simulate(values, start, 2000.0).outcome(1000.0)
+    except ConvergenceError as error:
+        raise ConvergenceError(f"no cycle was found near the motion, which could not be followed: {error}") from error
+    if outcome.limit == Regime.LIMIT_CYCLE and (patient or settled):
+        with suppress(ConvergenceError):
+            return cycle_at(field, values, np.array(outcome.cycle), outcome.period, backend)
+    raise ConvergenceError(_why(field, values, start, stage, outcome))
 
 
 def cycle_at(field: Field, values: Sequence[float], state: FloatArray, period: float, backend: str | None = None) -> Cycle:
@@ -272,13 +280,9 @@ def _from_guess(field: Field, fly: Fly, guess: Guess, closed: float = CLOSED) ->
     return solved(field, fly, loop.guess, condition, reach=reach)
 
 
-def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float) -> str:
+def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float, outcome: Outcome) -> str:
     """What became of a motion that no cycle was found for."""
     told = "no cycle was found near the motion"
-    try:
-        outcome = field.simulate(values, state, 2000.0).outcome(1000.0)
-    except ConvergenceError as error:
-        return f"{told}, which could not be followed: {error}"
     if still := stands_still(field, values, state):
         return f"{told}: {still}"
     places = [f"{name} = {value:.6g}" for name, value in zip(field.coordinates, outcome.rest, strict=False)]

@@ -78,7 +78,8 @@ class Cycle(Result):
     events : Events
         Where it passes a kink: ``t`` from ``state`` on.
     rms, mean, amplitude : float
-        Of the first coordinate over one period: root mean square about zero, mean, half of its range. NaN where it turns around.
+        Of the first coordinate over one period: root mean square about zero, mean, half of its range. Where it turns around the
+        first two are NaN, and the last one is π.
     backend : str
         The integrator.
     loop : Loop
@@ -195,7 +196,7 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
             "use another backend, or a less steep friction law"
         )
     differs = difference(loop, flow(loop.field, backend, derivatives=False).fly)
-    (mean, rms), (lowest, highest) = (((math.nan,) * 2,) * 2) if loop.winding else (moments(loop, backend), range_of(loop))
+    (mean, rms), (lowest, highest) = moments(loop, backend), range_of(loop)
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
         stable=is_stable(loop), error=max(error_of(loop, differs), lost), residual=loop.missed,
@@ -234,13 +235,17 @@ def is_stable(loop: Loop) -> bool:
 
 
 def range_of(loop: Loop) -> tuple[float, float]:
-    """Least and largest first coordinate: a turn between two stretches is in neither, but in a state."""
+    """Least and largest first coordinate, ∓π where it turns around; a turn between stretches is in a state only."""
+    if loop.winding:
+        return -math.pi, math.pi
     values = [*(float(turn.state[0]) for turn in loop.turns() if turn.border == -1), *loop.guess.states[:, 0].tolist()]
     return min(values), max(values)
 
 
 def moments(loop: Loop, backend: str) -> tuple[float, float]:
-    """Mean and root mean square of the first coordinate."""
+    """Mean and root mean square of the first coordinate; NaN where it turns around."""
+    if loop.winding:
+        return math.nan, math.nan
     parts = [each.integrals for each in loop.passages if each.integrals is not None]
     if len(parts) == len(loop.passages):
         mean, square = (math.fsum(part[i] for part in parts) / loop.guess.period for i in (0, 1))

@@ -21,7 +21,7 @@ from .heyoka_library import library
 from .measures import Course
 from .motions import Measured, Motions, Turns
 from .problem import Event, event_at, out_of_range, too_many_steps
-from .with_heyoka import Equations, tolerance, watched, ways_out
+from .with_heyoka import Approach, Equations, tolerance, watched, ways_out
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -102,13 +102,16 @@ class Lanes:
                     direction=ways_out(border),
                 )
                 for row, border in enumerate(field.borders)
+            ] + [
+                hy.t_event_batch(each.watched, callback=self._passing(each), direction=hy.event_direction.positive)
+                for each in equations.approaches
             ],
             nt_events=[hy.nt_event_batch(1e-3 * equations.seen[0][self.size // 2], self._turning())] if watch else [],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars, self.dense, self.look = solver.state, solver.pars, solver.d_output, solver.update_d_output
         #: heyoka has no cooldowns where there are no events.
-        self.eventful = bool(field.borders) or watch
+        self.eventful = solver.with_events
         #: How many parameters there are: none beyond the last that the field takes.
         self.held = len(self.pars)
 
@@ -135,6 +138,15 @@ class Lanes:
             return True
 
         return cross
+
+    def _passing(self, approach: Approach) -> Callable[[Any, int, int], bool]:
+        def passing(_: Any, __: int, lane: int) -> bool:
+            state = self.state[: self.size, lane].copy()
+            if approach.passed(state, self.pars[:, lane].copy()):
+                self.state[: self.size, lane] = state
+            return True
+
+        return passing
 
     def _turning(self) -> Callable[[Any, float, int, int], None]:
         def turn(_: Any, t: float, direction: int, lane: int) -> None:

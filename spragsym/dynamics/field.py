@@ -13,8 +13,8 @@ from ..parameters import FloatArray
 
 #: What is said of an orbit on which the field jumps.
 JUMPED = (
-    "the orbit passes behind the end of a torsion spring, where its torque jumps: derivatives are not carried across a jump; "
-    "simulate the motion, or look for another orbit"
+    "the orbit passes behind the end of a torsion spring, or through the anchor of a spring, where its force jumps: derivatives "
+    "are not carried across a jump; simulate the motion, or look for another orbit"
 )
 
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).

@@ -29,5 +29,20 @@ class Functions:
         return lambda *values: found(*(hy.expression(float(it)) if isinstance(it, int | float) else it for it in values))
 
 
+class Roots:
+    """A namespace of functions which keeps the arguments of square roots: where one is zero a spring has no length."""
+
+    def __init__(self, xp: Any) -> None:
+        self._xp, self.arguments = xp, list[Any]()
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._xp, name)
+
+    def sqrt(self, value: Any) -> Any:
+        """The root; the argument is kept."""
+        self.arguments.append(value)
+        return self._xp.sqrt(value)
+
+
 #: The one that is needed.
 XP = Functions()

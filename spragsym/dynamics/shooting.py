@@ -180,6 +180,8 @@ def solved(
     for iteration in range(iterations):
         values, rows = conditions(loop)
         residual = np.concatenate([loop.gaps.ravel(), values])
+        if float(np.abs(residual).max()) <= rounding(loop):
+            return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
         step = newton_step(np.vstack([loop.slopes(len(free)), rows]), residual)
         width = float(np.abs(step).max())
         scale = 1 + float(np.abs(loop.guess.vector).max())

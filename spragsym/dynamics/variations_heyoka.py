@@ -11,10 +11,10 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import JUMPED, Field, Mode
-from .heyoka_library import XP, library
+from .heyoka_library import XP, Roots, library
 from .lobatto import unit_points
 from .segment import Crossing, Passage, Turn
-from .with_heyoka import put, watched
+from .with_heyoka import Approach, put, watched
 
 #: Tolerances with derivatives and of the plain flow, whose other steps make it a witness of the first; heyoka's error is
 #: relative to the largest of all that it carries.
@@ -40,8 +40,9 @@ class Compiled:
         width, parameters = len(field.modes[0]), len(field.parameters)
         constants = [hy.par[i] for i in range(self.constants)]
         mode = [hy.par[self.constants + i] for i in range(width)]
-        accelerations = list(field.acceleration(state, constants, mode, XP))
+        accelerations = list(field.acceleration(state, constants, mode, xp := Roots(XP)))
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
+        approaches = Approach.of(xp.arguments, system)
         if derivatives:
             jacobian = field.jacobian(state, constants, mode, XP)
             slopes = field.by_parameters(state, constants, mode, XP)
@@ -70,6 +71,9 @@ class Compiled:
             t_events=[
                 hy.t_event(value, callback=partial(self._cross, i), cooldown=0.0, direction=hy.event_direction.negative)
                 for i, value in enumerate(borders)
+            ] + [
+                hy.t_event(each.watched, callback=partial(self._pass, each), direction=hy.event_direction.positive)
+                for each in approaches
             ],
             nt_events=[hy.nt_event(1e-3 * value, partial(self._turn, i)) for i, value in rates],
         )  # fmt: skip
@@ -88,6 +92,10 @@ class Compiled:
         if border.kink:
             self.crossings.append(Crossing(solver.time, index, int(border.sign(after)), solver.state[: self.m].copy()))
         return True
+
+    def _pass(self, each: Approach, solver: Any, _: int) -> bool:
+        self.jumped = each.passed(solver.state[: self.m], solver.pars) and self.derivatives
+        return not self.jumped
 
     def _turn(self, border: int, solver: Any, t: float, direction: int) -> None:
         solver.update_d_output(t)

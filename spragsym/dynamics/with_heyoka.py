@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import GAP, Border, Field, Mode
-from .heyoka_library import XP, library
+from .heyoka_library import XP, Roots, library
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
@@ -21,11 +21,50 @@ from .solution import Crossing, Solution, assembled
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
 CHUNK = 20_000
 
+#: A step ends where a spring passes its anchor within its speed over this. Closer than the root of the tolerance a Taylor series
+#: does not see the least length, and goes on with negative ones.
+CLOSE = 10.0
+
 #: Largest tolerance of fields with a border that is curved.
 CURVED = 1e-3 * GAP
 
 #: Times and states by steps, shapes (steps, DEGREE + 1) and (steps, 4, DEGREE + 1).
 Samples: TypeAlias = tuple[FloatArray, FloatArray]
+
+
+@dataclass(frozen=True)
+class Approach:
+    """Where the argument of a root is least and small, as the squared length of a spring that passes its anchor.
+
+    Attributes
+    ----------
+    watched : expression
+        Passes zero upward there.
+    value : heyoka.cfunc
+        The argument.
+    """
+
+    watched: Any
+    value: Any
+
+    @classmethod
+    def of(cls, roots: list[Any], system: list[Any]) -> list[Approach]:
+        """Those of all arguments of roots that move."""
+        import heyoka as hy
+
+        names, found = [name for name, _ in system], []
+        for root in roots:
+            rate = sum((hy.diff(root, name) * each for name, each in system), hy.expression(0.0))
+            found.append(cls(1e-3 * (rate - CLOSE * root), hy.cfunc([root], names)))
+        return found
+
+    def passed(self, state: Any, pars: Any) -> bool:
+        """Whether the argument is zero to GAP; the ``state`` is moved on by as much, as a spring has no direction there."""
+        n = len(state) // 2
+        if not abs(self.value(state, pars=pars[: self.value.nparams])[0]) < GAP**2:
+            return False
+        state[:n] += GAP / np.abs(state[n:]).max() * state[n:]
+        return True
 
 
 @dataclass(frozen=True)
@@ -40,10 +79,13 @@ class Equations:
         error is relative to the largest of all. The parameter before is x(begin).
     seen : tuple
         State, constants and mode.
+    approaches : list of Approach
+        For each root in the field.
     """
 
     system: list[Any]
     seen: tuple[Any, Any, Any]
+    approaches: list[Approach]
 
     @classmethod
     def of(cls, field: Field, constants: int, *, watch: bool) -> Equations:
@@ -54,7 +96,7 @@ class Equations:
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
         known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = field.acceleration(state, known, mode, XP)
+        accelerations = field.acceleration(state, known, mode, xp := Roots(XP))
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]
@@ -62,7 +104,7 @@ class Equations:
             sums = hy.make_vars("sum.shift", "sum.square", *(f"sum.{name}" for name in names[1:]))
             sums = sums if isinstance(sums, list | tuple) else [sums]
             system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
-        return cls(system, (state, known, mode))
+        return cls(system, (state, known, mode), Approach.of(xp.arguments, system[: field.size]))
 
 
 class Compiled:
@@ -85,12 +127,15 @@ class Compiled:
                     watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0, direction=ways_out(border)
                 )
                 for row, border in enumerate(field.borders)
+            ] + [
+                hy.t_event(each.watched, callback=partial(self._pass, each), direction=hy.event_direction.positive)
+                for each in equations.approaches
             ],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars = self.solver.state, self.solver.pars
         # heyoka has no cooldowns where there are no events.
-        self.reset = self.solver.reset_cooldowns if field.borders else lambda: None
+        self.reset = self.solver.reset_cooldowns if self.solver.with_events else lambda: None
 
     def __deepcopy__(self, _: object) -> Compiled:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
@@ -107,6 +152,10 @@ class Compiled:
         kind = self.kinds[row, direction > 0]
         if kind is not None:
             self.log.append(Crossing(solver.time, tuple(self.state.tolist()), kind))
+        return True
+
+    def _pass(self, each: Approach, *_: Any) -> bool:
+        each.passed(self.state, self.pars)
         return True
 
     def begin(self, problem: Problem) -> None:

@@ -30,7 +30,7 @@ plain = partial(article_motion.integrated, method="DOP853", rtol=1e-10, atol=1e-
 
 @needs_heyoka
 def test_a_cycle_is_told_with_its_own_period_while_the_motion_winds_onto_it() -> None:
-    early, late = (rms_sweep(SLOW, **BELT, t_end=end, transient=end - 500) for end in (2000.0, 8000.0))
+    early, late = (rms_sweep(SLOW, **BELT, t_end=end, transient=end - 500) for end in (2500.0, 8000.0))
     for found in (early, late):
         assert found.regime == Regime.APPROACHES_CYCLE
         start = [float(found.cycle_x), float(found.cycle_y), 0.0, float(found.cycle_vy)]

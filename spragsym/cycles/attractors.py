@@ -56,8 +56,6 @@ class Verdict:
     end : ndarray, shape (m,)
         Where the motion is at ``t``.
     t : float
-    names : tuple of str
-        Of the coordinates.
     otherwise : str
         What a motion within rounding comes to, where that is something else.
     """
@@ -65,7 +63,6 @@ class Verdict:
     outcome: Outcome
     end: FloatArray
     t: float
-    names: tuple[str, ...]
     otherwise: str = ""
 
     @property
@@ -85,7 +82,7 @@ class Verdict:
     def _limit(self) -> str:
         found = self.outcome
         if self.kind == Regime.EQUILIBRIUM:
-            place = zip(self.names, found.rest, strict=True)
+            place = zip(found.names, found.rest, strict=False)
             return "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
         if self.kind == Regime.LIMIT_CYCLE:
             return f"a cycle of period {found.period:.6g}"
@@ -100,7 +97,7 @@ def judged(
     state, begun = np.asarray(start, dtype=float), 0.0
     for t_end in times:
         motion = field.simulate(values, state, t_end - begun, backend=backend, rtol=rtol)
-        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end, field.coordinates)
+        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
         if verdict.decided:
             break
         state, begun = verdict.end, t_end

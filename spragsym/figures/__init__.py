@@ -27,7 +27,7 @@ from .files import FORMATS, write
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
 from .oscillation import branch_figure, fate_map_figure, figure_cycles, figure_cycles_plane
-from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, draw_onsets, stability_figure
+from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, stability_figure
 from .style import Sheet
 from .trajectories import figure_6, figure_13
 
@@ -67,7 +67,6 @@ __all__ = [
     "draw_branches",
     "draw_motion",
     "draw_onset_curves",
-    "draw_onsets",
     "draw_operating_point",
     "draw_path",
     "draw_phase",

@@ -10,13 +10,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from ..models import Model, load
+from ..models.catastrophe.hopf_curves import onset_curves
 from ..models.load import shipped
 from .files import FORMATS
 from .labels import Between
-from .planes import bifurcation_figure, draw_onsets
-from .style import SINGLE, Sheet, house_style, panels, styled
+from .planes import bifurcation_figure, stability_figure
+from .style import Sheet, house_style, styled
 
-#: What the gallery shows of a model: the plane and its ranges; ("hopf", …) and ("flutter", …) are onsets along the second one.
+#: What the gallery shows of a model: the plane and its ranges; curves of onsets with damping ("hopf") and without ("flutter").
 GALLERY: Mapping[str, tuple[str, str, str, Between]] = {
     "two_springs": ("folds", "theta0", "mu0", {"mu0": (0.0, 1.4)}),
     "stribeck": ("folds", "theta0", "mu_s", {"mu_s": (0.0, 1.5)}),
@@ -33,9 +34,7 @@ def gallery_figure(model: Model) -> Sheet:
     p = model.Parameters(**dict.fromkeys(set(vary) & {"theta0"}, 1.0))
     if kind == "folds":
         return bifurcation_figure(p, vary, between=between, n=n)
-    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    draw_onsets(p, vary, ax, damping=kind == "hopf", between=between, n=n)
-    return figure.describe(f"Onsets of flutter of {model.name}.")
+    return stability_figure(onset_curves(p, vary, n, damping=kind == "hopf", between=between))
 
 
 def main() -> None:

@@ -16,7 +16,7 @@ from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, as_drawn, label, window
-from .style import BLACK, GREEN, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
+from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
@@ -93,42 +93,6 @@ def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None
 def _say(ax: Axes, text: str) -> None:
     """Words in the middle of a picture that holds nothing else."""
     ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", color=GREY)
-
-
-def draw_onsets(
-    p: ParameterSet, vary: Sequence[str], ax: Axes | None = None, *, damping: bool | None = None,
-    between: Between | None = None, n: int = 60,
-) -> list[Any]:  # fmt: skip
-    """Onsets of flutter along the second parameter, on n lines of the first; returns the artists.
-
-    Parameters
-    ----------
-    p : Parameters
-        Of any model, scalars; those that vary are not used.
-    vary : (str, str)
-        Two parameters: across and up.
-    ax : Axes, optional
-    damping, between
-        As for :func:`spragsym.flutter_onsets`.
-    n : int
-        Lines.
-    """
-    from ..models.catastrophe.points import ranges
-
-    ax, model = own_axes(ax), p.model
-    one, two = vary
-    given = between or {}
-    low, high = ranges(model, (one,), {one: given[one]} if one in given else {})[0]
-    spans = {two: given[two]} if two in given else None
-    points: list[list[float]] = [[], []]
-    for value in low + (high - low) * (np.arange(n) + 0.5) / n:
-        found = ss.flutter_onsets(p.replace(**{one: float(value)}), two, damping=damping, between=spans, method="search")
-        points[0] += [float(value)] * len(found)
-        points[1] += getattr(found, two).tolist()
-    places = (as_drawn(model, name, np.array(column)) for name, column in zip(vary, points, strict=True))
-    artists: list[Any] = ax.plot(*places, ".", color=GREEN, markersize=3)
-    ax.set(xlabel=label(model, one), ylabel=label(model, two))
-    return artists
 
 
 @styled

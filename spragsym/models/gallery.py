@@ -26,9 +26,9 @@ equations n̄ is 1 where the mass touches the belt and 0 elsewhere, and a dot is
 _SET = "Two equilibria in contact meet on the lines; the dot is the cusp."
 _CAPTIONS = {
     "stribeck": "Two equilibria in contact meet on the lines.",
-    "mode_coupling": "Flutter without damping begins on the dots: at the friction that the closed form above gives.",
+    "mode_coupling": "Flutter without damping begins on the curve: at the friction that the closed form above gives.",
     "sprag_rod": "Two equilibria in contact meet on the lines; the stiffer the wall, the closer the upper one to tan θ₀ = μ₀.",
-    "stick_slip": "Sliding gets unstable on the dots, a Hopf bifurcation: below them it is.",
+    "stick_slip": "Sliding is unstable below the curve of Hopf points, gentle where it is full and dangerous where it is dashed.",
 }
 
 

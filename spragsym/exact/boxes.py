@@ -280,10 +280,7 @@ class _Search:
         scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
         # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
         ratio = np.where(widths <= NARROW * scale, 1.0, widths / (before.ends[0] + before.ends[1]))
-        # An unknown that has reached rounding does not keep another from being halved that has not.
-        noisy = noise >= SPREAD * widths
-        stuck = np.logical_and.reduce(noisy | (widths <= NARROW * scale)) & np.logical_or.reduce(noisy)
-        stuck &= np.logical_and.reduce(widths <= SMALL * scale)
+        stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
         narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
         moved = ~np.logical_and.reduce(noise < SPREAD * widths)

@@ -75,10 +75,17 @@ def _over(
     K = matrix(balance.by_coordinate("forces_jacobian", q, balance.directions(q, values, shape), values), shape)
     parts = invariants(list(map(list, K)), list(map(list, matrix(balance.mass(q, values), shape))))
     elementary, minors = (_signs(part, shape) for part in parts)
-    friction = stacked([balance.friction(values)], shape)[0].magnitude
+    return elementary, minors, without_flutter(balance, parameters)
+
+
+def without_flutter(balance: Balance, parameters: Intervals) -> NDArray[np.bool_]:
+    """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric, or one number."""
+    shape = parameters.shape[1:]
+    friction = stacked([balance.friction(balance.arguments(parameters))], shape)[0].magnitude
     # Without friction K is symmetric if the page's other forces have a potential; in lift-off there is no friction.
     symmetric = bool(balance.model.about.get("symmetric"))
-    return elementary, minors, np.asarray(symmetric & ((friction <= NOTHING) | (balance.opens and not balance.contact)))
+    frictionless = (friction <= NOTHING) | (balance.opens and not balance.contact)
+    return np.asarray((symmetric & frictionless) | (balance.n == 1))
 
 
 def decay(

@@ -8,7 +8,7 @@ import numpy as np
 
 from .labels import shown
 from .oscillation import COLOURS, draw_cycles, draw_stretches
-from .style import BLACK, DOUBLE, GREY, Sheet, Table, panels
+from .style import BLACK, DOUBLE, GREY, Sheet, Table, panels, say
 
 if TYPE_CHECKING:
     from ..models.diagram import Diagram, Label
@@ -52,6 +52,8 @@ def diagram_figure(found: Diagram) -> Sheet:
             continue
         named.append((label.label, *place))
         ax.annotate(label.label, at, xytext=_aside(label, place), textcoords="offset points", fontsize=7)
+    if not (found.equilibria or found.cycles):
+        say(ax, "no equilibria and no cycles found here")
     tables["labels"] = {
         "label": np.array([label.label for label in found.labels]), found.vary: np.array([label.value for label in found.labels]),
         found.name: np.array([label.height for label in found.labels]),

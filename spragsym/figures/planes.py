@@ -16,7 +16,7 @@ from ..parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, as_drawn, label, window
-from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, styled
+from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, say, styled
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
@@ -90,11 +90,6 @@ def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None
     ax.set(**{f"{axis}lim": tuple(as_drawn(model, name, np.array(between[name]))) for axis, name in zip("xy", vary, strict=True)})
 
 
-def _say(ax: Axes, text: str) -> None:
-    """Words in the middle of a picture that holds nothing else."""
-    ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", color=GREY)
-
-
 @styled
 def stability_figure(found: OnsetCurves) -> Sheet:
     """The map of stability in the plane of two parameters: where oscillation sets in, gently or dangerously, as a figure.
@@ -110,7 +105,7 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     names = (*found.vary, *model.coordinates, "omega", "lyapunov", "lyapunov_error")
     open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     if not found.curves and not len(found.points):
-        _say(ax, _no("onsets", found.complete))
+        say(ax, _no("onsets", found.complete))
     lines = """, gentle on full lines and dangerous on dashed ones, undecided on dotted ones. Dots: the kind changes (GH);
         squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
@@ -164,7 +159,7 @@ def bifurcation_figure(
     if onsets is not None:
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):
-        _say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
+        say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
     shaded = ""
     if closed:
         lowest = float(model.critical_friction(p.replace(theta0=None, mu0=None)))

@@ -135,6 +135,11 @@ def write_along(ax: Axes, text: str, x: float, y: float, color: str = BLACK, **o
     return ax.text(x, y, text, **(style | options))
 
 
+def say(ax: Axes, text: str) -> None:
+    """Words in the middle of a picture that holds nothing else."""
+    ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", color=GREY)
+
+
 def plain_ticks(axis: Any, values: tuple[float, ...]) -> None:
     """Ticks of a logarithmic axis at the given values, written as plain numbers."""
     axis.set_major_locator(FixedLocator(values))

@@ -21,9 +21,10 @@ from ...exact.intervals import Arithmetic, Interval, arithmetic, as_mpf
 from ...exact.polynomials import Undecided, evaluate
 from . import kernel
 
-#: Bits of the first try, and those at which a discriminant that holds 0 is taken for a fold: the latter, and as many again for
+#: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it: where one is far below the
+#: others, so is what decides. Bits at which a discriminant that holds 0 is taken for a fold: the latter, and as many again for
 #: each power of two between the parameters, since the discriminant is of the sixth degree in coefficients of theirs.
-FIRST_BITS, MAXIMUM_BITS, BITS_A_SPREAD = 128, 4096, 8
+FIRST_BITS, ROOM, MAXIMUM_BITS, BITS_A_SPREAD = 128, 96, 4096, 8
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,8 @@ def equilibria(
     """
     arith = arith or arithmetic()
     rational = [Fraction(value) for value in (mu0, kappa, alpha, sigma, beta)]
-    bits, most = max(FIRST_BITS, int(3.4 * digits) + 64), _most_bits(theta0, rational)
+    spread = _spread(theta0, rational)
+    bits, most = max(FIRST_BITS, ROOM + spread, int(3.4 * digits) + 64), MAXIMUM_BITS + BITS_A_SPREAD * spread
     while True:
         with arith.precision(bits):
             try:
@@ -75,11 +77,11 @@ def equilibria(
         bits *= 2
 
 
-def _most_bits(theta0: Any, rational: list[Fraction]) -> int:
-    """The bits at which trying ends."""
+def _spread(theta0: Any, rational: list[Fraction]) -> int:
+    """Powers of two between the parameters."""
     given = [Fraction(1), *rational, *([] if callable(theta0) else [Fraction(theta0)])]
     powers = [value.numerator.bit_length() - value.denominator.bit_length() for value in given if value]
-    return MAXIMUM_BITS + BITS_A_SPREAD * (max(powers) - min(powers))
+    return max(powers) - min(powers)
 
 
 def _settle(
@@ -94,7 +96,10 @@ def _settle(
     if fold and not last:
         raise Undecided("the discriminant holds 0")
     roots = _fold_roots(arith, trig, bits) if fold else _enclosed_roots(arith, trig, bits, all_real=discriminant < 0)
-    states = [state for root in roots for state in _state(arith, root, trig, values, digits, fold)]
+    # With rational parameters equality is exact where θ₀ drops out: off the belt without other springs L = 1 ± κ/σ at θ = ±90°.
+    mu0, kappa, alpha, sigma, beta = rational
+    shrunk = not contact and alpha == beta == 0 and kappa == sigma
+    states = [state for root in roots for state in _state(arith, root, trig, values, digits, fold, shrunk)]
     if contact and len(states) % 2 == 0:
         raise Undecided("an even number of equilibria in contact")
     return Settled(tuple(sorted(states, key=lambda state: state.theta)), fold, bits)
@@ -199,14 +204,15 @@ def _fold_roots(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> lis
 
 
 def _state(
-    arith: Arithmetic, t: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], digits: int, fold: bool
-) -> list[State]:
-    """The equilibrium at t, or None if the root is not an equilibrium."""
+    arith: Arithmetic, t: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], digits: int, fold: bool,
+    shrunk: bool,
+) -> list[State]:  # fmt: skip
+    """The equilibrium at t, none if the root is not one; nor is it where the spring has the length 0, ``shrunk``."""
     cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
     c, s, _ = on_circle(t)
     state = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
     sides = arith.sign(state[0]), arith.sign(state[2]) * (-1 if nbar else 1)
-    if -1 in sides:
+    if -1 in sides or (shrunk and not sides[0]):
         return []
     if 0 in sides:
         raise Undecided("L or y holds 0")

@@ -96,6 +96,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 1
     files = _step("emit", lambda: emission.render(outcome))
     files |= _step("models", lambda: models(variant=options.variant))
+    files["files.json"] = write.as_json(sorted({*files, "files.json"}))
     write.write(write.sealed(files), options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of the count theorem and "

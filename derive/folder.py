@@ -52,8 +52,8 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
         files["page.py"] = model.text
         files["_broadcast.py"] = runtime(python_target.__file__, "_broadcast.py").replace("@header@", header)
     digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
-    entries = {**description(model), "files": digests}
-    return {**files, "model.json": write.as_json(dict(sorted(entries.items())))}
+    entries = {**description(model), "files": digests, **({"digest": write.DIGEST} if alone else {})}
+    return {**files, "model.json": write.sealed_alone(write.as_json(dict(sorted(entries.items()))))}
 
 
 def write_page(page: Path, out: Path) -> int:

@@ -13,11 +13,18 @@ array(1, dtype=int8)
 
 from __future__ import annotations
 
+import sys as _sys
+
+if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endswith(("/spragsym", "\\spragsym")):
+    import _signal
+
+    # As a command: until that hears Ctrl-C itself, it ends the process, without a traceback of what is imported.
+    _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+
 import importlib as _importlib
 import importlib.util as _util
 import pathlib as _pathlib
 import re as _re
-import sys as _sys
 import types as _types
 from typing import Any as _Any
 

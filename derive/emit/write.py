@@ -1,19 +1,22 @@
-"""Writes a folder whole or not at all: the files are written to a new folder beside it, then the two change places."""
+"""Writes the files of a folder: all of them to the disk first, then each into its place; what others wrote there stays."""
 
 from __future__ import annotations
 
 import hashlib
 import json
+import os
 import shutil
 import signal
 import tempfile
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+#: Begins the name of a folder in which files wait to take their places.
+_LEFT = ".spragsym-"
 #: Stands for the digest of all files, or its first 16 digits, until they are all there.
 DIGEST = "<digest-of-all>".ljust(64, "-")
 
@@ -28,6 +31,11 @@ def sealed(files: dict[str, str]) -> dict[str, str]:
     whole = "".join(f"{name}\0{text}\0" for name, text in sorted(files.items()))
     digest = hashlib.sha256(whole.encode()).hexdigest()
     return {name: text.replace(DIGEST, digest).replace(DIGEST[:16], digest[:16]) for name, text in files.items()}
+
+
+def sealed_alone(text: str) -> str:
+    """A text with the SHA-256 of itself, :data:`DIGEST` in the place of it, where that stands."""
+    return text.replace(DIGEST, hashlib.sha256(text.encode()).hexdigest())
 
 
 def as_json(value: Any, width: int = 130) -> str:
@@ -66,38 +74,79 @@ def _lines(entries: list[str], indent: int, width: int) -> list[str]:
     return lines
 
 
-def write(files: dict[str, str], target: Path, mark: str = "ledger.json") -> None:
-    """Replace the folder ``target`` by one that holds ``files``; after a failure or an interruption it is as it was.
+def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None:
+    """Put files into a folder: those that ``mark`` says were written before are replaced, or removed if they are no more.
 
-    A folder that is not empty is replaced only if it holds the file ``mark``, which shows that it was written by this function.
+    Whatever else is there stays; a file that is there and was not written before is an error, and so is a folder that holds others and
+    no ``mark``, whose own file is the last to take its place.
     """
     target = target.resolve()
     if target.exists() and not target.is_dir():
         raise FileExistsError(f"{target} is a file; name a folder to write")
-    if target.exists() and any(target.iterdir()) and not (target / mark).exists():
+    new = not target.exists() or not any(target.iterdir())
+    if not new and not (target / mark).is_file():
         raise FileExistsError(f"{target} holds other files and no {mark}; name an empty folder, or one written before")
-    target.parent.mkdir(parents=True, exist_ok=True)
-    fresh = Path(tempfile.mkdtemp(prefix=".generated-", dir=target.parent))
-    retired = fresh.with_name(fresh.name + "-old")
+    before = set() if new else _listed(target / mark)
+    foreign = sorted(name for name in files if name not in before and os.path.lexists(target / name))
+    if foreign:
+        raise FileExistsError(
+            f"{', '.join(str(target / name) for name in foreign)}: written by something else; move it, or name another folder"
+        )
+    target.mkdir(parents=True, exist_ok=True)
+    _remove_left(target)
+    fresh = Path(tempfile.mkdtemp(prefix=f"{_LEFT}{os.getpid()}-", dir=target))
     try:
         for name, text in files.items():
             path = fresh / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
-        fresh.chmod(0o755)
         with _undisturbed():
-            if target.exists():
-                target.rename(retired)
-            try:
-                fresh.rename(target)
-            except OSError:
-                if retired.exists():
-                    retired.rename(target)
-                raise
+            _exchange(sorted(files, key=lambda name: name == mark), sorted(before - files.keys()), fresh, target)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
-        if target.exists():
-            shutil.rmtree(retired, ignore_errors=True)
+        with suppress(OSError):
+            target.rmdir()  # a folder that was made for nothing
+
+
+def _exchange(names: list[str], gone: list[str], fresh: Path, target: Path) -> None:
+    """Put files into their places, and remove those that are no more; all of them, or after an error none."""
+    old = Path(tempfile.mkdtemp(dir=fresh))
+    kept = [name for name in (*names, *gone) if (target / name).is_file()]
+    for name in kept:
+        (old / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(target / name, old / name)
+    try:
+        for name in names:
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            os.replace(fresh / name, target / name)
+        for name in gone:
+            (target / name).unlink(missing_ok=True)
+    except BaseException:
+        for name in (*names, *gone):
+            (target / name).unlink(missing_ok=True)
+        for name in kept:
+            shutil.copy2(old / name, target / name)
+        raise
+
+
+def _listed(mark: Path) -> set[str]:
+    """The files that a folder's own list says were written, none of them outside of it."""
+    try:
+        content = json.loads(mark.read_text(encoding="utf-8"))
+        names = {str(name) for name in (content["files"] if isinstance(content, dict) else content)}
+    except (ValueError, KeyError, TypeError) as error:
+        raise FileExistsError(
+            f"{mark} is damaged ({error}), and so it is not known what was written; name another folder"
+        ) from error
+    return {name for name in names | {mark.name} if (mark.parent / name).resolve().is_relative_to(mark.parent)}
+
+
+def _remove_left(target: Path) -> None:
+    """Remove what a killed process left: its number is in the name."""
+    for path in target.glob(f"{_LEFT}*"):
+        number = path.name.removeprefix(_LEFT).partition("-")[0]
+        if number.isdigit() and os.name == "posix" and not Path(f"/proc/{number}").exists() and Path("/proc/self").exists():
+            shutil.rmtree(path, ignore_errors=True)
 
 
 @contextmanager

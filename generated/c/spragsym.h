@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "b6963ea417d17df1"
+#define SPRAGSYM_SOURCE "80bc78b10d809c7b"
 
 /** What became of a call. */
 typedef enum {

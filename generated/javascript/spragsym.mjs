@@ -14,7 +14,7 @@
  */
 
 /** Head of the SHA-256 of what was emitted together. */
-export const SOURCE = "b6963ea417d17df1";
+export const SOURCE = "80bc78b10d809c7b";
 
 /** Names of the parameters, in the order in which the algebra takes them. */
 export const NAMES = Object.freeze(["theta0", "mu0", "kappa", "alpha", "sigma", "beta"]);

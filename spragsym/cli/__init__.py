@@ -17,6 +17,7 @@ import click
 
 from .._version import __version__
 from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
+from ..interrupts import ending
 from ..names import closest, latin
 from .commands import HELP
 
@@ -121,7 +122,8 @@ def _run(arguments: list[str], debug: bool) -> int:
     try:
         if "_SPRAGSYM_COMPLETE" in os.environ:  # the shell asks for completions
             cli.main(arguments, prog_name="spragsym")
-        code = _invoke(arguments)
+        with ending():
+            code = _invoke(arguments)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()  # flush here, so that a closed pipe and a full disk are noticed here
     except (click.Abort, KeyboardInterrupt) as stop:

@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from ..errors import MissingExtraError, ParameterError
+from ..files.writing import put
 from ..models.load import page_of
 from ..progress import show_progress
 from .commands import command
@@ -71,7 +72,7 @@ def check(
             click.echo(f"{report} is as it should be", err=True)
             return
         refuse([report], force)
-        report.write_text(text, encoding="utf-8", newline="\n")
+        put(report, text)
         click.echo(f"wrote {report}", err=True)
     elif claims:
         _check_claims(json_output, only)

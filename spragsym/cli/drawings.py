@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import ParameterError
+from ..files.writing import put
 from ..progress import show_progress
 
 if TYPE_CHECKING:
@@ -24,15 +25,14 @@ def drawable(path: Path) -> None:
 
 def written(path: Path, part: str, make: Callable[[], Sheet], axes: Iterable[tuple[Shown | None, Shown | None]] = ()) -> None:
     """Draw a figure in its house's style, and write it; ``axes`` says of each panel what its two axes show, None as it is."""
-    from ..figures import FORMATS
+    from ..figures.files import picture
     from ..figures.labels import in_units
     from ..figures.style import house_style
 
-    kind = path.suffix[1:]
     with house_style(), show_progress(part):
         figure = make()
         for ax, (across, up) in zip(figure.axes, axes, strict=False):
             in_units(ax.xaxis, across)
             in_units(ax.yaxis, up)
-        figure.savefig(path, format=kind, metadata=FORMATS[kind])
+        put(path, picture(figure, path.suffix[1:]))
     click.echo(f"drew {path}", err=True)

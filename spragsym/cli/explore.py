@@ -16,6 +16,7 @@ import spragsym as ss
 from ..errors import MissingExtraError, ModelError, ParameterError
 from ..explorer import Preset, Units, explorer_page
 from ..explorer.derived import shipped
+from ..files.writing import probe, put
 from ..models.load import USUAL, page_of
 from ..progress import show_progress
 from .commands import command
@@ -88,12 +89,12 @@ def explore(
     chosen = load(study.model if study is not None else model or USUAL)
     if method == "closed" and not chosen.closed:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
-    text = page(chosen.search if method == "search" else chosen, study, onsets)
     out = _page_name(out)
+    probe(out, made=True)
+    text = page(chosen.search if method == "search" else chosen, study, onsets)
     if not holds(out, text):
         refuse([out], force)
-        out.parent.mkdir(parents=True, exist_ok=True)
-        out.write_text(text, encoding="utf-8", newline="\n")
+        put(out, text)
     click.echo(out)
     if unopened:
         return

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import MissingExtraError
+from ..files.writing import probe, put
 from ..models.load import page_of
 from .commands import command
 from .of_model import TEXT
@@ -61,13 +62,12 @@ def export(model_name: str | None, language: str, out: Path, force: bool) -> Non
     \b
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
     """
+    probe(out / "file", made=True)
     texts = _of_name(model_name, language) if model_name else _of_article(language)
     changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
     refuse((out / name for name in changed), force)
-    out.mkdir(parents=True, exist_ok=True)
     for name, text in changed.items():
-        (out / name).parent.mkdir(parents=True, exist_ok=True)
-        (out / name).write_text(text, encoding="utf-8", newline="\n")
+        put(out / name, text)
     for name in texts:
         click.echo(out / name)
 

@@ -47,7 +47,7 @@ def fates(
     refuse([] if plot is None else [plot], force)
     p, start = grid_of(case)
     begin = [float(value) for value in start.values()]
-    with resumed(output, force):
+    with resumed(force):
         found = fate_map(p, start=begin, t_end=t_end, backend=backend, workers=workers, progress=not quiet, store=output)
     if plot is not None:
         from ..figures import fate_map_figure

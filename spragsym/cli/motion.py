@@ -15,7 +15,7 @@ import spragsym as ss
 
 from ..errors import ParameterError
 from ..parameters import FloatArray
-from .drawings import drawable
+from .drawings import drawable, written
 from .of_model import Case, of_model
 from .options import Axis, as_json, window, workers
 from .tables import print_json
@@ -78,7 +78,6 @@ def simulate(
         tr.save(output)
     if plot is not None:
         _draw(case, tr, transient, plot)
-        click.echo(f"drew {plot}", err=True)
     print_summary(summary, json_output)
 
 
@@ -137,14 +136,12 @@ def print_summary(summary: dict[str, Any], json_output: bool) -> None:
 
 
 def _draw(case: Case, tr: Trajectory, transient: float, path: Path) -> None:
-    from ..figures import FORMATS, motion_figure
+    from ..figures import motion_figure
     from ..figures.motion_pictures import Units
-    from ..figures.style import house_style
 
-    kind, study = path.suffix[1:], case.units.study
+    study = case.units.study
     units = None if study is None else Units(1e3 * study.scales.length, study.scales.time, "mm")
-    with house_style():
-        motion_figure(tr, transient, units).savefig(path, format=kind, metadata=FORMATS[kind])
+    written(path, "drawing the motion", lambda: motion_figure(tr, transient, units))
 
 
 @of_model(kind=Axis, start=True)
@@ -194,7 +191,7 @@ def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:
     """Run a sweep to its file, and say what its motions came to."""
     from ..sweeps import Regime
 
-    with resumed(output, force), warnings.catch_warnings():
+    with resumed(force), warnings.catch_warnings():
         warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
         result = run()
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}

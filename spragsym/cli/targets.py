@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
 
 from ..errors import TargetError
+from ..files.stored import overwriting
+from ..files.writing import probe
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -20,11 +22,14 @@ def force(function: F) -> F:
 
 
 def refuse(paths: Iterable[Path], force: bool) -> None:
-    """Raise if one of the files exists, unless it is to be overwritten."""
-    found = [str(path) for path in paths if path.exists()]
+    """Raise, before any work, if one of the files exists, unless it is to be overwritten, or if it can't be written."""
+    targets = list(paths)
+    found = [str(path) for path in targets if path.exists()]
     if found and not force:
         exist = "exists" if len(found) == 1 else "exist"
         raise TargetError(f"{', '.join(found)} {exist}; nothing was written; use --force to overwrite, or give another path")
+    for path in targets:
+        probe(path, made=True)
 
 
 def holds(path: Path, text: str) -> bool:
@@ -33,27 +38,10 @@ def holds(path: Path, text: str) -> bool:
 
 
 @contextmanager
-def set_aside(path: Path) -> Iterator[None]:
-    """Move a file away, and move it back if the body has not written a new one."""
-    if not path.is_file():
-        yield
-        return
-    before = path.with_name(path.name + ".before")
-    path.replace(before)
+def resumed(force: bool) -> Iterator[None]:
+    """Work that goes on in its file where it stopped; with ``force`` whatever is there, which stays until that is done."""
     try:
-        yield
-    finally:
-        if path.exists():
-            before.unlink()
-        else:
-            before.replace(path)
-
-
-@contextmanager
-def resumed(path: Path, force: bool) -> Iterator[None]:
-    """Work that goes on in its file where it stopped; with ``force`` from the beginning, the old file kept until that is done."""
-    try:
-        with set_aside(path) if force else nullcontext():
+        with overwriting(force):
             yield
     except TargetError as error:
         raise TargetError(f"{error}, or use --force to overwrite") from error

@@ -19,7 +19,8 @@ from ..dynamics import integrators
 from ..dynamics.trajectory import initial_state
 from ..errors import ParameterError
 from ..files import storage
-from ..files.journal import Record, clear, journal
+from ..files.journal import Record
+from ..files.stored import stored
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
 from ..progress import advance
 from ..questions import model_of
@@ -171,18 +172,10 @@ def fate_map(
     if store is None:
         kept: dict[int, Record] = {}
         return records(kept, kept.__setitem__)
-    target = storage.resolved(store)
-    if target.suffix != ".csv":
-        raise ParameterError(f"store = {target} does not end in .csv")
-    key = _fingerprint(model, inputs, state, t_end, name)
-    if target.is_file():
-        clear(target, key, len(points))
-        return made(_loaded(target, key))
-    storage.check_target(target, 100_000 + 1000 * len(points))
-    with journal(target, key, len(points)) as (done, keep):
-        found = records(done, keep)
-        found.save(target)
-    return found
+    if Path(store).suffix != ".csv":
+        raise ParameterError(f"store = {store} does not end in .csv")
+    key, size = _fingerprint(model, inputs, state, t_end, name), len(points)
+    return stored(store, key, size, 100_000 + 1000 * size, lambda path: made(_loaded(path, key)), records, FateMap.save)
 
 
 def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, values: tuple[float, ...]) -> Record:

@@ -17,7 +17,8 @@ import numpy as np
 from ..display import Result, Table
 from ..errors import ParameterError, TargetError
 from ..files import storage
-from ..files.journal import Record, clear, journal
+from ..files.journal import Record
+from ..files.stored import stored
 from ..parameters import FloatArray, Parameters, PhysicalParameters, Range, as_number
 from ..progress import advance
 from ..sweeps import workers as processes
@@ -233,17 +234,15 @@ def _records(
     points = dict(enumerate(tasks))
     if store is None:
         return _computed(work, points, workers, progress, {}, None)
-    target = storage.resolved(store)
-    if not target.parent.is_dir() or target.is_dir():
-        raise ParameterError(f"store = {target} can't be a file; give the name of one in an existing folder")
     key = storage.fingerprint({}, settings)
-    if target.is_file():
-        clear(target, key, len(points))
-        return _loaded(target, key)
-    with journal(target, key, len(points)) as (done, keep):
-        records = _computed(work, points, workers, progress, done, keep)
-        storage.write_text(target, json.dumps({"fingerprint": key, **storage.provenance(), "sums": records}) + "\n")
-    return records
+
+    def save(records: list[list[float]], path: Path) -> None:
+        storage.write_text(path, json.dumps({"fingerprint": key, **storage.provenance(), "sums": records}) + "\n")
+
+    def compute(done: dict[int, Record], keep: Any) -> list[list[float]]:
+        return _computed(work, points, workers, progress, done, keep)
+
+    return stored(store, key, len(points), 100 * len(points), lambda path: _loaded(path, key), compute, save, table=False)
 
 
 def _computed(

@@ -233,8 +233,7 @@ class Lanes:
 
     def _sort_out(self, run: _Run, results: Any, arrived: list[int]) -> None:
         """Free the lanes of motions that have ended; where one broke off, the others under way begin the stage again."""
-        import heyoka as hy
-
+        hy = library()
         overflow, running = hy.taylor_outcome.err_nf_state, run.running
         bad = [lane for lane in running if lane in self.strays or results[lane][0] == overflow]
         if bad:

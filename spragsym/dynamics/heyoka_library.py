@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
+from ..interrupts import held
 
+
+@functools.cache
 def library() -> Any:
     """The module, which from now on reports errors only.
 
     Its warnings are of a cache that can't be written, as in a read-only home, and of its search for crossings near a tangency.
     ``heyoka.set_logger_level_warning()`` brings them back.
     """
-    import heyoka as hy
-
+    with held():
+        import heyoka as hy
     hy.set_logger_level_error()
     return hy
 
@@ -21,8 +25,7 @@ class Functions:
     """The namespace ``xp`` of heyoka's expressions, whose functions take numbers too, as the 2 of sqrt(2)."""
 
     def __getattr__(self, name: str) -> Any:
-        import heyoka as hy
-
+        hy = library()
         found = getattr(hy, name)
         if isinstance(found, hy.expression):
             return found

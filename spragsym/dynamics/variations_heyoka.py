@@ -124,8 +124,7 @@ class Compiled:
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
         """Carry a state on for a while."""
-        import heyoka as hy
-
+        hy = library()
         self._begin(state, constants, directions)
         solver = self.solver
         steps, outcome = 0, hy.taylor_outcome.step_limit

@@ -90,8 +90,7 @@ class Equations:
     @classmethod
     def of(cls, field: Field, constants: int, *, watch: bool) -> Equations:
         """Those of a field with this many constants."""
-        import heyoka as hy
-
+        hy = library()
         names, n = field.coordinates, len(field.coordinates)
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
@@ -168,8 +167,7 @@ class Compiled:
 
     def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
         """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
-        import heyoka as hy
-
+        hy = library()
         solver = self.solver
         pieces: list[Samples] = []
         outcome = hy.taylor_outcome.step_limit
@@ -197,8 +195,7 @@ def ways_out(border: Border) -> Any:
     Where the field jumps, the levels of both modes are 0, and are curved in the state: after a crossing the new one may be
     negative by the error of a step, and its way up is no event.
     """
-    import heyoka as hy
-
+    hy = library()
     return hy.event_direction.any if border.jumps is None else hy.event_direction.negative
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import textwrap
 from collections.abc import Iterable
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..files.writing import put
 from .style import Sheet, Table, house_style
 
 #: Format → metadata that leaves out the date and the version of what drew it.
@@ -25,27 +27,31 @@ def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf
 
     Parts that are not drawn as lines have 300 dots per inch.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = []
+    files: dict[str, bytes | str] = {}
     with house_style():
         for kind in formats:
-            paths.append(folder / f"{stem}.{kind}")
-            figure.savefig(paths[-1], format=kind, metadata=FORMATS[kind])
-    paths.append(folder / f"{stem}.txt")
-    paths[-1].write_text(textwrap.fill(figure.caption, 100) + "\n", encoding="utf-8", newline="\n")
-    for panel, table in figure.tables.items():
-        paths.append(folder / f"{stem}_{panel}.csv")
-        _write_table(paths[-1], table)
-    return paths
+            files[f"{stem}.{kind}"] = picture(figure, kind)
+    files[f"{stem}.txt"] = textwrap.fill(figure.caption, 100) + "\n"
+    files |= {f"{stem}_{panel}.csv": _table(table) for panel, table in figure.tables.items()}
+    for name, content in files.items():
+        put(folder / name, content)
+    return [folder / name for name in files]
 
 
-def _write_table(path: Path, table: Table) -> None:
+def picture(figure: Any, kind: str) -> bytes:
+    """A figure in a format."""
+    stream = io.BytesIO()
+    figure.savefig(stream, format=kind, metadata=FORMATS[kind])
+    return stream.getvalue()
+
+
+def _table(table: Table) -> str:
     """One line per row; numbers with the twelve digits that the library promises."""
-    columns = [_as_text(np.asarray(values)) for values in table.values()]
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(table)
-        writer.writerows(zip(*columns, strict=True))
+    columns, text = [_as_text(np.asarray(values)) for values in table.values()], io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(table)
+    writer.writerows(zip(*columns, strict=True))
+    return text.getvalue()
 
 
 def _as_text(values: Any) -> list[str]:

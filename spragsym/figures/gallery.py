@@ -9,10 +9,11 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+from ..files.writing import put
 from ..models import Model, load
 from ..models.catastrophe.hopf_curves import onset_curves
 from ..models.load import shipped
-from .files import FORMATS
+from .files import picture
 from .labels import Between
 from .planes import bifurcation_figure, stability_figure
 from .style import Sheet, house_style, styled
@@ -42,7 +43,7 @@ def main() -> None:
     folder, *names = sys.argv[1:]
     for name in names or shipped():
         with house_style():
-            gallery_figure(load(name)).savefig(Path(folder) / f"{name}_set.svg", format="svg", metadata=FORMATS["svg"])
+            put(Path(folder) / f"{name}_set.svg", picture(gallery_figure(load(name)), "svg"))
         print(name, flush=True)
 
 

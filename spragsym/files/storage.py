@@ -11,13 +11,9 @@ import csv
 import hashlib
 import io
 import json
-import math
 import os
 import re
-import shutil
-import tempfile
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -26,15 +22,17 @@ import numpy as np
 from .._version import __version__
 from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError, TargetError
 from ..generated import SOURCE_HASH
-from .locks import exclusive, write_all
+from ..interrupts import held
+from .writing import probe, put, resolved
 
 
 def xarray() -> Any:
     """The module, or an error that names the extra."""
     try:
-        import h5netcdf  # noqa: F401  # here only to be missed early
-        import h5py  # noqa: F401  # here only to be missed early
-        import xarray
+        with held():
+            import h5netcdf  # noqa: F401  # here only to be missed early
+            import h5py  # noqa: F401  # here only to be missed early
+            import xarray
     except ModuleNotFoundError as error:
         raise MissingExtraError("a netCDF file", error.name or "xarray", "sweep") from error
     return xarray
@@ -63,43 +61,14 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
 # ----------------------------------------------------------------------------------------------- before the work
 
 
-def resolved(path: str | os.PathLike[str]) -> Path:
-    """The file that a path leads to through links, even if it does not exist yet."""
-    try:
-        target = Path(path).resolve()
-        if target.is_symlink():
-            target.stat()  # raises what Python from 3.13 on no longer says when it resolves
-    except (OSError, RuntimeError) as error:  # a link that leads to itself
-        raise ParameterError(f"{path} leads nowhere ({error}); give another path") from error
-    return target
-
-
-def check_target(path: Path, bytes_needed: int) -> None:
-    """Raise, before any work, if a file cannot be written there."""
-    if path.suffix not in (".nc", ".csv"):
-        raise ParameterError(f"{path} ends neither in .nc nor in .csv; the ending says which file is meant")
-    if path.is_dir() or not path.parent.is_dir():
-        problem = "is a folder" if path.is_dir() else "lies in a folder that does not exist"
-        raise ParameterError(f"{path} {problem}; give the name of a file in an existing folder")
-    if path.suffix == ".nc":
+def check_target(path: str | os.PathLike[str], bytes_needed: int) -> Path:
+    """Where a path leads; raise, before any work, if a file can't be written there."""
+    target = resolved(path)
+    if target.suffix not in (".nc", ".csv"):
+        raise ParameterError(f"{target} ends neither in .nc nor in .csv; the ending says which file is meant")
+    if target.suffix == ".nc":
         xarray()
-    try:
-        with tempfile.TemporaryFile(dir=path.parent):
-            pass
-    except OSError as error:
-        raise ParameterError(
-            f"{path} cannot be written ({error.strerror}); give another path, or the right to write there"
-        ) from error
-    free = shutil.disk_usage(path.parent).free
-    if free < bytes_needed:
-        raise ParameterError(
-            f"{path}: about {_megabytes(bytes_needed)} are needed and {_megabytes(free)} are free; "
-            "make room, or write to another disk"
-        )
-
-
-def _megabytes(size: int) -> str:
-    return f"{math.ceil(size / 1e6)} MB"
+    return probe(target, bytes_needed)
 
 
 # ----------------------------------------------------------------------------------------------------- to write
@@ -116,10 +85,9 @@ def write(
 
     ``explained`` has unit and meaning of every column.
     """
-    path = resolved(path)
-    check_target(path, 0)
+    path = check_target(path, 0)
     # In memory first: HDF5 ends the process when a disk fills while it writes.
-    _replace(path, _netcdf(dataset()) if path.suffix == ".nc" else _csv(columns(), attrs, explained))
+    put(path, _netcdf(dataset()) if path.suffix == ".nc" else _csv(columns(), attrs, explained))
 
 
 def _netcdf(dataset: Any) -> bytes:
@@ -145,57 +113,14 @@ def _sealed(data: bytes) -> bytes:
     return data + _TRAILER % _sha256(data)
 
 
-#: Windows neither renames nor removes a file that is open; elsewhere it stays open, and locked, until it is in place.
-_OPEN_FILES_STAY = os.name != "posix"
-
-
-def _replace(path: Path, data: bytes) -> None:
-    """Put a file in place, in one step: what was there before stays until the new one is on the disk."""
-    temporary = path.with_name(path.name + ".new")
-    try:
-        with exclusive(temporary) as file:
-            try:
-                file.truncate(0)  # left by a killed process
-                write_all(file, data)
-                os.fsync(file.fileno())
-                if _OPEN_FILES_STAY:
-                    file.close()
-                os.replace(temporary, path)
-            except BaseException:
-                if _OPEN_FILES_STAY:
-                    file.close()
-                with suppress(OSError):
-                    temporary.unlink()
-                raise
-        _settle(path.parent)
-    except StoreError:
-        raise
-    except PermissionError as error:  # on Windows also while a spreadsheet shows the file that was there
-        raise StoreError(
-            f"{path} cannot be written: {error.strerror}; close what has it open, or give a path where you may write"
-        ) from error
-    except OSError as error:
-        raise StoreError(f"{path} cannot be written: {error.strerror}; make room, or give another path") from error
-
-
 def plain(text: str) -> str:
     """Text that is one cell to every reader of CSV, NumPy too, which knows no quotes: no comma, quote, # or line end."""
     return " ".join(text.replace(",", ";").replace('"', "'").replace("#", "no. ").split())
 
 
-def _settle(folder: Path) -> None:
-    """Make a new name in a folder survive a power cut, on systems that can do this."""
-    with suppress(OSError):
-        number = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(number)
-        finally:
-            os.close(number)
-
-
 def write_text(path: Path, text: str) -> None:
     """Write lines of text with the checksum after them, whole or not at all."""
-    _replace(path, _sealed(text.encode()))
+    put(path, _sealed(text.encode()))
 
 
 # ------------------------------------------------------------------------------------------------------ to read
@@ -213,11 +138,7 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     StoreError
         If the file cannot be read, or a single bit of it is not as it was written.
     """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
-    content = _verified(path, data)
+    content = _verified(path)
     return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
 
 
@@ -231,15 +152,15 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
 
 def read_text(path: Path) -> str:
     """What :func:`write_text` wrote; errors as of :func:`read`."""
+    return _verified(path).decode()
+
+
+def _verified(path: Path) -> bytes:
+    """The part of a file that its checksum covers."""
     try:
-        data = path.read_bytes()
+        data = resolved(path).read_bytes()
     except OSError as error:
         raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
-    return _verified(path, data).decode()
-
-
-def _verified(path: Path, data: bytes) -> bytes:
-    """The part of a file that its checksum covers."""
     parts = _TRAILED.fullmatch(data)
     if parts is None:
         raise DamagedError(

@@ -1,8 +1,42 @@
-"""Text that users wrote, on any system."""
+"""What users wrote, on any system: bytes up to a bound, and text."""
 
 from __future__ import annotations
 
 import codecs
+import os
+
+from ..errors import ParameterError
+
+#: Bytes of a file that a user writes by hand, and of a table that an instrument writes.
+BY_HAND, MEASURED = 1 << 20, 8 << 20
+
+
+def contents(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "another file") -> bytes:
+    """The bytes of a file, or of a pipe; a device without end, and a pipe that nobody writes to, end too.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such file, or it holds more than ``largest`` bytes.
+    """
+    name = os.fspath(path)
+    shown = name if len(name) <= 200 else f"{name[:80]}…"
+    if os.path.isdir(path):
+        raise ParameterError(f"{shown} is a folder; give {what}")
+    try:
+        # A pipe that nobody writes to is at its end at once, if it is not waited for when it is opened.
+        number = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+        if hasattr(os, "set_blocking"):
+            os.set_blocking(number, True)
+        with open(number, "rb") as file:
+            data = file.read(largest + 1)
+    except ValueError as error:  # a NUL in a name
+        raise ParameterError(f"{shown!r} can't be the name of a file: {error}; give {what}") from error
+    except OSError as error:
+        raise ParameterError(f"{shown} can't be read: {error.strerror}; give {what}") from error
+    if len(data) > largest:
+        raise ParameterError(f"{shown} has more than {largest} bytes; give {what}")
+    return data
 
 
 def decoded(data: bytes) -> str:
@@ -19,3 +53,12 @@ def decoded(data: bytes) -> str:
     'k = 180 N/mm ± 15 %'
     """
     return data.decode("utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig")
+
+
+def text_of(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "another file", remedy: str = "") -> str:
+    """The text of a file; errors as of :func:`contents`, and one for bytes that are no text."""
+    data = contents(path, largest, what)
+    try:
+        return decoded(data)
+    except UnicodeDecodeError as error:
+        raise ParameterError(f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}") from error

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import functools
+import hashlib
 import importlib
 import importlib.util
 import json
 import os
+import re
 import sys
 import threading
 from collections.abc import Mapping
@@ -15,6 +17,7 @@ from types import ModuleType
 from typing import Any
 
 from ..errors import ParameterError, ParameterTypeError, StoreError
+from ..files.text import contents
 from ..names import hint
 from .model import Model
 from .parameters import parameter_class
@@ -97,60 +100,55 @@ def load(name: str | os.PathLike[str]) -> Model:
             f"{hint(text, known) or '; the models are ' + ', '.join(known)}"
         )
     with _LOCK:
-        about = _about(folder)
+        if where in shipped():
+            about, files = json.loads((folder / "model.json").read_text(encoding="utf-8")), dict[str, bytes]()
+        else:
+            about, files = _verified(folder)
         known_model = _LOADED.get(where)
         if known_model is None or known_model.about != about:
-            _LOADED[where] = _loaded(folder, where, about)
+            _LOADED[where] = _loaded(where, about, files)
         return _LOADED[where]
 
 
-def _about(folder: Path) -> dict[str, Any]:
-    """``model.json``, checked."""
+#: In ``model.json``, in place of which the digest of all else in it is taken, those of the other files included.
+_DIGEST, _UNSEALED = re.compile(rb'"digest": "([0-9a-f]{64})"'), b"<digest-of-all>".ljust(64, b"-")
+#: Bytes; no file that is derived is larger.
+_LARGEST = 64 << 20
+
+
+def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
+    """What ``model.json`` says, and the bytes of all files that it names, each as it was written."""
     path = folder / "model.json"
     if not path.is_file():
         raise ParameterError(f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out DIR` wrote")
-    try:
-        about = json.loads(path.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise StoreError(f"{path} is damaged ({error}); derive the page again") from error
-    if not isinstance(about, dict) or not about.keys() >= _KEYS:
-        missing = ", ".join(sorted(_KEYS - about.keys())) if isinstance(about, dict) else "everything"
-        raise StoreError(f"{path} is not what this version of spragsym writes (without {missing}); derive the page again")
-    if "algebra.py" not in about["files"]:
-        raise StoreError(f"{folder} was derived by another version (without algebra.py); derive the page again")
-    if "rate" not in about["scales"]:
-        raise StoreError(f"{folder} was derived by another version (without the units of its files); derive the page again")
-    if about["friction"] is not None and not about["friction"].keys() >= {"quantities", "at_rest"}:
-        raise StoreError(f"{folder} was derived by another version (without what is said of its law); derive the page again")
-    return about
+    data = contents(path, _LARGEST)
+    digest = _DIGEST.search(data)
+    if digest is None:
+        raise StoreError(f"{path} is damaged, or was derived by another version (without its digest); derive the page again")
+    if hashlib.sha256(data.replace(digest[1], _UNSEALED)).hexdigest().encode() != digest[1]:
+        raise StoreError(f"{path} is damaged: it is not as it was written; derive the page again")
+    about = json.loads(data)
+    if not about.keys() >= _KEYS or "algebra.py" not in about["files"]:
+        missing = ", ".join(sorted(_KEYS - about.keys())) or "algebra.py"
+        raise StoreError(f"{folder} was derived by another version (without {missing}); derive the page again")
+    if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(Path(name).name != name for name in about["files"]):
+        raise StoreError(f"{path} names a model or a file that is none; derive the page again")
+    files = {}
+    for name, digest_of_file in about["files"].items():
+        if not (folder / name).is_file():
+            raise StoreError(f"{folder / name} is missing; derive the page again")
+        files[name] = contents(folder / name, _LARGEST)
+        if hashlib.sha256(files[name]).hexdigest() != digest_of_file:
+            raise StoreError(f"{folder / name} is not as it was written; derive the page again")
+    return about, files
 
 
-def _require_whole(folder: Path, about: Mapping[str, Any]) -> None:
-    """Raise unless the files of a folder are as they were written, by a version whose functions mean the same."""
-    import hashlib  # takes milliseconds to import, and shipped models have no need of it
-
-    for name, digest in about["files"].items():
-        file = folder / name
-        if not file.is_file() or hashlib.sha256(file.read_bytes()).hexdigest() != digest:
-            state = "is missing" if not file.is_file() else "is not as it was written"
-            raise StoreError(f"{file} {state}; derive the page again")
-    page = folder / "page.py"
-    if "torsions" not in about and page.is_file() and ".torsion(" in page.read_text(encoding="utf-8", errors="replace"):
-        raise StoreError(
-            f"{folder} was derived when the torque of a torsion spring was k φ up to 41 degrees only; derive the page again"
-        )
-
-
-def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
-    shipped_one = where == folder.name
-    if not shipped_one:
-        _require_whole(folder, about)
-
+def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) -> Model:
     def module() -> ModuleType:
-        return _module(folder, where)
+        return _module(where, files)
 
     room = f"{__package__.rpartition('.')[0]}.{where}"
-    if shipped_one and importlib.util.find_spec(room):  # a shipped model with closed forms
+    if not files and importlib.util.find_spec(room):  # a shipped model with closed forms
         own = importlib.import_module(room)
         model = Model(where, about, module, own.Parameters, own.CLOSED)
     else:
@@ -159,17 +157,29 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
     return model
 
 
-def _module(folder: Path, where: str) -> ModuleType:
-    """The functions of the model: of the package for a shipped one, else of a package of the folder's own."""
-    if where == folder.name:
+def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
+    """The functions of the model: of the package for a shipped one, else made of the bytes that were verified."""
+    if not files:
         return importlib.import_module(f"spragsym.generated.models.{where}.algebra")
-    import hashlib
-
     # A path may hold bytes that are no text in the locale.
-    digest = hashlib.sha256(os.fsencode(where) + (folder / "model.json").read_bytes()).hexdigest()[:16]
+    digest = hashlib.sha256(b"\0".join([os.fsencode(where), *(files[name] for name in sorted(files))])).hexdigest()[:16]
     package = f"spragsym_model_{digest}"
-    if package not in sys.modules:
-        parent = ModuleType(package)
-        parent.__path__ = [str(folder)]
-        sys.modules[package] = parent
-    return importlib.import_module(f"{package}.algebra")
+    for name in ("", "_broadcast", "algebra"):
+        whole = f"{package}.{name}".rstrip(".")
+        if whole in sys.modules:
+            continue
+        module = ModuleType(whole)
+        module.__package__ = package
+        if name:
+            module.__file__ = os.path.join(where, f"{name}.py")
+            code = compile(files[f"{name}.py"], module.__file__, "exec")
+        else:
+            module.__path__ = []
+        sys.modules[whole] = module
+        if name:
+            try:
+                exec(code, module.__dict__)  # noqa: S102  # a model's folder is code, as load says
+            except BaseException:
+                del sys.modules[whole]
+                raise
+    return sys.modules[f"{package}.algebra"]

@@ -12,7 +12,7 @@ from typing import Any
 
 from ..design.dependence import Correlation, dependence
 from ..errors import ParameterError, SpragsymError
-from ..files.text import decoded
+from ..files.text import text_of
 from ..models.load import USUAL
 from ..names import hint
 from ..parameters import FINITE, Range
@@ -24,8 +24,6 @@ from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
-#: Bytes; a larger file is no file of this kind.
-_LARGEST = 1 << 20
 
 
 @dataclass(frozen=True)
@@ -76,7 +74,7 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
         For every mistake: it names the file, the line, the key, the value and what to write.
     """
     name = os.fspath(path)
-    text = _text(Path(path), name)
+    text = text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")
     lines = _Lines(name, text)
     table = _table(text, lines)
     model = _model(table, lines)
@@ -92,19 +90,6 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     _check_complete(found, units, model, lines)
     rise = _rise(rising, begin, model, found, lines)
     return BrakeFile(name, model, found, fit, _correlation(together, found, fit, lines), rise)
-
-
-def _text(path: Path, name: str) -> str:
-    if path.is_dir():
-        raise ParameterError(f"{name} is a folder; give a file such as brake.toml")
-    try:
-        if path.stat().st_size > _LARGEST:
-            raise ParameterError(f"{name} has more than {_LARGEST} bytes; give a file with the table [brake] and nothing else")
-        return decoded(path.read_bytes())
-    except UnicodeDecodeError as error:
-        raise ParameterError(f"{name} is not text in UTF-8 (byte {error.start}); save it as UTF-8, or write +- for ±") from error
-    except OSError as error:
-        raise ParameterError(f"{name} can't be read: {error.strerror}; give a file such as brake.toml") from error
 
 
 def _table(text: str, lines: _Lines) -> dict[str, Any]:

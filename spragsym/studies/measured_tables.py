@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import ParameterError
-from ..files.text import decoded
+from ..files.text import MEASURED, text_of
 from ..parameters import FloatArray
 from .units import factor
 
@@ -63,13 +63,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     ParameterError
         For a file that is missing, has no such head, may be read in two ways, or has a line that is no measurement.
     """
-    try:
-        text = decoded(path.read_bytes())
-    except UnicodeDecodeError as error:
-        raise ParameterError(f"{path} is not text in UTF-8 (byte {error.start}); save it as UTF-8") from error
-    except OSError as error:
-        remedy = "give a text file with sliding speed and coefficient"
-        raise ParameterError(f"{path} can't be read: {error.strerror}; {remedy}") from error
+    text = text_of(path, MEASURED, "a text file with sliding speed and coefficient")
     lines = [
         (number, line.strip(" \r\n"))
         for number, line in enumerate(text.splitlines(), 1)
@@ -125,8 +119,12 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[floa
 
 def _cells(line: str, between: str) -> list[str]:
     if between != " ":
-        return [cell.strip(" \t\"'") for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))]
-    together = re.sub(r"\s+in\s+(\S+)", r"[\1]", re.sub(r"\s+(?=[\[(])", "", line))
+        try:
+            return [cell.strip(" \t\"'") for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))]
+        except csv.Error as error:
+            raise _RefusedError(f"a line of {len(line)} characters is too long ({error}); write one a line") from error
+    # Blanks in a row are one: patterns go back over each of them.
+    together = re.sub(r" in (\S+)", r"[\1]", re.sub(r" (?=[\[(])", "", " ".join(line.split())))
     return [cell.strip("\"'") for cell in together.split()]
 
 
@@ -137,7 +135,7 @@ def _column(
     what = "the sliding speed" if si == "m/s" else "the friction coefficient"
     found = []
     for i, (name, below) in enumerate(zip(names, units, strict=True)):
-        parts = _HEAD.fullmatch(name)
+        parts = _HEAD.fullmatch(" ".join(name.split()))
         word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
         word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
         if word in known:

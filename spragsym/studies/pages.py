@@ -15,6 +15,7 @@ import numpy as np
 import spragsym as ss
 
 from ..errors import MissingExtraError, SpragsymError
+from ..files.writing import put
 from . import rises
 from .oscillations import first_unit
 from .reports import Report
@@ -29,7 +30,7 @@ _LINES, _VALUES = 40, 80
 
 def write_page(study: Study, report: Report, path: Path) -> None:
     """Write the page."""
-    path.write_text(page(study, report), encoding="utf-8", newline="\n")
+    put(path, page(study, report))
 
 
 def page(study: Study, report: Report) -> str:

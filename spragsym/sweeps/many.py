@@ -7,6 +7,7 @@ from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,8 +16,8 @@ from ..dynamics import batch_heyoka, integrators
 from ..dynamics.problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
 from ..dynamics.trajectory import initial_state
 from ..errors import ParameterError
-from ..files import storage
-from ..files.journal import Record, clear, journal
+from ..files.journal import Record
+from ..files.stored import stored
 from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, common_shape
 from ..progress import advance
 from ..questions import model_of
@@ -133,19 +134,15 @@ def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.Pa
         processes.count(workers)  # before there is a journal
     if store is None:
         return result.made(inputs, shape, settings, _records(plan, points, workers, progress, {}, None))
-    target = storage.resolved(store)
-    key = result.fingerprint(inputs, settings)
-    if target.is_file():
-        sweep = result.loaded(target, key, inputs, shape, settings)
-        clear(target, key, len(points))
-        return sweep
-    storage.check_target(target, 100_000 + 1000 * len(points))
-    with journal(target, key, len(points)) as (done, keep):
-        if target.is_file():  # another process has finished it in the meantime
-            return result.loaded(target, key, inputs, shape, settings)
-        sweep = result.made(inputs, shape, settings, _records(plan, points, workers, progress, done, keep))
-        sweep.save(target)
-    return sweep
+    key, size = result.fingerprint(inputs, settings), len(points)
+
+    def load(path: Path) -> Sweep:
+        return result.loaded(path, key, inputs, shape, settings)
+
+    def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> Sweep:
+        return result.made(inputs, shape, settings, _records(plan, points, workers, progress, done, keep))
+
+    return stored(store, key, size, 100_000 + 1000 * size, load, compute, Sweep.save)
 
 
 # -------------------------------------------------------------------------------------------- all the motions

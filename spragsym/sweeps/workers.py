@@ -23,6 +23,7 @@ from functools import partial
 from typing import Any, TypeAlias
 
 from ..errors import ParameterError, ParameterTypeError, SweepError
+from ..interrupts import heard
 
 Map: TypeAlias = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
@@ -60,7 +61,7 @@ def results(
         After Ctrl-C, also where a library turned it into another error or into none.
     """
     missing = set(points)
-    with _interrupts() as check:
+    with heard() as check:
         for answer in _answers(workers, partial(_attempt, function), list(points.items())):
             check()
             index, result, trouble = _checked(answer, missing)
@@ -118,43 +119,6 @@ def _foreign(workers: Map, function: Callable[[Task], Answer], tasks: list[Task]
         raise
     except Exception as error:
         raise SweepError(f"the map given as workers stopped with {type(error).__name__}: {error}") from error
-
-
-# ------------------------------------------------------------------------------------------------------- Ctrl-C
-
-
-@contextmanager
-def _interrupts() -> Iterator[Callable[[], None]]:
-    """A function that raises KeyboardInterrupt if there was one since, whatever a library made of it.
-
-    An interrupt within an import surfaces as ImportError, within a callback of compiled code as anything.
-    """
-    seen: list[int] = []
-    former = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(former):
-        yield lambda: None  # interrupts go to another thread, or are ignored
-        return
-
-    def handler(number: int, frame: Any) -> None:
-        try:
-            former(number, frame)
-        except KeyboardInterrupt:
-            seen.append(number)
-            raise
-
-    def check() -> None:
-        if seen:
-            raise KeyboardInterrupt
-
-    signal.signal(signal.SIGINT, handler)
-    try:
-        yield check
-    except Exception:
-        check()
-        raise
-    finally:
-        if signal.getsignal(signal.SIGINT) is handler:
-            signal.signal(signal.SIGINT, former)
 
 
 # ---------------------------------------------------------------------------------------------- processes: parent

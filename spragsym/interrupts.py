@@ -1,0 +1,123 @@
+"""Ctrl-C, heard whatever a library makes of it: within an import or a callback of compiled code it is often swallowed."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from typing import Any, ClassVar
+
+#: Exit code, and seconds that a command has after Ctrl-C to say what is kept.
+INTERRUPTED, _PATIENCE = 130, 0.7
+
+
+@contextmanager
+def heard() -> Iterator[Callable[[], None]]:
+    """A function that raises KeyboardInterrupt if there was one since; so does the end, whatever ended it."""
+    seen: list[int] = []
+    former = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(former):
+        yield lambda: None  # interrupts go to another thread, or are ignored
+        return
+
+    def handler(number: int, frame: Any) -> None:
+        try:
+            former(number, frame)
+        except KeyboardInterrupt:
+            seen.append(number)
+            raise
+
+    def check() -> None:
+        if seen:
+            raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, handler)
+    try:
+        yield check
+        check()
+    except Exception:
+        check()
+        raise
+    finally:
+        if signal.getsignal(signal.SIGINT) is handler:
+            signal.signal(signal.SIGINT, former)
+
+
+@contextmanager
+def held() -> Iterator[None]:
+    """Ctrl-C waits for the end of the body, such as the import of a library that would be left half imported."""
+    waiting: list[Any] = []
+    former = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(former):
+        yield
+        return
+
+    def handler(number: int, frame: Any) -> None:
+        waiting.append(frame)
+        if _Ending.installed is not None:
+            _Ending.installed.count_down()
+
+    signal.signal(signal.SIGINT, handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, former)
+        if waiting:
+            former(signal.SIGINT, waiting[0])
+
+
+class _Ending:
+    """A handler of Ctrl-C for a process that ends soon after it: what does not end by itself in time is cut off."""
+
+    installed: ClassVar[_Ending | None] = None
+
+    def __init__(self) -> None:
+        self.under_way = False
+        self.timer: threading.Timer | None = None
+
+    def __call__(self, number: int, frame: Any) -> None:
+        if not self.under_way:
+            cut()
+        self.count_down()
+        raise KeyboardInterrupt
+
+    def count_down(self) -> None:
+        if self.timer is None:
+            self.timer = threading.Timer(_PATIENCE, cut)
+            self.timer.daemon = True
+            self.timer.start()
+
+
+def cut() -> None:
+    """End the process at once."""
+    with suppress(OSError):
+        os.write(2, b"spragsym: interrupted\n")
+    os._exit(INTERRUPTED)
+
+
+@contextmanager
+def ending() -> Iterator[None]:
+    """A command: after Ctrl-C it raises KeyboardInterrupt at its end at the latest, and the process ends within a second."""
+    if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+        yield
+        return
+    own = _Ending.installed or begun()
+    own.under_way = True
+    try:
+        with heard():
+            yield
+    finally:
+        if own.timer is not None:
+            own.timer.cancel()
+        own.timer, _Ending.installed = None, None
+        if signal.getsignal(signal.SIGINT) is own:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def begun() -> _Ending:
+    """From now on, until there is a command, Ctrl-C ends the process at once."""
+    own = _Ending.installed = _Ending()
+    signal.signal(signal.SIGINT, own)
+    return own

@@ -15,6 +15,8 @@ from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
 
+#: Bytes; no page is larger.
+_LARGEST = 1 << 20
 #: Where the shipped pages stand.
 SHIPPED = Path(__file__).parent / "models"
 
@@ -50,6 +52,8 @@ def read(path: Path, name: str = "") -> Model:
         Where it can't be carried through, with the page's name and the line.
     """
     try:
+        if not path.is_file() or path.stat().st_size > _LARGEST:
+            raise PageError(0, f"the page is no file, or has more than {_LARGEST} bytes; give a file of Python")
         return _model(path, path.read_text(encoding="utf-8"), name or path.stem)
     except UnicodeDecodeError as error:
         raise PageError(0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name) from error
@@ -76,6 +80,8 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         tree = _Imports().visit(ast.parse(text, str(path)))
     except SyntaxError as error:
         raise PageError(error.lineno or 0, f"the page is no Python: {error.msg}") from error
+    except (ValueError, RecursionError, MemoryError) as error:  # a NUL, or a line of thousands of terms
+        raise PageError(0, f"the page is no Python that can be read: {error}; write shorter lines") from error
     package = __name__.rpartition(".")[0]
     names: dict[str, Any] = {"__name__": f"{package}.models.{path.stem}", "__package__": f"{package}.models"}
     try:

@@ -25,6 +25,10 @@ _SPEED = laws.SLIP
 _PLACES = tuple(sp.Rational(10) ** power for power in range(-6, 3))
 
 
+#: The largest power: beyond it, derivatives and products of them take for ever.
+MOST_POWER = 20
+
+
 def check_units(page: Page) -> None:
     """Every sum of the page adds like to like, and every statement is what it says: an energy, a force, a length, a number."""
     known = _dimensions(page)
@@ -35,6 +39,9 @@ def check_units(page: Page) -> None:
         if unknown:
             time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""
             raise PageError(line, f"{what} holds {', '.join(unknown)}, which the page does not define; define it above{time}")
+        power = max((abs(part.exp) for part in value.atoms(sp.Pow) if part.exp.is_number), default=0)
+        if power > MOST_POWER:
+            raise PageError(line, f"{what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp")
         try:
             found = units.of(value, known)
         except UnitsError as error:

@@ -207,5 +207,6 @@ def _report(message: str, code: int, debug: bool) -> int:
     with suppress(OSError, ValueError):
         if debug:
             traceback.print_exc()
-        click.echo(f"spragsym: {' '.join(message.split())}", err=True)
+        line = " ".join(message.split())
+        click.echo(f"spragsym: {line if len(line) <= 2000 else f'{line[:500]} … {line[-500:]}'}", err=True)
     return code

@@ -33,7 +33,7 @@ def derive(page: Path, out: Path, force: bool) -> None:
         from ..derive.model import PageError
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym derive", error.name or "sympy", "derive") from error
-    refuse([out / "model.json"], force)
+    refuse([out / "model.json"], force, made=True)
     try:
         count = folder.write_page(page, out)
     except PageError as error:

@@ -93,8 +93,8 @@ def explore(
     probe(out, made=True)
     text = page(chosen.search if method == "search" else chosen, study, onsets)
     if not holds(out, text):
-        refuse([out], force)
-        put(out, text)
+        refuse([out], force, made=True)
+        put(out, text, made=True)
     click.echo(out)
     if unopened:
         return

@@ -65,9 +65,9 @@ def export(model_name: str | None, language: str, out: Path, force: bool) -> Non
     probe(out / "file", made=True)
     texts = _of_name(model_name, language) if model_name else _of_article(language)
     changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
-    refuse((out / name for name in changed), force)
+    refuse((out / name for name in changed), force, made=True)
     for name, text in changed.items():
-        put(out / name, text)
+        put(out / name, text, made=True)
     for name in texts:
         click.echo(out / name)
 

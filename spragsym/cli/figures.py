@@ -65,7 +65,7 @@ def figures(first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str
 
     formats = _chosen([kinds], FORMATS, "--format")
     names = _chosen([*first, *more], FIGURES, "--only") if first else list(FIGURES)
-    refuse((path for name in names for path in _written_before(out, _stem(name), formats)), force)
+    refuse((path for name in names for path in _written_before(out, _stem(name), formats)), force, made=True)
     with _processes(workers) as mapping, _bar(len(names), quiet) as advance:
         for name in names:
             advance(name)

@@ -21,7 +21,7 @@ def force(function: F) -> F:
     return click.option("--force", is_flag=True, help="Overwrite files that are in the way.")(function)
 
 
-def refuse(paths: Iterable[Path], force: bool) -> None:
+def refuse(paths: Iterable[Path], force: bool, *, made: bool = False) -> None:
     """Raise, before any work, if one of the files exists, unless it is to be overwritten, or if it can't be written."""
     targets = list(paths)
     found = [str(path) for path in targets if path.exists()]
@@ -29,7 +29,7 @@ def refuse(paths: Iterable[Path], force: bool) -> None:
         exist = "exists" if len(found) == 1 else "exist"
         raise TargetError(f"{', '.join(found)} {exist}; nothing was written; use --force to overwrite, or give another path")
     for path in targets:
-        probe(path, made=True)
+        probe(path, made=made)
 
 
 def holds(path: Path, text: str) -> bool:

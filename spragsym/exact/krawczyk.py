@@ -85,7 +85,10 @@ def as_balls(rows: Sequence[Sequence[Any]], bits: int) -> list[list[Ball]]:
 
 def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
     """The inverse of the matrix of middles, roughly, of balls without width."""
-    middles = np.array([[float(sum(Balls().ends(entry)) / 2) for entry in row] for row in rows])
+    try:
+        middles = np.array([[float(sum(Balls().ends(entry)) / 2) for entry in row] for row in rows])
+    except OverflowError:  # of no number that is a float
+        middles = np.full((len(rows), len(rows)), np.nan)
     with np.errstate(all="ignore"):
         return [[ball(float(entry), bits) for entry in row] for row in contractors.inverse(middles[:, :, None])[:, :, 0]]
 

@@ -34,7 +34,7 @@ def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf
     files[f"{stem}.txt"] = textwrap.fill(figure.caption, 100) + "\n"
     files |= {f"{stem}_{panel}.csv": _table(table) for panel, table in figure.tables.items()}
     for name, content in files.items():
-        put(folder / name, content)
+        put(folder / name, content, made=True)
     return [folder / name for name in files]
 
 

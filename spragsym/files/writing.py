@@ -65,8 +65,8 @@ def probe(path: str | os.PathLike[str], bytes_needed: int = 0, *, made: bool = F
     return target
 
 
-def put(path: str | os.PathLike[str], data: bytes | str) -> None:
-    """Write a file, whole or not at all, its folder made if missing; a file that was there keeps its mode.
+def put(path: str | os.PathLike[str], data: bytes | str, *, made: bool = False) -> None:
+    """Write a file, whole or not at all; a file that was there keeps its mode. ``made`` is for a folder that is made if missing.
 
     Raises
     ------
@@ -75,7 +75,8 @@ def put(path: str | os.PathLike[str], data: bytes | str) -> None:
     """
     target = resolved(path)
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
+        if made:
+            target.parent.mkdir(parents=True, exist_ok=True)
         _remove_left(target.parent)
         _replace(target, data.encode() if isinstance(data, str) else data)
         _settle(target.parent)

@@ -83,14 +83,16 @@ def load(name: str | os.PathLike[str]) -> Model:
     if not isinstance(name, str | os.PathLike):
         raise ParameterTypeError(f"{name!r} is no model; give a name, one of {', '.join(shipped())}, or a folder")
     text = os.fspath(name)
+    if len(text) > 4096 or "\0" in text:
+        raise ParameterError(f"{text[:80]!r}… has {len(text)} characters, or a NUL, and is no model; give a name or a folder")
     if text in _LOADED and text in shipped():  # its files do not change
         return _LOADED[text]
     if text in shipped():
         folder, where = _shipped_folder() / text, text
-    elif Path(text).is_dir():
+    elif os.path.isdir(text):
         folder = Path(text).resolve()
         where = str(folder)
-    elif text.endswith(".py") and Path(text).is_file():
+    elif text.endswith(".py") and os.path.isfile(text):
         folder = Path(text).with_suffix("")
         raise ParameterError(f"{text} is a page: spragsym derive {text} --out {folder} writes its folder, which is what to name")
     else:

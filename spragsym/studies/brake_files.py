@@ -95,7 +95,7 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
 def _table(text: str, lines: _Lines) -> dict[str, Any]:
     try:
         content = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:  # TOML that is none, and numbers that are too long
         raise ParameterError(_syntax(str(error), lines)) from error
     if "brake" not in content:
         other = next(iter(content), None)

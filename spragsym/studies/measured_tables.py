@@ -40,6 +40,10 @@ _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
 #: A coefficient that is larger is in percent, or none.
 _LARGEST = 2.0
+#: A sliding speed in m/s that is smaller is none.
+_SLOWEST = 1e-15
+#: Lines of a file.
+_LINES = 20_000
 #: What a head looks like.
 EXAMPLE = "v [m/s],mu"
 
@@ -69,6 +73,8 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         for number, line in enumerate(text.splitlines(), 1)
         if line.strip() and not line.strip().startswith(_COMMENT)
     ]
+    if len(lines) > _LINES:
+        raise ParameterError(f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so")
     found: dict[tuple[tuple[float, float], ...], str] = {}
     failures: list[_RefusedError] = []
     for between in _BETWEEN:
@@ -91,6 +97,9 @@ def _checked(path: Path, rows: Sequence[tuple[float, float]]) -> tuple[FloatArra
         raise ParameterError(
             f"{path} has {len(rows)} measurements; at least two at different sliding speeds are needed to fit mu0 and d"
         )
+    if not ((speed == 0) | ((speed > _SLOWEST) & (speed < 1 / _SLOWEST))).all():
+        ends = f"{speed.min():g} to {speed.max():g} m/s"
+        raise ParameterError(f"{path}: no sliding speeds are from {ends}; look at the unit in the head")
     if not friction.any():
         raise ParameterError(f"{path}: all coefficients are 0; without friction there is nothing to fit, so give mu0 = 0 and d")
     return speed, friction

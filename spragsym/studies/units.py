@@ -110,7 +110,8 @@ def factor(unit: str, si: str) -> float:
 
 def parsed(unit: str) -> pint.Unit:
     """A unit from its text."""
-    if not _LETTERS.fullmatch(unit) or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
+    powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)  # a power of a power may be larger than any number
+    if not _LETTERS.fullmatch(unit) or powers or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
         raise ParameterError(f"the unit {unit!r} can't be read")
     try:
         found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))

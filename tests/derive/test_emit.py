@@ -40,7 +40,9 @@ def test_the_digest_is_that_of_what_is_committed() -> None:
     assert {name: text.encode() for name, text in sealed.items()} == files_of(COMMITTED)
 
 
-OLD = {"ledger.json": b"{}\n", "old.py": b"old\n"}
+OLD = {"files.json": b'["files.json", "old.py"]\n', "old.py": b"old\n"}
+#: What is written in the place of that.
+NEW = {"new.py": "a\n", "c/deep.h": "b\n", "files.json": '["new.py", "c/deep.h", "files.json"]\n'}
 
 
 @pytest.fixture
@@ -149,14 +151,25 @@ def test_an_interrupted_write_leaves_the_old_files(
 
 
 def test_a_failed_exchange_brings_the_old_files_back(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    rename = Path.rename
+    replace = os.replace
 
-    def failing(self: Path, to: Path) -> Path:
-        if Path(to) == target and not self.name.endswith("-old"):
+    def failing(one: Path, other: Path) -> None:
+        if Path(other).name == "files.json":
             raise OSError("no")
-        return rename(self, to)
+        replace(one, other)
 
-    monkeypatch.setattr(Path, "rename", failing)
+    monkeypatch.setattr(os, "replace", failing)
     with pytest.raises(OSError, match="no"):
-        write.write({"new.py": "new\n"}, target)
+        write.write(NEW, target)
     assert untouched(target)
+
+
+def test_a_write_replaces_what_was_written_and_nothing_else(target: Path) -> None:
+    (target / "notes.txt").write_text("mine")
+    (target / "new.py").write_text("mine")
+    with pytest.raises(FileExistsError, match=r"new\.py: written by something else"):
+        write.write(NEW, target)
+    (target / "new.py").unlink()
+    write.write(NEW, target)
+    assert files_of(target) == {name: text.encode() for name, text in NEW.items()} | {"notes.txt": b"mine"}
+    assert not list(target.glob(".*"))

@@ -20,7 +20,7 @@ from ..files.writing import probe, put
 from ..models.load import USUAL, page_of
 from ..progress import show_progress
 from .commands import command
-from .of_model import method
+from .of_model import TRUST, method
 from .targets import force, holds, refuse
 
 if TYPE_CHECKING:
@@ -58,10 +58,11 @@ _LINES = 20
 @click.option(
     "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."
 )
+@click.option("--trust", is_flag=True, help=TRUST)
 @method
 @force
 def explore(
-    out: Path, data: Path | None, model: str | None, onsets: bool, unopened: bool, method: str | None, force: bool
+    out: Path, data: Path | None, model: str | None, onsets: bool, unopened: bool, trust: bool, method: str | None, force: bool
 ) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
@@ -83,7 +84,7 @@ def explore(
     \b
     Exit codes: 0 written; 1 the file can't be written; 2 usage, or a file that differs is in the way.
     """
-    study = None if data is None else _study(data, model)
+    study = None if data is None else _study(data, model, trust)
     from ..models import load
 
     chosen = load(study.model if study is not None else model or USUAL)
@@ -111,11 +112,11 @@ def _page_name(out: Path) -> Path:
     return out if out.suffix else out.with_name(f"{out.name}.html")
 
 
-def _study(path: Path, model: str | None) -> Study:
+def _study(path: Path, model: str | None, trust: bool) -> Study:
     """The user's data, for the model that the command names if it names one."""
     from ..studies import Study
 
-    study = Study.from_file(path)
+    study = Study.from_file(path, trust=trust or model or False)
     if model not in (None, study.model):
         raise ParameterError(f"--model {model}: {path} holds data for the model {study.model}; leave out one of the two")
     return study

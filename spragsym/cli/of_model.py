@@ -32,6 +32,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
 MODEL = f"{TEXT} Its parameters become options."
 DATA = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
+TRUST = "Run the code of the folder that the file of --data names as its model."
 METHOD = "Closed forms that a model brings, or the search that serves every model. Default: what is faster."
 
 
@@ -101,6 +102,7 @@ class OfModel(click.Command):
         }  # fmt: skip
         asked = [click.Option(["--model"], metavar="NAME|DIR", expose_value=False, help=MODEL)]
         asked.append(click.Option(["--data"], metavar="FILE", expose_value=False, help=DATA))
+        asked.append(click.Option(["--trust"], is_flag=True, expose_value=False, help=TRUST))
         self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *asked]
         of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
         self.help = f"{self.text}{of}"
@@ -115,7 +117,7 @@ class OfModel(click.Command):
         self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
     ) -> click.Context:
         """With the options of the model that the arguments name."""
-        study = _study(_value_of(args, "--data"))
+        study = _study(_value_of(args, "--data"), "--trust" in args or _value_of(args, "--model") or False)
         name = _value_of(args, "--model") or (study.model if study else USUAL)
         if study is not None:
             if study.model != name:
@@ -221,9 +223,9 @@ def _value_of(args: Sequence[str], flag: str) -> str | None:
     return None
 
 
-def _study(path: str | None) -> Study | None:
+def _study(path: str | None, trust: bool | str) -> Study | None:
     if path is None:
         return None
     from ..studies import Study
 
-    return Study.from_file(path)
+    return Study.from_file(path, trust=trust)

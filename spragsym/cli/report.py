@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 @command()
 @click.argument("file", type=click.Path(path_type=Path), required=False)
 @click.option("--example", is_flag=True, help="Print a file to begin with.")
-@click.option("--model", metavar="NAME|DIR", help="Model of the example; a FILE names its own.")
+@click.option("--model", metavar="NAME|DIR", help="Model of the example; or the folder that FILE names, whose code may run.")
+@click.option("--trust", is_flag=True, help="Run the code of the folder that FILE names as its model.")
 @click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")
 @click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
 @click.option("--redesign/--no-redesign", default=True, show_default=True, help="Say what to change where it jumps.")
@@ -29,8 +30,8 @@ if TYPE_CHECKING:
 @force
 @as_json
 def report(
-    file: Path | None, example: bool, model: str | None, html: Path | None, oscillation: bool, redesign: bool, safety: float,
-    force: bool, json_output: bool,
+    file: Path | None, example: bool, model: str | None, trust: bool, html: Path | None, oscillation: bool, redesign: bool,
+    safety: float, force: bool, json_output: bool,
 ) -> None:  # fmt: skip
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
 
@@ -51,8 +52,6 @@ def report(
 
         click.echo(text_of(load(model or USUAL)), nl=False)
         return
-    if model is not None:
-        raise click.UsageError(f"--model {model} goes with --example; FILE says model = ...")
     if file is None:
         raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
@@ -60,7 +59,9 @@ def report(
     refuse([] if html is None else [html], force)
     from ..studies import Study
 
-    study = Study.from_file(file)
+    study = Study.from_file(file, trust=trust or model or False)
+    if model not in (None, study.model):
+        raise click.UsageError(f"--model {model}: {file} is about {study.model}; leave --model out")
     options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]
     less = f" ({' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest)" if options else ""
     with show_progress(f"computing the report{less}"):

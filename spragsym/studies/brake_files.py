@@ -13,7 +13,7 @@ from typing import Any
 from ..design.dependence import Correlation, dependence
 from ..errors import ParameterError, SpragsymError
 from ..files.text import text_of
-from ..models.load import USUAL
+from ..models.load import USUAL, shipped
 from ..names import hint
 from ..parameters import FINITE, Range
 from . import brake_quantities
@@ -58,7 +58,7 @@ class _Lines:
         return self.path
 
 
-def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
+def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> BrakeFile:
     """The data of a brake.
 
     Parameters
@@ -67,6 +67,8 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
         A TOML file with one table, ``[brake]``: for each quantity a text with number, unit and, if it has one, a tolerance; and
         ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together; and ``vary = "F_L"`` where not the friction but a
         quantity rises until the state jumps, with ``begin = "10 N"`` if not from its least value.
+    trust : bool or str
+        Whether the code of a model's folder may run that the file names, or the one folder whose code may.
 
     Raises
     ------
@@ -77,7 +79,7 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     text = text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")
     lines = _Lines(name, text)
     table = _table(text, lines)
-    model = _model(table, lines)
+    model = _model(table, lines, trust)
     units = brake_quantities.quantity_units(model)
     measured, together, rising = table.pop("friction", None), table.pop("correlation", None), table.pop("vary", None)
     begin = table.pop("begin", None)
@@ -133,10 +135,16 @@ def example_of(key: str, unit: str) -> str:
     return _EXAMPLES.get(key) or EXAMPLES.get(unit, (f"1 {unit}",))[0]
 
 
-def _model(table: dict[str, Any], lines: _Lines) -> str:
+def _model(table: dict[str, Any], lines: _Lines, trust: bool | str) -> str:
     name = table.pop("model", USUAL)
     if not isinstance(name, str):
         raise ParameterError(f'{lines.of("model")}: model = {name!r} is no name; write model = "kang_nam"')
+    if name not in shipped() and trust is not True and trust != name and os.path.isdir(name[:4096].replace("\0", "")):
+        where = lines.of("model")
+        raise ParameterError(
+            f"{where}: model = {name!r} is a folder, whose code runs; "
+            f"if you trust it, give --trust or --model {name}, in Python trust=True"
+        )
     try:
         brake_quantities.about(name)
     except SpragsymError as error:

@@ -89,9 +89,12 @@ class Study:
         dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
 
     @classmethod
-    def from_file(cls, path: str | os.PathLike[str]) -> Study:
-        """The study of a file such as ``brake.toml``; see :func:`spragsym.studies.brake_files.read_brake`."""
-        return cls.of(read_brake(path))
+    def from_file(cls, path: str | os.PathLike[str], *, trust: bool | str = False) -> Study:
+        """The study of a file such as ``brake.toml``; see :func:`spragsym.studies.brake_files.read_brake`.
+
+        A file may name the folder of a model, whose code runs: ``trust`` says that it may.
+        """
+        return cls.of(read_brake(path, trust))
 
     @classmethod
     def of(cls, data: BrakeFile) -> Study:

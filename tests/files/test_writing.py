@@ -1,0 +1,166 @@
+"""Nothing of a user's is lost: files in place whole, names that nobody can guess, folders that hold more than ours, Ctrl-C."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.errors import ParameterError, SpragsymError, StoreError
+from spragsym.files import text, writing
+from tests.support import ROOT
+
+PAGE = ROOT / "derive" / "models" / "stick_slip.py"
+Run = Callable[..., str]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a derived page."""
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder as derived
+
+    out = tmp_path_factory.mktemp("derived") / "model"
+    derived.write_page(PAGE, out)
+    return out
+
+
+def test_a_user_s_files_beside_and_behind_a_link_stay(tmp_path: Path, run: Run) -> None:
+    """``.before`` was deleted, ``.new`` truncated, and a link of that name followed to its victim."""
+    out, names = tmp_path / "d.csv", ("d.csv.before", "d.csv.new")
+    for name in names:
+        (tmp_path / name).write_text("mine")
+    victim = tmp_path / "victim"
+    victim.write_text("mine")
+    (tmp_path / "e.csv.new").symlink_to(victim)
+    grid = ("--theta0", "40,50", "--t-end", "20", "--transient", "10", "--backend", "compiled", "-q", "--force")
+    out.write_text("old")
+    run("sweep", *grid, "-o", str(out))
+    run("sweep", *grid, "-o", str(tmp_path / "e.csv"))
+    assert out.read_text().startswith("theta0")
+    assert [(tmp_path / name).read_text() for name in (*names, "victim")] == ["mine"] * 3
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["d.csv", *names, "e.csv", "e.csv.new", "victim"]
+
+
+def test_a_failed_write_leaves_what_was_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "page.html"
+    writing.put(path, "before")
+    path.chmod(0o640)
+
+    def full(file: object, data: bytes) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as disk:
+        disk.setattr(writing, "write_all", full)
+        with pytest.raises(StoreError, match=r"page\.html cannot be written: No space left"):
+            writing.put(path, "after")
+    assert (path.read_text(), [entry.name for entry in tmp_path.iterdir()]) == ("before", ["page.html"])
+    # What a killed process leaves is removed, what one that runs is at is not, and no name is taken that is there.
+    dead, alive = (tmp_path / f".spragsym-{number}-{'0' * 16}" for number in (2**22 + 5, os.getpid()))
+    dead.write_text("half")
+    alive.write_text("half")
+    writing.put(path, "after")
+    assert (path.read_text(), path.stat().st_mode & 0o777) == ("after", 0o640)
+    assert (dead.exists(), alive.exists()) == (os.name != "posix", True)
+
+
+@pytest.mark.parametrize("words", [
+    ("explore", "--no-open", "--out", "{}/e.html"), ("report", "{}/b.toml", "--html", "/dev/null/r.html"),
+    ("bifurcation", "--plot", "{}/missing/p.svg"), ("figures", "--only", "4", "-q", "--out", "/dev/null/figures"),
+    ("export", "--out", "/proc/nowhere"), ("simulate", "--theta0", "49", "-o", "{}/missing/r.csv"),
+])  # fmt: skip
+def test_a_target_is_tried_before_the_work(
+    words: tuple[str, ...], tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "b.toml").write_text(run("report", "--example"))
+    if words[0] == "explore":
+        (tmp_path / "e.html").symlink_to(tmp_path / "e.html")
+    monkeypatch.setattr(writing, "_replace", lambda *_: pytest.fail("the work was done"))
+    run(*(word.format(tmp_path) for word in words), code=2)
+    assert not (tmp_path / "missing").exists()
+
+
+def test_deriving_again_leaves_what_others_wrote(folder: Path, tmp_path: Path, run: Run) -> None:
+    """``--force`` deleted results, notes, and the page itself."""
+    out = Path(shutil.copytree(folder, tmp_path / "proj"))
+    for name in ("notes.txt", "results.csv", "mypage.py"):
+        (out / name).write_bytes(PAGE.read_bytes())
+    run("derive", str(out / "mypage.py"), "--out", str(out), "--force")
+    assert all((out / name).read_bytes() == PAGE.read_bytes() for name in ("notes.txt", "results.csv", "mypage.py"))
+    assert ss.load(out).name == "mypage"
+    alien = tmp_path / "alien"
+    alien.mkdir()
+    (alien / "algebra.py").write_text("mine")
+    assert "no model.json" in run("derive", str(PAGE), "--out", str(alien), "--force", code=2)
+    assert (alien / "algebra.py").read_text() == "mine"
+
+
+def test_every_changed_byte_of_a_folder_is_refused(folder: Path, tmp_path: Path) -> None:
+    rng, wholes = np.random.default_rng(61), {path: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    out = Path(shutil.copytree(folder, tmp_path / "model"))
+    for _ in range(40):
+        path = rng.choice(sorted(wholes))
+        data = bytearray(wholes[path])
+        place = int(rng.integers(len(data)))
+        data[place] ^= int(rng.integers(1, 256))
+        (out / path.name).write_bytes(data)
+        with pytest.raises(SpragsymError):
+            ss.load(out)
+        (out / path.name).write_bytes(wholes[path])
+
+
+def test_the_code_that_runs_is_what_was_verified(folder: Path, tmp_path: Path) -> None:
+    """A folder ``algebra`` beside algebra.py, or its cache, was run in its place."""
+    out = Path(shutil.copytree(folder, tmp_path / "model"))
+    for place in (out / "algebra", out / "_broadcast"):
+        place.mkdir()
+        (place / "__init__.py").write_text("raise SystemExit('poisoned')")
+    model = ss.load(out)
+    assert int(ss.equilibria(model.Parameters()).count) == 1
+
+
+def test_a_data_file_runs_no_code_unasked(folder: Path, tmp_path: Path, run: Run) -> None:
+    data = tmp_path / "b.toml"
+    text_of = run("report", "--example", "--model", "stick_slip")
+    data.write_text(text_of.replace('model = "stick_slip"', f'model = "{folder.as_posix()}"'), encoding="utf-8")
+    for words in (("report", str(data)), ("equilibria", "--data", str(data)), ("explore", "--no-open", "--data", str(data))):
+        assert "if you trust it" in run(*words, code=2)
+    with pytest.raises(ParameterError, match="whose code runs"):
+        ss.Study.from_file(data)
+    assert "stable" in run("equilibria", "--data", str(data), "--trust")
+    assert run("equilibria", "--data", str(data), "--model", folder.as_posix())
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pipes and devices")
+def test_what_is_read_has_an_end(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    assert text.contents(tmp_path / "pipe") == b""
+    with pytest.raises(ParameterError, match="more than 1048576 bytes"):
+        text.contents("/dev/zero")
+    with pytest.raises(ParameterError, match="can't be"):
+        text.contents("a\0b")
+    with pytest.raises(ParameterError, match="device or a pipe"):
+        writing.resolved("/dev/null")
+
+
+@pytest.mark.thorough
+@pytest.mark.skipif(os.name != "posix", reason="Windows has no such signal")
+@pytest.mark.parametrize("after", [0.15, 0.6, 1.2])
+def test_ctrl_c_ends_a_command(after: float) -> None:
+    """While heyoka is imported it was swallowed, or became an ImportError."""
+    command = [sys.executable, "-m", "spragsym", "cycles", "--theta0", "42", "--vary", "V=0.05:1.5"]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+        with pytest.raises(subprocess.TimeoutExpired):
+            process.wait(after)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=10)
+    assert process.returncode in (130, -signal.SIGINT)
+    assert "Traceback" not in said

@@ -41,7 +41,9 @@ def check_units(page: Page) -> None:
             raise PageError(line, f"{what} holds {', '.join(unknown)}, which the page does not define; define it above{time}")
         power = max((abs(part.exp) for part in value.atoms(sp.Pow) if part.exp.is_number), default=0)
         if power > MOST_POWER:
-            raise PageError(line, f"{what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp")
+            raise PageError(
+                line, f"{what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp"
+            )
         try:
             found = units.of(value, known)
         except UnitsError as error:

@@ -52,6 +52,18 @@ def by_hand(p: Any, mu: float) -> np.ndarray:
     return np.sort(roots.real[(np.abs(roots.imag) < 1e-9) & (roots.real >= 0)])
 
 
+@pytest.mark.parametrize("mu", few([0.5, 1.9, 2.05, 3.0, 10.0, 20.0], 1.9, 10.0))
+def test_states_far_away_are_found_or_not_complete(coupled: Any, mu: float) -> None:
+    for b in (-0.5, 0.5, 0.05):
+        p = coupled.Parameters(mu0=mu, b=b)
+        eq = ss.equilibria(p)
+        want = by_hand({**coupled.base, "b": b}, mu)
+        assert not eq.complete or int(eq.count) == want.size
+        assert eq.complete or eq.remarks
+        for depth in -eq.y[: int(eq.count)]:
+            assert np.abs(want - depth).min() < 1e-9
+
+
 def test_a_box_by_hand_holds_what_it_holds(coupled: Any) -> None:
     """Beyond it nothing is said to be none."""
     model = ss.load("kang_nam").search

@@ -34,12 +34,15 @@ def commands(path: Path) -> list[tuple[str, str]]:
     return found
 
 
-def run(command: str, folder: Path) -> str:
-    """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path."""
+def run(command: str, folder: Path, *, bare: bool = False) -> str:
+    """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path.
+
+    A bare shell has nothing of this environment but that path, and the folder for its home.
+    """
     if os.name != "posix" or not shutil.which("bash"):
         pytest.skip("needs bash")
-    environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
-    environment["PYTHONIOENCODING"] = "utf-8"  # as it is read here
+    given = {"PATH": os.defpath, "HOME": str(folder), "LANG": "C.UTF-8"} if bare else dict(os.environ)
+    environment = {**given, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{given['PATH']}", "PYTHONIOENCODING": "utf-8"}
     environment.pop("FORCE_COLOR", None)
     done = subprocess.run(
         ["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=300

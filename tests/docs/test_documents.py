@@ -71,29 +71,19 @@ def test_a_public_function_says_what_it_takes_gives_and_refuses(name: str) -> No
 # -------------------------------------------------------------------------------------------------------- README
 
 
-def test_readme_python() -> None:
+@pytest.mark.thorough
+def test_the_readme_in_the_shell_of_a_newcomer(tmp_path: Path) -> None:
+    """Its commands and its Python, one after another in a folder that was empty, with nothing of this environment."""
+    for block in fenced(README, "text"):
+        for line in re.findall(r"^spragsym .*", block, re.MULTILINE):
+            run(line, tmp_path, bare=True)
+    for command, output in commands(README):
+        if not command.startswith("make "):
+            assert_shown(output, run(command, tmp_path, bare=True))
     text = "".join(fenced(README, "python"))
-    test = doctest.DocTestParser().get_doctest(text, {}, "README.md", "README.md", 0)
-    assert len(test.examples) > 8
-    runner = doctest.DocTestRunner(optionflags=OPTIONS)
-    runner.run(test)
-    assert runner.failures == 0
-
-
-#: Commands that take seconds; ``test_cli`` and ``test_studies`` run them in their own process.
-LONG = ("spragsym check", "spragsym report", "spragsym bifurcation --plot")
-
-
-@pytest.mark.parametrize(
-    "command",
-    [
-        pytest.param(command, marks=pytest.mark.thorough) if command.startswith(LONG) else command
-        for command, _ in commands(README)
-        if not command.startswith("make ")
-    ],
-)
-def test_readme_commands(command: str, tmp_path: Path) -> None:
-    assert_shown(dict(commands(README))[command], run(command, tmp_path))
+    assert text.count(">>> ") > 8
+    (tmp_path / "readme.txt").write_text(text, encoding="utf-8")
+    run("python -m doctest -o ELLIPSIS -o NORMALIZE_WHITESPACE readme.txt", tmp_path, bare=True)
 
 
 def test_readme_links_and_numbers() -> None:

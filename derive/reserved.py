@@ -5,12 +5,12 @@ from __future__ import annotations
 #: What results of models and columns of their files are called; for coordinates and parameters alike.
 RESULTS = frozenset((
     "after", "amplitude", "angles", "as_table", "between", "columns", "complete", "contact", "contact_lost", "coordinates", "count",
-    "criticality", "crossing", "crossing_error", "cycle", "damped_eigenvalues", "cycle_mean", "cycle_rms", "decided", "distance",
-    "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "growth", "held_in", "jumps", "kind", "largest", "lyapunov",
-    "lyapunov_error", "marginal", "mean", "measured", "model", "mu", "normal_forms", "omega", "parameters", "period", "places", "pushing",
-    "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability",
-    "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "table_varied", "told", "undecided", "values",
-    "vary", "when", "whole", "why", "xp",
+    "criticality", "crossing", "crossing_error", "cycle", "damped_eigenvalues", "cycle_mean", "cycle_rms", "data", "decided",
+    "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "growth", "held_in", "jumps", "kind", "largest",
+    "lyapunov", "lyapunov_error", "marginal", "mean", "measured", "model", "mu", "normal_forms", "offered", "omega", "parameters", "period", "places", "plot",
+    "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability",
+    "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "table_varied",
+    "to_dataframe", "to_xarray", "told", "undecided", "values", "vary", "when", "whole", "why", "xp",
 ))  # fmt: skip
 
 #: What else a motion and its sweep are asked for; a coordinate would hide it.

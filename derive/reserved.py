@@ -32,17 +32,17 @@ WORDS = frozenset((
 #: What the commands of a model call their options, and the values of these: `spragsym folds --vary`. A test holds this list against them.
 OF_COMMANDS = frozenset((
     "backend", "data", "diagram", "digits", "error", "estimate_error", "force", "help", "json", "json_output", "method",
-    "model", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "t_end", "transient", "undamped", "vary", "whole", "within", "workers",
+    "model", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "state", "t_end", "transient", "undamped", "vary", "whole", "within", "workers",
 ))  # fmt: skip
 
 #: What sets of parameters have besides their values.
 OF_SETS = frozenset((
-    "broadcast", "given", "model", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned", "table_angles",
+    "broadcast", "followed", "following", "given", "model", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned", "table_angles",
     "table_codes", "table_model", "table_values", "table_varied", "where",
 ))  # fmt: skip
 
 #: Keys of a file with a user's own data, where quantities stand by their names on the page.
-OF_FILES = frozenset(("begin", "correlation", "friction", "model", "vary"))
+OF_FILES = frozenset(("begin", "correlation", "friction", "model", "state", "vary"))
 
 #: What generated functions call what they are made of.
 OF_CODE = frozenset((

@@ -15,7 +15,7 @@ from ..errors import ParameterError, SpragsymError
 from ..models.catastrophe.paths import first_end
 from ..models.catastrophe.points import ranges
 from ..progress import show_progress
-from .of_model import Case, method, of_model
+from .of_model import Case, followed, following, method, of_model
 from .options import as_json
 from .spans import Span, Typed, span, vary
 from .states import placed
@@ -27,9 +27,10 @@ LEAST = 2.0**-1022
 
 @of_model(statics=True)
 @vary("What moves: a parameter, with --data a quantity of the file too; with a range, from its first end on. Default: {last}.")
+@followed
 @method
 @as_json
-def critical(case: Case, vary: Typed | None, json_output: bool) -> None:
+def critical(case: Case, vary: Typed | None, near: tuple[str, ...], json_output: bool) -> None:
     """Where the state of small deformation jumps first as one parameter moves, and the frictions that decide whether it can.
 
     Friction and inclination rise from their lower end; the others move up and down from their value, at a friction at which
@@ -46,7 +47,7 @@ def critical(case: Case, vary: Typed | None, json_output: bool) -> None:
     """
     along = span(case, vary, case.model.axes[-1])
     from_end = along.name in case.model.axes or along.ends is not None
-    p = case.set(*([along.name] if from_end else []))
+    p = following(case, case.set(*([along.name] if from_end else [])), near)
     with show_progress(f"following the state along {along.name}"):
         frictions, remarks = _frictions(case, p)
         jumped = (
@@ -88,7 +89,7 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str,
     found: tuple[float, str, Mapping[str, float], float] | None = None
     if jumped:
         searched = (math.nan, math.nan)
-    elif case.has_closed("first_ends") and along.ends is None and entry["role"] == "both":
+    elif case.has_closed("first_ends") and p.followed is None and along.ends is None and entry["role"] == "both":
         searched = (-math.inf, math.inf)
         at = float(ss.jump_value(p, name, direction=way))
         if math.isfinite(at):

@@ -199,6 +199,27 @@ def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:
     return command(cls=OfModel, **options)
 
 
+def followed(function: F) -> F:
+    """``--state``."""
+    text = "Follow the stable state nearest to this coordinate, as x=1.6, in place of the reference state; may be repeated."
+    return click.option("--state", "near", metavar="NAME=VALUE", multiple=True, help=text)(function)
+
+
+def following(case: Case, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
+    """A set of parameters that follows the state that ``--state`` chose, if it did."""
+    chosen = {}
+    for word in near:
+        name, _, value = word.partition("=")
+        known = case.model.coordinates
+        try:
+            chosen[name] = float(value) / case.units.state(name) if name in known else math.nan
+        except ValueError:
+            chosen[name] = math.nan
+        if not math.isfinite(chosen[name]):
+            raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {', '.join(known)}")
+    return p.following(**chosen) if chosen else p
+
+
 def method(function: F) -> F:
     """``--method``."""
     return click.option("--method", type=click.Choice(["closed", "search"]), help=METHOD)(function)

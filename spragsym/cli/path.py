@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from ..progress import show_progress
-from .of_model import Case, method, of_model
+from .of_model import Case, followed, following, method, of_model
 from .options import as_json
 from .spans import Typed, span, vary
 from .states import placed
@@ -16,9 +16,10 @@ from .tables import print_json, print_table
 
 @of_model(statics=True)
 @vary("What moves, and from where to where, as mu0=0:0.9, or mu0=0.9:0:19 for 19 values; with --data a quantity of the file too.")
+@followed
 @method
 @as_json
-def path(case: Case, vary: Typed | None, json_output: bool) -> None:
+def path(case: Case, vary: Typed | None, near: tuple[str, ...], json_output: bool) -> None:
     """The state of small deformation, followed as one parameter moves: where it goes and where it jumps.
 
     \b
@@ -26,6 +27,7 @@ def path(case: Case, vary: Typed | None, json_output: bool) -> None:
       spragsym path --theta0 40 --vary mu0=0:0.9
       spragsym path --data brake.toml --vary theta0=10:80
       spragsym path --model two_springs --vary theta0=10:80:8
+      spragsym path --model sprag_rod --theta0 30 --vary mu0=0:0.7 --state phi=-28
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
@@ -35,7 +37,7 @@ def path(case: Case, vary: Typed | None, json_output: bool) -> None:
         raise click.UsageError(f"--vary: from where to where? Give it as {asked}=FROM:TO")
     along = span(case, vary, "", values=True)
     with show_progress(f"following a state along {along.name}"):
-        found = case.model.quasi_static_path(case.set(along.name), along.name, along.values, **case.ask)
+        found = case.model.quasi_static_path(following(case, case.set(along.name), near), along.name, along.values, **case.ask)
     growth, per = case.units.rate("growth")
     states = [
         {

@@ -47,6 +47,7 @@ class Design:
     made: Callable[[Mapping[str, float]], Any]
     of_model: type[ParameterSet]
     begins: Callable[[Mapping[str, Any]], Any] | None = None
+    followed: Mapping[str, float] | None = None  #: coordinates near which the followed state begins
 
     def of(self, model: Any) -> Design:
         """The same design for the model without closed forms, or for the one that has them."""
@@ -66,6 +67,11 @@ class Space:
     def of_model(self) -> type[ParameterSet]:
         """The class of the model's sets."""
         return self.design.of_model
+
+    @property
+    def followed(self) -> Mapping[str, float] | None:
+        """Coordinates near which the followed state begins; None for the reference state."""
+        return self.design.followed
 
     def of(self, model: Any) -> Space:
         """The same designs for the model without closed forms, or for the one that has them."""
@@ -87,7 +93,8 @@ class Space:
 
     def sets(self, z: FloatArray) -> ParameterSet:
         """The same as a set of the model, of the shape of z without its last axis."""
-        return self.design.of_model(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
+        p = self.design.of_model(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
+        return p if self.followed is None else p.following(**self.followed)
 
     def begin(self, z: FloatArray, usual: float) -> Any:
         """Where what rises begins in designs z: as the design says, or as usual."""
@@ -151,7 +158,7 @@ def _design(base: ParameterSet | PhysicalParameters) -> Design:
         return Design(given, ranges, dimensionless, lambda changed: replace(base, **changed), Parameters)
     names = NAMES if isinstance(base, Parameters) else tuple(base.ranges)
     given = dict(zip(names, base.scalars(*names), strict=True))
-    return Design(given, base.ranges, dict, lambda changed: base.replace(**changed), type(base))
+    return Design(given, base.ranges, dict, lambda changed: base.replace(**changed), type(base), followed=base.followed)
 
 
 def dimensionless(values: Mapping[str, Any]) -> dict[str, Any]:

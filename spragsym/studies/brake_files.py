@@ -36,6 +36,7 @@ class BrakeFile:
     fit: FrictionFit | None = None
     correlation: Correlation = field(default_factory=dict)
     rise: Rise | None = None
+    state: Mapping[str, float] = field(default_factory=dict)  #: coordinates in SI near which the followed state begins
 
 
 class _Lines:
@@ -66,7 +67,8 @@ def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Brake
     path : path
         A TOML file with one table, ``[brake]``: for each quantity a text with number, unit and, if it has one, a tolerance; and
         ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together; and ``vary = "F_L"`` where not the friction but a
-        quantity rises until the state jumps, with ``begin = "10 N"`` if not from its least value.
+        quantity rises until the state jumps, with ``begin = "10 N"`` if not from its least value; and
+        ``state = { phi = "-28 deg" }`` where another state than the reference state is followed.
     trust : bool or str
         Whether the code of a model's folder may run that the file names, or the one folder whose code may.
 
@@ -82,7 +84,7 @@ def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Brake
     model = _model(table, lines, trust)
     units = brake_quantities.quantity_units(model)
     measured, together, rising = table.pop("friction", None), table.pop("correlation", None), table.pop("vary", None)
-    begin = table.pop("begin", None)
+    begin, chosen = table.pop("begin", None), table.pop("state", {})
     _check_names(table, units, model, lines)
     ranges = brake_quantities.ranges(model)
     found = {key: _quantity(key, table[key], units[key], ranges[key], lines) for key in units if key in table}
@@ -91,7 +93,7 @@ def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Brake
         found, fit = _with_friction(measured, found, units, Path(path), lines)
     _check_complete(found, units, model, lines)
     rise = _rise(rising, begin, model, found, lines)
-    return BrakeFile(name, model, found, fit, _correlation(together, found, fit, lines), rise)
+    return BrakeFile(name, model, found, fit, _correlation(together, found, fit, lines), rise, _state(chosen, model, lines))
 
 
 def _table(text: str, lines: _Lines) -> dict[str, Any]:
@@ -153,7 +155,7 @@ def _model(table: dict[str, Any], lines: _Lines, trust: bool | str) -> str:
 
 
 def _check_names(table: Mapping[str, Any], units: Mapping[str, str], model: str, lines: _Lines) -> None:
-    known = [*units, "friction", "correlation", "model", "vary", "begin"]
+    known = [*units, "friction", "correlation", "model", "vary", "begin", "state"]
     for key, value in table.items():
         if key not in known:
             remark = hint(key, known) or f"; the keys are {', '.join(known)}"
@@ -225,6 +227,15 @@ def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | N
     except ParameterError as error:
         raise ParameterError(f"{where}: {error}") from error
     return result
+
+
+def _state(given: Any, model: str, lines: _Lines) -> dict[str, float]:
+    """Coordinates in SI near which the followed state begins."""
+    units = {entry["name"]: entry["unit"] for entry in brake_quantities.about(model)["coordinates"]}
+    example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
+    if not isinstance(given, dict) or not set(given) <= set(units):
+        raise ParameterError(f"{lines.of('state')}: state = {given!r} does not name coordinates; write state = {{ {example} }}")
+    return {name: _quantity(name, text, units[name], FINITE, lines).value for name, text in given.items()}
 
 
 def _rise(vary: Any, begin: Any, model: str, found: Mapping[str, Measured], lines: _Lines) -> Rise | None:

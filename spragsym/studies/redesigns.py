@@ -100,6 +100,7 @@ def design(study: Study) -> Design:
         dict,
         model.Parameters,
         None if rises.of(study).is_friction else lambda values: rises.along(study, values)["begin"],
+        study.dimensionless.followed,
     )
 
 

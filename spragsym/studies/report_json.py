@@ -56,6 +56,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "jump": None if report.peak is None else _peak_json(report, report.peak),
         "verdict": report.verdict, "folds": [_fold_json(report, row) for row in fold_rows(report)],
         "vary": report.vary, "jump_at": _told(report, report.jump_at),
+        "other_states": [place | {"ends_at": _told(report, end)} for place, end in report.others],
     }  # fmt: skip
 
 

@@ -24,7 +24,7 @@ from .jump_verdicts import BoxCertificate, Chance, bracket, certificate, chance
 from .jumps import JumpPeak, jump_peak
 from .oscillations import Oscillation, oscillation_of
 from .redesigns import Change, changes, distance
-from .states import State, current, states
+from .states import State, current, others, states
 from .study import Study
 from .tolerances import varied
 
@@ -60,6 +60,8 @@ class Report(Result):
         The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that is not known.
     states : tuple of State
         All states in contact.
+    others : tuple of (dict, float or None)
+        Other stable states at the design, by coordinate and unit, and where each ends as what rises goes on; NaN if nowhere.
     complete : bool
         Whether states and folds along what rises are proved to be all there are.
     folds : dict of str to Points
@@ -95,6 +97,7 @@ class Report(Result):
     margin_percent: float | None
     distance: float
     states: tuple[State, ...]
+    others: tuple[tuple[dict[str, float], float | None], ...]
     complete: bool
     folds: Mapping[str, Points]
     oscillation: Oscillation | None
@@ -242,7 +245,7 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     theta0_jump, lowest, mu_cusp = asked.angle(at), asked.lowest(p), asked.cusp(p)
     eq = ss.equilibria(at)
     here = asked.known("the state that the brake is in is", lambda: current(study, eq))
-    found = states(study, eq, here)
+    found, beside = states(study, eq, here), others(study, eq, here)
     if here is None and rise is None:
         asked.remarks.append("which of the states the brake is in is not known: nothing is said to rise to where it is")
     if not eq.complete:
@@ -285,7 +288,7 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
         vary=None if rise is None else rise.quantity, jump_at=jump, mu_jump=jump if of_friction else None,
         theta0_jump_deg=theta0_jump, mu0_jump=value if of_friction else None,
         mu_lowest=lowest[0], theta0_lowest_deg=lowest[1], kind_lowest=lowest[2], mu_cusp=mu_cusp, mu_effective=friction[1],
-        margin_percent=margin, distance=math.nan if nearest is None else nearest, states=found, folds=turns,
+        margin_percent=margin, distance=math.nan if nearest is None else nearest, states=found, others=beside, folds=turns,
         oscillation=lives, certificate=reached,
         complete=bool(eq.complete and (rise is None or (rise.name in turns and turns[rise.name].complete))),
         probability=odds, redesign=changed, needed=needed, target=target, peak=peak, facts=so,

@@ -200,7 +200,7 @@ def risen(study: Study, values: Mapping[str, Any], target: float | None) -> Any:
     rise, model = of(study), load(study.model)
     if target is not None and not rise.is_friction:
         values = {**values, rise.quantity: target}
-    p, _ = brake_quantities.dimensionless(study.model, values)
+    p = study.placed(brake_quantities.dimensionless(study.model, values)[0])
     if "mu0" in model.parameters:
         at_speed = friction.law_of(study) == "friction_at_speed"
         works = p.mu0 * (brake_quantities.share(model, p) if at_speed else 1.0)

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 
+import spragsym as ss
+
 from ..display import Result
 from ..dynamics import forces
+from ..errors import SpragsymError
 from ..models.mechanics.balance import Balance
 from ..models.statics.stability import linearization, roots
 from ..names import hint
@@ -85,6 +89,24 @@ def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
     ]
     nearest = min(slots, key=off.__getitem__, default=-1)
     return tuple(_state(study, eq, slot, slot == nearest and off[slot] < SAME) for slot in slots)
+
+
+def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[tuple[dict[str, float], float | None], ...]:
+    """Other stable states of ``eq`` than the one that is ``here``: each place in units, and where it ends as what rises goes on.
+
+    Where it ends is told as the jump is; NaN where it does not, None where that is not known, or nothing rises.
+    """
+    at, rise, found = study.at_work, study.rise, []
+    for slot in range(int(eq.count) if here is not None else 0):
+        place = {name: float(column[slot]) for name, column in eq.coordinates.items()}
+        if eq.stability[slot] != Stability.STABLE or max(abs(place[name] - here[name]) for name in place) < SAME:  # type: ignore[index]
+            continue
+        end = None
+        if rise is not None:
+            with suppress(SpragsymError):
+                end = rises.told(study, float(ss.jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
+        found.append((place_in_units(study, place), end))
+    return tuple(found)
 
 
 def current(study: Study, eq: Equilibria) -> dict[str, float] | None:

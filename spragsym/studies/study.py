@@ -50,6 +50,8 @@ class Study:
         The quantity that rises until the state jumps, where that is not the friction: a load, a stiffness, an angle.
     begin : float, optional
         From where it rises, in SI, instead of its least value.
+    state : mapping of str to float, optional
+        Coordinates in SI near which the state begins that is followed, in place of the reference state, as ``{"phi": -0.5}``.
 
     Attributes
     ----------
@@ -74,6 +76,7 @@ class Study:
     def __init__(
         self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,
         correlation: Correlation | None = None, *, model: str = USUAL, vary: str | None = None, begin: float | None = None,
+        state: Mapping[str, float] | None = None,
     ) -> None:  # fmt: skip
         units, ranges = brake_quantities.quantity_units(model), brake_quantities.ranges(model)
         given = _given(parameters, model, ranges)
@@ -86,6 +89,8 @@ class Study:
         }
         self.model, self.source, self.fit, self.correlation = model, "", None, dict(correlation or {})
         self.rise = rises.rise_of(model, vary, begin, self.values)
+        self.state = dict(state or {})
+        self.placed(self.dimensionless)
         dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
 
     @classmethod
@@ -101,7 +106,7 @@ class Study:
         """The study of what was read from a file."""
         study = cls.__new__(cls)
         study.quantities, study.model, study.source = data.quantities, data.model, Path(data.path).name
-        study.fit, study.correlation, study.rise = data.fit, data.correlation, data.rise
+        study.fit, study.correlation, study.rise, study.state = data.fit, data.correlation, data.rise, data.state
         return study
 
     def changed(self, after: Mapping[str, float]) -> Study:
@@ -114,7 +119,7 @@ class Study:
         study = Study.__new__(Study)
         study.quantities = quantities
         study.model, study.source, study.fit, study.correlation = self.model, self.source, self.fit, self.correlation
-        study.rise = self.rise
+        study.rise, study.state = self.rise, self.state
         if study.rise is not None:
             rises.check(study.rise, study.values)
         return study
@@ -124,6 +129,7 @@ class Study:
     fit: FrictionFit | None
     correlation: Correlation
     rise: Rise | None
+    state: Mapping[str, float]
 
     @property
     def unbounded(self) -> tuple[str, ...]:
@@ -155,7 +161,14 @@ class Study:
     @cached_property
     def dimensionless(self) -> Any:
         """The dimensionless parameters at the operating point, with the friction μ₀."""
-        return brake_quantities.dimensionless(self.model, self.values)[0]
+        return self.placed(brake_quantities.dimensionless(self.model, self.values)[0])
+
+    def placed(self, p: Any) -> Any:
+        """A set of parameters that follows the state that was chosen, if one was."""
+        units = brake_quantities.bases(self.model, self.values)
+        si = {entry["name"]: entry["unit"] for entry in self.about["coordinates"]}
+        near = {name: value / brake_quantities.scale_of(si.get(name, "1"), units) for name, value in self.state.items()}
+        return p.following(**near) if near else p
 
     @cached_property
     def at_work(self) -> Any:

@@ -31,7 +31,31 @@ if TYPE_CHECKING:
 
 def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     """Whether it sprags, at what friction, and how far that is; then, where it swings or grows, a sentence on that."""
-    return f"{_on_the_jump(study, parts)}{_on_the_motion(parts)}"
+    return f"{_on_the_jump(study, parts)}{_on_others(study, parts)}{_on_the_motion(parts)}"
+
+
+def _on_others(study: Study, parts: Mapping[str, Any]) -> str:
+    """Which other states are stable at the design, and where each ends."""
+    told = []
+    for place, end in parts["others"]:
+        where = ", ".join(f"{name.rpartition('_')[0]} = {value:.4g} {name.rpartition('_')[2]}" for name, value in place.items())
+        until = "" if end is None or study.rise is None else (
+            f", at any {rises.looked(study)}" if math.isnan(end) else f", until {rises.named(study, end)}"
+        )  # fmt: skip
+        told.append(where + until)
+    return f" At the design another state is stable: {'; and '.join(told)}." if told else ""
+
+
+def followed_state(study: Study) -> str:
+    """What the state is called that is followed."""
+    if not study.state:
+        return "the state of small deformation"
+    units = {entry["name"]: entry["unit"] for entry in study.about["coordinates"]}
+    near = ", ".join(
+        f"{name} = {math.degrees(value):.4g} deg" if units[name] == "rad" else f"{name} = {1e3 * value:.4g} mm"
+        for name, value in study.state.items()
+    )
+    return f"the state chosen near {near}"
 
 
 def _on_the_motion(parts: Mapping[str, Any]) -> str:
@@ -57,7 +81,7 @@ def _on_the_jump(study: Study, parts: Mapping[str, Any]) -> str:
     (low, _, high), full, jump = so.working, so.full[2], so.jump
     rise = study.rise
     model = "" if study.model == USUAL else f" with the model {study.about['name']}"
-    state = "the state of small deformation"
+    state = followed_state(study)
     if "theta0" in study.quantities and (rise is None or rise.name != "theta0"):
         state = f"at {study.shown('theta0', study.values['theta0'])} {state}"
     if jump is None or rise is None:
@@ -276,7 +300,7 @@ def _state(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _name(report: Report, state: State) -> str:
-    here = "the state it jumped to" if report.facts.jumped else "the state of small deformation"
+    here = "the state it jumped to" if report.facts.jumped else followed_state(report.study)
     if report.jump_at is None:
         here = "the state"
     return here if state.current else "another state"

@@ -36,7 +36,7 @@ def corners(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
         given = study.quantities[base]
         if of and given.low < given.high:
             units[f"{base}/{base}_0"] = Unit(*outward(given.low, given.high, study.values[base], ROUNDED), of)
-    return model.Parameters(**low), model.Parameters(**high), units
+    return study.placed(model.Parameters(**low)), model.Parameters(**high), units
 
 
 def sides(study: Study) -> dict[str, tuple[str, float]]:

@@ -47,7 +47,7 @@ KEYS = [
     "margin_percent", "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation",
     "certificate",
     "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump", "verdict", "folds",
-    "vary", "jump_at",
+    "vary", "jump_at", "other_states",
 ]  # fmt: skip
 
 

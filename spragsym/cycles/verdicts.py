@@ -130,7 +130,9 @@ def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: f
         return _followed(field, values, start, t_end, backend)
     except ConvergenceError as failed:
         none = np.full(field.size, np.nan)
-        return Fate("undecided", f"{UNFOLLOWED}: {failed}", 0.0, Outcome(), none, none, -1, float("inf"), "", start)
+        return Fate(
+            "undecided", f"{UNFOLLOWED}: {failed}", 0.0, Outcome(names=field.components), none, none, -1, float("inf"), "", start
+        )
 
 
 def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None) -> Fate:
@@ -148,7 +150,7 @@ def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end:
             return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
         except ConvergenceError as failed:
             why = f"{why}, which Newton's method does not find again: {failed}"
-            return Fate("undecided", why, verdict.t, Outcome(), none, none, -1, scale, "", verdict.end)
+            return Fate("undecided", why, verdict.t, Outcome(names=field.components), none, none, -1, scale, "", verdict.end)
     rates = rates_along(field, fly, values, verdict.end, SHARES[0] * t_end)
     why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
     if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long

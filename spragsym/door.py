@@ -34,14 +34,11 @@ from .questions import is_chosen, of
 from .questions import model_of as _model_of
 
 #: Public functions that are asked of a model.
-INTERFACE = frozenset((
-    "flutter_boundary", "bifurcation_set", "surface",
-    "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
-))  # fmt: skip
+INTERFACE: frozenset[str] = frozenset()
 #: Steps on the way to answers: compiled code that integrates a motion, the equilibrium that one rests at, whether one that is
 #: above the belt stays there, which states lie on one branch, whether they have ended at their friction, what is known to any
 #: number of digits, and points that show what the model does.
-PARTS = frozenset(("cases", "integrate", "rest_index", "aloft", "linked", "precise_equilibria", "precise_cusps"))
+PARTS = frozenset(("cases", "integrate", "aloft", "precise_equilibria", "precise_cusps"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeAlias, TypeVar
 
 from .errors import ModelError, ParameterError, ParameterTypeError
-from .parameters import ParameterSet
+from .parameters import Parameters, ParameterSet
 
 if TYPE_CHECKING:
     from .models.model import Model
@@ -60,6 +60,22 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         return general(*args, **options)
 
     return ask
+
+
+def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """A function that is there for the article's model only: another model's set is an error that says what to ask instead."""
+
+    def only(own: Callable[P, R]) -> Callable[P, R]:
+        @functools.wraps(own)
+        def ask(*args: P.args, **options: P.kwargs) -> R:
+            model = model_of(*args, *options.values())
+            if not issubclass(model.Parameters, Parameters):
+                raise ModelError(f"{own.__name__} is not there yet for the model {model.name}; {instead}")
+            return own(*args, **options)
+
+        return ask
+
+    return only
 
 
 def model_of(*things: Any) -> Model:

@@ -47,7 +47,7 @@ def _at(degrees: Any, **changes: Any) -> Parameters:
 
 
 def _jumps(p: Parameters, vary: str, values: FloatArray, start: str | int = "small") -> tuple[Jump, ...]:
-    jumps: tuple[Jump, ...] = _MODEL.quasi_static_path(p, vary, values, start=start).jumps
+    jumps: tuple[Jump, ...] = ss.quasi_static_path(p, vary, values, start=start).jumps
     return jumps
 
 
@@ -58,16 +58,16 @@ _RISING = np.radians(np.linspace(0.1, 179.9, 361))
 
 
 def linear_critical() -> Found:
-    value = float(_MODEL.linear_critical_friction(_article()))
+    value = float(ss.linear_critical_friction(_article()))
     return Found(0.005 < 0.58 - value <= 0.01, {"mu_cr": value, "0.58 - mu_cr": 0.58 - value})
 
 
 def linear_bounded() -> Found:
-    critical = float(_MODEL.linear_critical_friction(_article()))
+    critical = float(ss.linear_critical_friction(_article()))
     frictions = critical * np.append(np.linspace(0.0, 0.999, 200), 1 - 1e-9)
-    model = _MODEL.linear_sprag(_at(_GRID, mu0=frictions[:, None]))
+    model = ss.linear_sprag(_at(_GRID, mu0=frictions[:, None]))
     peak = minimize_scalar(
-        lambda angle: -float(_MODEL.linear_sprag(_article(theta0=angle)).x), bounds=(1.2, 1.5), method="bounded",
+        lambda angle: -float(ss.linear_sprag(_article(theta0=angle)).x), bounds=(1.2, 1.5), method="bounded",
         options={"xatol": 1e-10},
     )  # fmt: skip
     holds = bool(np.isnan(model.poles).all() and (model.determinant > 0).all() and (model.y < 0).all())
@@ -75,16 +75,16 @@ def linear_bounded() -> Found:
 
 
 def linear_poles() -> Found:
-    poles = np.sort(_MODEL.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
-    outside = _MODEL.linear_sprag(_article(theta0=poles + np.array([-1e-9, 1e-9]), mu0=0.7))
+    poles = np.sort(ss.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
+    outside = ss.linear_sprag(_article(theta0=poles + np.array([-1e-9, 1e-9]), mu0=0.7))
     return Found(bool((-outside.y > 1e5).all()), {"poles_deg": _deg(poles)})
 
 
 def no_linear_sliding() -> Found:
-    low, high = np.sort(_MODEL.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
+    low, high = np.sort(ss.linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
     share = np.linspace(1e-6, 1 - 1e-6, 1001)
-    between = _MODEL.linear_sprag(_article(theta0=low + (high - low) * share, mu0=0.7))
-    outside = _MODEL.linear_sprag(_article(theta0=np.concatenate([low * share, high + (math.pi - high) * share]), mu0=0.7))
+    between = ss.linear_sprag(_article(theta0=low + (high - low) * share, mu0=0.7))
+    outside = ss.linear_sprag(_article(theta0=np.concatenate([low * share, high + (math.pi - high) * share]), mu0=0.7))
     holds = bool((between.y > 0).all() and (between.determinant < 0).all() and (outside.y < 0).all())
     return Found(holds, {"from_deg": float(_deg(low)), "to_deg": float(_deg(high))})
 
@@ -94,7 +94,7 @@ def _linear_gap(angle: Any, mu0: float) -> FloatArray:
     p = _article(theta0=angle, mu0=mu0)
     x = ss.equilibria(p).x
     near = np.take_along_axis(x, np.nanargmin(np.abs(x), axis=-1)[..., None], axis=-1)[..., 0]
-    gap: FloatArray = np.abs(_MODEL.linear_sprag(p).x - near) / np.abs(near) - 0.1
+    gap: FloatArray = np.abs(ss.linear_sprag(p).x - near) / np.abs(near) - 0.1
     return gap
 
 
@@ -201,7 +201,7 @@ def jump_rising() -> Found:
 
 def no_jump_falling() -> Found:
     p = _article(mu0=0.7)
-    back = _MODEL.quasi_static_path(p, "theta0", _RISING[::-1], start="small")
+    back = ss.quasi_static_path(p, "theta0", _RISING[::-1], start="small")
     other = _jumps(p, "theta0", _RISING[::-1], start="large")
     ends = sorted((int(np.argmin(back.x)), int(np.argmax(back.x))))
     rises = bool((np.diff(back.x[slice(*ends)]) > 0).all()) and back.values[ends[1]] < np.radians(2.0)
@@ -225,14 +225,14 @@ def must_jump() -> Found:
 
 @cache
 def _critical_value(name: str, bracket: tuple[float, float]) -> float:
-    return float(_MODEL.critical_value(_article(), name, bracket))
+    return float(ss.critical_value(_article(), name, bracket))
 
 
 def family_row(name: str, value: float, bracket: tuple[float, float], jumps: bool) -> Callable[[], Found]:
     def compute() -> Found:
         p = _article(**{name: value})
         found = _jumps(p, "theta0", _RISING)
-        lowest, cusp = float(_MODEL.critical_friction(p)), float(_MODEL.cusp_friction(p))
+        lowest, cusp = float(ss.critical_friction(p)), float(ss.cusp_friction(p))
         critical = _critical_value(name, bracket)
         values: dict[str, Value] = {"mu_lowest": lowest, "mu_cusp": cusp, f"critical {name}": critical}
         if found:
@@ -276,14 +276,14 @@ def sheets() -> Found:
     stable, divergent = Stability.STABLE, Stability.DIVERGENT
     three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
     one = (eq.stability[eq.count == 1][:, 0] == stable).all()
-    lowest = float(_MODEL.flutter_boundary(_article()).mu0.min())
+    lowest = float(ss.flutter_boundary(_article()).mu0.min())
     holds = bool(three and one and lowest > MU0_MAX)
     return Found(holds, {"lowest mu0 with flutter": float(f"{lowest:.4g}")})
 
 
 def hopf() -> Found:
     p = _article(sigma=1.0)
-    lowest = float(_MODEL.flutter_boundary(p).mu0.min())
+    lowest = float(ss.flutter_boundary(p).mu0.min())
     onset = ss.flutter_onsets(p, damping=False)
     at = ss.equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
     frequencies = np.sort(at.eigenvalues[[0, 1], onset.branch].imag, axis=-1)[:, -2:]
@@ -299,7 +299,7 @@ def hopf() -> Found:
 
 def separates() -> Found:
     counts = set()
-    for curve in _MODEL.bifurcation_set(_article()).curves:
+    for curve in ss.bifurcation_set(_article()).curves:
         rows = (curve.mu0 > 0.01) & (curve.mu0 < MU0_MAX) & (np.abs(curve.mu0 - 0.2009) > 0.002)
         side = 1e-7 * np.array([-1.0, 1.0])[:, None]
         count = ss.equilibria(_article(theta0=curve.theta0[rows], mu0=curve.mu0[rows] + side)).count
@@ -327,8 +327,8 @@ def hysteresis() -> Found:
 
 def no_return() -> Found:
     values = np.linspace(0.0, MU0_MAX, 201)
-    up = _MODEL.quasi_static_path(_at(40.0), "mu0", values)
-    back = _MODEL.quasi_static_path(_at(40.0), "mu0", values[::-1], start="large")
+    up = ss.quasi_static_path(_at(40.0), "mu0", values)
+    back = ss.quasi_static_path(_at(40.0), "mu0", values[::-1], start="large")
     (jump,) = up.jumps
     below = closed_folds(_at(40.0), "mu0", negative_friction=True).mu0
     holds = not back.jumps and abs(back.x[0] - up.x[-1]) < 1e-9 and back.x[-1] > 1 > up.x[0]
@@ -404,5 +404,5 @@ def reference_12() -> Found:
 
 def reference_10() -> Found:
     """A path at constant θ₀ does not appear in Figure 10, where the friction is constant and θ₀ is the axis."""
-    path = _MODEL.quasi_static_path(_at(60.0), "mu0", np.linspace(0.0, MU0_MAX, 11))
+    path = ss.quasi_static_path(_at(60.0), "mu0", np.linspace(0.0, MU0_MAX, 11))
     return Found(path.vary == "mu0" and bool(np.ptp(path.values) > 0), {"what varies along a-a'": path.vary})

@@ -145,12 +145,12 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     def cusp() -> float | None:
         if not plane:
             raise ParameterError(f"{model.name} has not both theta0 and mu0")
-        return float(model.cusp_friction(p, **ask))
+        return float(ss.cusp_friction(p, **ask))
 
     def fold() -> Any:
         if not plane:
             raise ParameterError(f"{model.name} has not both theta0 and mu0")
-        found = model.critical_friction(p, **ask)
+        found = ss.critical_friction(p, **ask)
         remarks.extend(f"mu0_lowest: {text}" for text in found.remarks)
         return found if found.complete else None
 
@@ -159,7 +159,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
         "mu0_jump": told("mu0_jump", jump), "mu0_lowest": None if lowest is None else float(lowest),
         "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),
         "kind_lowest": None if lowest is None else lowest.kind or None, "mu0_cusp": told("mu0_cusp", cusp),
-        "mu_cr": told("mu_cr", lambda: float(model.linear_critical_friction(p))),
+        "mu_cr": told("mu_cr", lambda: float(ss.linear_critical_friction(p))),
     }, case.units.said(remarks)  # fmt: skip
 
 

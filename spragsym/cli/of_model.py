@@ -48,7 +48,7 @@ class Case:
     values: dict[str, Any]
     start: dict[str, Any]
     units: Units
-    ask: dict[str, str]
+    ask: dict[str, Any]
 
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
         """The parameters; those that vary need no value."""

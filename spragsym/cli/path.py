@@ -6,6 +6,8 @@ from typing import Any
 
 import click
 
+import spragsym as ss
+
 from ..progress import show_progress
 from .of_model import Case, followed, following, method, of_model
 from .options import as_json
@@ -37,7 +39,7 @@ def path(case: Case, vary: Typed | None, near: tuple[str, ...], json_output: boo
         raise click.UsageError(f"--vary: from where to where? Give it as {asked}=FROM:TO")
     along = span(case, vary, "", values=True)
     with show_progress(f"following a state along {along.name}"):
-        found = case.model.quasi_static_path(following(case, case.set(along.name), near), along.name, along.values, **case.ask)
+        found = ss.quasi_static_path(following(case, case.set(along.name), near), along.name, along.values, **case.ask)
     growth, per = case.units.rate("growth")
     states = [
         {

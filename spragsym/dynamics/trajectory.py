@@ -198,7 +198,9 @@ class Trajectory(Recorded):
         return prepared
 
     def _identified(self, found: Outcome) -> Outcome:
-        return replace(found, equilibrium=int(self.model.rest_index(self.p, np.array(found.rest)))) if found.rest else found
+        from ..models.statics.search import rest_index  # a room above this one
+
+        return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
 
     def _event_counts(self) -> NDArray[np.intp]:
         """How often each kind of event happened, from the samples alone, which include all events."""

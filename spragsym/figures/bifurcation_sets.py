@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+import spragsym as ss
+
 from ..assumed import MU0_RANGE
 from ..parameters import FloatArray, Parameters, ParameterSet
 from ..results.equilibria import Stability
 from . import surfaces
-from .captions import BASE_TEXT, HIDDEN_TEXT, MODEL, PATHS_DEG, RANGE_TEXT
+from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import passages
 from .hidden import Cover
 from .planes import draw_bifurcation_set, draw_regions
@@ -83,7 +85,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     figure = Sheet(figsize=(DOUBLE, 3.3))
     space, plane = space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95), figure.add_axes((0.64, 0.16, 0.345, 0.74))
     p = Parameters.article(sigma=1.0)
-    onsets = MODEL.flutter_boundary(p)
+    onsets = ss.flutter_boundary(p)
     cover, folded = draw_surface(space, p, detail)
     tables = {"a": folded, "a_flutter": draw_flutter(space, onsets, MU0_RANGE, cover)}
     tables["b"] = draw_plane(plane, p)
@@ -107,7 +109,7 @@ def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, 
     """Fold curves of any model over (θ₀, μ₀), on ``n`` lines if by search; by closed forms the regions between them shaded."""
     model = p.model
     closed = "bifurcation_set" in model.closed
-    found = model.bifurcation_set(p, model.two(None), **({} if closed else {"n": n, "between": {"mu0": mu0}}))
+    found = ss.bifurcation_set(p, model.two(None), None if closed else n, between=None if closed else {"mu0": mu0})
     if closed:
         draw_regions(ax, p, mu0)
     draw_bifurcation_set(found, ax, color=VERMILION)
@@ -125,7 +127,7 @@ def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one
     for place in three:
         write_along(ax, "3", *place, ha="center", fontsize=10)
     write_along(ax, "1", *one, ha="center", fontsize=10)
-    cusp = MODEL.bifurcation_set(p).cusps
+    cusp = ss.bifurcation_set(p).cusps
     theta0, mu0 = float(np.degrees(cusp.theta0[0])), float(cusp.mu0[0])
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
 

@@ -10,6 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
+import spragsym as ss
+
 from ..errors import ConvergenceError
 from ..models.catastrophe.points import ranges
 from ..parameters import ParameterSet
@@ -120,7 +122,7 @@ def draw_rising(
     draw_branches(curves_between(p, vary, (begin, top), turns, True, n), first, ax=ax, color=GREY, linewidth=0.8)
     artists: list[Any] = []
     with suppress(ConvergenceError):  # where branches can't be told apart there are the states alone
-        path = p.model.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
+        path = ss.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, low=begin, high=top)
     ax.axvspan(*as_drawn(p.model, vary, ends), color=SKY, alpha=0.25, linewidth=0, zorder=0)

@@ -16,6 +16,7 @@ import spragsym as ss
 
 from ..errors import ParameterError, SpragsymError
 from ..models import Model
+from ..models.catastrophe.branches import linked
 from ..parameters import FloatArray, ParameterSet
 from ..results.equilibria import Equilibria, Stability, columns_of
 from ..results.paths import Path
@@ -110,7 +111,7 @@ def chains_between(
         # 1 - cos gathers points where a curve turns back like a square root.
         share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
         eq = ss.equilibria(p.replace(**{vary: begin + (end - begin) * share}), contact=turns is not None)
-        for chain in _chains(eq, p.model.linked(p, vary, eq, turns)):
+        for chain in _chains(eq, linked(p, vary, eq, turns)):
             yield eq, chain, (begin, end)
 
 

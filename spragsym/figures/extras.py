@@ -16,7 +16,7 @@ from ..exact.companion_roots import eigenvalues
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
-from .captions import BASE_TEXT, MODEL
+from .captions import BASE_TEXT
 from .style import (
     BLACK,
     BLUE,
@@ -64,12 +64,12 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     (low, high), samples, bracket = _SAMPLES[name]
     values = np.linspace(low, high, n) if name == "beta" else np.geomspace(low, high, n)
     p, mu0 = Parameters.article(), ARTICLE["mu0"]
-    frictions = np.asarray(MODEL.critical_friction(p.replace(**{name: values})))
-    cusps = np.asarray(MODEL.cusp_friction(p.replace(**{name: values})))
+    frictions = np.asarray(ss.critical_friction(p.replace(**{name: values})))
+    cusps = np.asarray(ss.cusp_friction(p.replace(**{name: values})))
     ax.plot(values, frictions, color=BLACK)
     ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     for value in samples:
-        friction = float(MODEL.critical_friction(p.replace(**{name: value})))
+        friction = float(ss.critical_friction(p.replace(**{name: value})))
         ax.plot(
             value,
             friction,
@@ -80,7 +80,7 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
             zorder=3,
             clip_on=False,
         )
-    critical = MODEL.critical_value(p, name, bracket)
+    critical = ss.critical_value(p, name, bracket)
     ax.axvline(critical, color=VERMILION, linewidth=0.7, linestyle=":")
     if name == "beta":
         ax.set(ylim=(0, 0.9))
@@ -181,7 +181,7 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
     p = Parameters.article()
     cells = _divided(p, step_deg, step_mu0, levels, workers)
     image = ax.pcolormesh(cells.angles, cells.frictions, cells.rms, cmap="cividis", vmin=0.0, rasterized=True)
-    found = MODEL.bifurcation_set(p)
+    found = ss.bifurcation_set(p)
     for curve in found.curves:
         ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
         ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION, linewidth=1.2)

@@ -7,14 +7,15 @@ import itertools
 import numpy as np
 from matplotlib.axes import Axes
 
+import spragsym as ss
+
 from ..parameters import FloatArray, Parameters
-from .captions import MODEL
 from .style import BLUE, Table
 
 
 def linear_curves(p: Parameters) -> tuple[list[FloatArray], FloatArray]:
     """θ₀ in degrees between the poles of the linear model, piece by piece, and the poles."""
-    poles = np.degrees(MODEL.linear_sprag(p.replace(theta0=1.0)).poles)
+    poles = np.degrees(ss.linear_sprag(p.replace(theta0=1.0)).poles)
     poles = np.sort(poles[np.isfinite(poles)])
     ends = [0.05, *poles, 179.95]
     pieces = []
@@ -29,12 +30,12 @@ def draw_linear(ax: Axes, p: Parameters, name: str, color: str = BLUE) -> Table:
     for piece in pieces:
         ax.plot(
             piece,
-            getattr(MODEL.linear_sprag(p.replace(theta0=np.radians(piece))), name),
+            getattr(ss.linear_sprag(p.replace(theta0=np.radians(piece))), name),
             color=color,
             linewidth=1.0,
         )
     for pole in poles:
         ax.axvline(pole, color=color, linewidth=0.6, linestyle=":")
     along = np.concatenate(pieces)
-    model = MODEL.linear_sprag(p.replace(theta0=np.radians(along)))
+    model = ss.linear_sprag(p.replace(theta0=np.radians(along)))
     return {"theta0_deg": along, "x_linear": model.x, "y_linear": model.y}

@@ -257,7 +257,7 @@ def figure_cycles_plane(
         ax.plot(angles, friction, color=colour)
         write_along(ax, curve.label, *curve.place, color=colour)
         tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
-    tables["a_statics"] = _draw_statics(ax, MODEL.bifurcation_set(Parameters.article()))
+    tables["a_statics"] = _draw_statics(ax, ss.bifurcation_set(Parameters.article()))
     decided, fates = [], []
     for mu0 in frictions:
         fold = float(ss.folds(Parameters.article(mu0=mu0)).theta0[0])

@@ -151,8 +151,7 @@ def bifurcation_figure(
     vary = tuple(model.two(vary))
     closed = "bifurcation_set" in model.closed and vary == model.axes and not between
     shown = window(model, vary, between or {})
-    options = {} if closed else {"n": n, "between": shown}
-    found: BifurcationSet = model.bifurcation_set(p, vary, **options)
+    found = ss.bifurcation_set(p, vary, None if closed else n, between=None if closed else shown)
     draw_bifurcation_set(found, ax, color=VERMILION if closed or onsets else BLACK)
     if not closed:
         _span(ax, model, vary, shown)
@@ -162,7 +161,7 @@ def bifurcation_figure(
         say(ax, _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete))
     shaded = ""
     if closed:
-        lowest = float(model.critical_friction(p.replace(theta0=None, mu0=None)))
+        lowest = float(ss.critical_friction(p.replace(theta0=None, mu0=None)))
         top = max(1.0, 2.0 * lowest) if np.isfinite(lowest) else 1.0
         top = top if onsets is None else onsets.between[vary[1]][1]
         draw_regions(ax, p, (0.0, top))

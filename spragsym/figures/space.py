@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
+import spragsym as ss
+
 from ..assumed import MU0_RANGE
 from ..parameters import FloatArray, Parameters
 from ..results.equilibria import Stability
 from . import surfaces
-from .captions import MODEL
 from .curves import LABELS
 from .hidden import Cover, cover_of, parts
 from .style import BLACK, VERMILION, Sheet, Table
@@ -52,7 +53,7 @@ def draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> tuple[Cover, Ta
     ax.set_xticks(np.arange(0, 181, 45))
     ax.set_zticks(np.arange(-2, 3, 1))
     cover = cover_of(ax, polygons)
-    found = MODEL.bifurcation_set(p)
+    found = ss.bifurcation_set(p)
     columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": [], "x": []}
     for number, curve in enumerate(found.curves):
         mu0, theta0, x = surfaces.inside(curve.mu0, low, high, np.degrees(curve.theta0), curve.x)

@@ -10,11 +10,12 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
+import spragsym as ss
+
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
 from ..parameters import FloatArray, Parameters
 from ..results.equilibria import Stability
-from .captions import MODEL
 
 #: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant
 #: of (27) (flutter where negative).
@@ -51,7 +52,7 @@ def _mesh(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -
     """Vertices, of shape (θ₀, θ, columns)."""
     kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
     theta = _directions(p, theta0, n, mu0)
-    found = MODEL.surface(p, theta, theta0[:, None])
+    found = ss.surface(p, theta, theta0[:, None])
     c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(theta0)[:, None], np.sin(theta0)[:, None]
     f = _equilibrium.f_coefficients(c0, s0, found.mu0, kappa, alpha, sigma, beta, 1)
     slope = _equilibrium.f_slope(c, s, *f)
@@ -68,7 +69,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
     u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
     share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
     theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
-    found = MODEL.surface(p, theta, theta0[:, None])
+    found = ss.surface(p, theta, theta0[:, None])
     width = mu0[1] - mu0[0]
     shown = np.clip(found.mu0, mu0[0] - 0.1 * width, mu0[1] + 0.1 * width)
     # Outside the shown range points are sparser, the farther away the sparser.

@@ -10,7 +10,7 @@ import spragsym as ss
 from ..assumed import MU0_RANGE
 from ..parameters import FloatArray, Parameters
 from ..results.paths import Path
-from .captions import BASE_TEXT, LINES_TEXT, MODEL, PATHS_DEG, RANGE_TEXT
+from .captions import BASE_TEXT, LINES_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of
 from .linear import draw_linear, linear_curves
 from .style import BLUE, DOUBLE, GREY, SKY, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
@@ -86,8 +86,8 @@ def figure_13() -> Sheet:
 
 def both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path]:
     """The state of small deformation followed up, and the state where it ends followed back."""
-    up = MODEL.quasi_static_path(p, vary, values)
-    back = MODEL.quasi_static_path(p, vary, values[::-1], start=_slot_of(p.replace(**{vary: values[-1]}), up.x[-1]))
+    up = ss.quasi_static_path(p, vary, values)
+    back = ss.quasi_static_path(p, vary, values[::-1], start=_slot_of(p.replace(**{vary: values[-1]}), up.x[-1]))
     return up, back
 
 

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from ..parameters import NAMES, Parameters
+from ..parameters import Parameters
 
 __all__ = ["CLOSED", "Parameters"]
 
 _ROOMS = {
     "kang_nam.statics": ("equilibria", "count"),
     "kang_nam.catastrophe": (
-        "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface", "quasi_static_path",
-        "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
+        "folds", "cusps", "flutter_onsets", "bifurcation_set", "quasi_static_path", "critical_friction",
     ),
     "kang_nam.lift_off": ("aloft",), "kang_nam.rest": ("rest_index",), "kang_nam.design.events": ("have_jumped",),
     "kang_nam.design.jump_values": ("first_ends",), "kang_nam.design.certificates": ("certify",),
@@ -20,7 +19,7 @@ _ROOMS = {
 }  # fmt: skip
 #: What may vary, where that is not any parameter.
 _ALONG = {
-    "quasi_static_path": NAMES, "precise_cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),),
+    "precise_cusps": (("theta0", "mu0"),),
 }  # fmt: skip
 #: Public function or step → room of its closed form, and along what it is known; nothing there for anything.
 CLOSED = {name: (room, _ALONG.get(name, ())) for room, names in _ROOMS.items() for name in names}

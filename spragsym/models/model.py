@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..door import closed_form, part, question, unanswered
+from ..door import closed_form, part, question
 from ..errors import ModelError, ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
@@ -24,10 +24,7 @@ if TYPE_CHECKING:
     from ..dynamics.problem import Problem
     from ..dynamics.solution import Solution
     from ..exact.intervals import Arithmetic
-    from ..results.bifurcation_sets import BifurcationSet
     from ..results.equilibria import Equilibria
-    from ..results.lowest_ends import LowestEnd
-    from ..results.paths import Path
     from ..results.points import Ended, Points
     from ..results.precise_states import CuspProof, PreciseEquilibria
     from ..sweeps.measure import Settings
@@ -180,44 +177,7 @@ class Model:
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
 
-    @question
-    def bifurcation_set(self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any) -> BifurcationSet:
-        """Folds on ``n`` lines of either parameter, joined to curves, and the cusps, in the plane of both.
-
-        ``between`` as for :meth:`folds`. See :mod:`spragsym.models.catastrophe.bifurcation`.
-        """
-        from .catastrophe.bifurcation import bifurcation_set
-
-        return bifurcation_set(self, p, self.two(vary), n, **options)
-
-    @question
-    def critical_friction(self, p: ParameterSet, vary: str | None = None, over: str | None = None, **options: Any) -> LowestEnd:
-        """The least friction at which the followed state ends, over a range of another parameter, proved or undecided.
-
-        ``vary`` is mu0 and ``over`` is theta0 unless told otherwise; ``between={"mu0": (0, 1)}`` for their ranges. See
-        :func:`spragsym.models.catastrophe.critical.critical_friction`.
-
-        Examples
-        --------
-        >>> import spragsym as ss
-        >>> model = ss.load("inclined_belt")
-        >>> found = model.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
-        >>> round(found.mu0, 6), found.kind, found.complete
-        (0.207376, 'cusp', True)
-        """
-        from .catastrophe.critical import critical_friction
-
-        return critical_friction(self, p, *self._rising_over(vary, over), **options)
-
-    @question
-    def cusp_friction(self, p: ParameterSet, vary: str | None = None, over: str | None = None, **options: Any) -> float:
-        """The friction of the lowest cusp, or the least ``vary`` of one over a range of another parameter; see
-        :func:`spragsym.models.catastrophe.critical.cusp_friction`."""
-        from .catastrophe.critical import cusp_friction
-
-        return cusp_friction(self, p, *self._rising_over(vary, over), **options)
-
-    def _rising_over(self, vary: str | None, over: str | None, called: str = "vary") -> tuple[str, str]:
+    def rising_over(self, vary: str | None, over: str | None, called: str = "vary") -> tuple[str, str]:
         """What rises, and over the range of what; ``called`` is the argument that says the first."""
         if vary is None or over is None:
             if len(self.axes) < 2:
@@ -226,30 +186,6 @@ class Model:
             first, second = self.two(None)
             vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
         return vary, over
-
-    @question
-    def critical_value(
-        self, p: ParameterSet, vary: str, bracket: Sequence[float], *, along: str | None = None, over: str | None = None,
-        **options: Any,
-    ) -> float:  # fmt: skip
-        """The value of a parameter at which the least friction at which the followed state ends is that of p.
-
-        ``bracket`` are two values of it with the least friction on different sides of that; ``along`` is mu0 and ``over`` theta0
-        unless told otherwise. See :func:`spragsym.models.catastrophe.critical.critical_value`.
-        """
-        from .catastrophe.critical import critical_value
-
-        return critical_value(self, p, vary, bracket, *self._rising_over(along, over, "along"), **options)
-
-    @question
-    def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> Path:
-        """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
-
-        See :func:`spragsym.models.catastrophe.paths.quasi_static_path`.
-        """
-        from .catastrophe.paths import quasi_static_path
-
-        return quasi_static_path(self, p, vary, values, **options)
 
     def prepare(self, p: ParameterSet, **options: Any) -> Problem:
         """A motion as a problem for an integrator."""
@@ -282,13 +218,6 @@ class Model:
 
         return never(constants, states)
 
-    @part
-    def rest_index(self, p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
-        """Slots, among the equilibria at the friction μ(V), of motions that rest at ``places``, shape (n, …); −1 for none."""
-        from .statics.search import rest_index
-
-        return rest_index(p, places)
-
     def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
         """The friction coefficient of steady sliding at the speed of the belt, or ``"friction_at_rest"``, which statics takes.
 
@@ -301,13 +230,6 @@ class Model:
         of_law = self.about["friction"]["quantities"]
         missing = {name: 1.0 for name in self.about["angles"] if name not in of_law and getattr(p, name) is None}
         return np.asarray(getattr(self.algebra, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float)
-
-    @part
-    def linked(self, p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:
-        """Equilibria at neighbouring values of a parameter on one branch: see :func:`.catastrophe.branches.linked`."""
-        from .catastrophe.branches import linked
-
-        return linked(self, p, vary, eq, turns)
 
     @question
     def precise_equilibria(
@@ -326,11 +248,6 @@ class Model:
         from .digits import precise_cusps
 
         return precise_cusps(self, exact, vary, digits, arith, **options)
-
-    flutter_boundary = unanswered("onset_curves(p, vary) has the curves of onsets in the plane of two parameters")
-    surface = unanswered("equilibria(p) has all states over a grid of parameters")
-    linear_sprag = unanswered("equilibria(p) has the states")
-    linear_critical_friction = unanswered("folds(p, vary) has the values at which states meet")
 
     def normal_form(self, given: FloatArray, state: FloatArray, vary: str, radii: FloatArray) -> NormalForm:
         """Of a Hopf point among :class:`~spragsym.Onsets`: see :func:`spragsym.models.catastrophe.normal_forms.normal_form`."""

@@ -82,7 +82,7 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
         return None
     p = study.dimensionless if rise.is_friction else study.at_work
     model = p.model
-    path = model.quasi_static_path(p, rise.name, [rises.begin(study), value + 1e-6 * abs(value) + 1e-9])
+    path = ss.quasi_static_path(p, rise.name, [rises.begin(study), value + 1e-6 * abs(value) + 1e-9])
     if not path.jumps:
         return None
     turn = path.jumps[0]

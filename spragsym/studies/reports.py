@@ -186,7 +186,7 @@ class _Asked:
         """Friction, angle in degrees and kind of the lowest end over all angles."""
         if not self._has_plane(p):
             return None, None, ""
-        found = self.known("the friction below which it jumps at no angle is", lambda: p.model.critical_friction(p))
+        found = self.known("the friction below which it jumps at no angle is", lambda: ss.critical_friction(p))
         if found is None:
             return None, None, ""
         why = "; ".join(dict.fromkeys(found.remarks))
@@ -202,7 +202,7 @@ class _Asked:
         """Friction of the lowest cusp."""
         if not self._has_plane(p):
             return None
-        return self.known("the lowest cusp is", lambda: of_statics(self.study, float(p.model.cusp_friction(p))))
+        return self.known("the lowest cusp is", lambda: of_statics(self.study, float(ss.cusp_friction(p))))
 
     def _has_plane(self, p: Any) -> bool:
         """Whether friction rises, at an inclination."""

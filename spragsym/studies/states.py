@@ -119,7 +119,7 @@ def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
         return {name: float(column[0]) for name, column in eq.coordinates.items()} if int(eq.count) == 1 else None
     (value,) = at.scalars(rise.name)
     begin = rises.begin(study)
-    path = at.model.quasi_static_path(at, rise.name, [begin, value] if value > begin else [begin])
+    path = ss.quasi_static_path(at, rise.name, [begin, value] if value > begin else [begin])
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 

@@ -57,7 +57,7 @@ def test_it_is_the_closed_form_or_undecided_at_random() -> None:
 def test_no_state_ends_below_it(name: str) -> None:
     """Followed one by one over a grid; beside it one ends hardly above it."""
     model = ss.load(name)
-    found = model.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
+    found = ss.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
     assert found.complete
     for theta0 in np.radians([20.0, 50.0, 64.0, 80.0, 120.0]):
         end = first_end(model.Parameters(theta0=theta0), "mu0", (0.0, 0.5))
@@ -76,7 +76,7 @@ def test_over_a_range_without_its_cusp_the_end_is_lowest() -> None:
     """Where folds rise with theta0 from the lower end of the range on."""
     p = SEARCH.Parameters()
     between = {"mu0": (0.0, 1.0), "theta0": (math.radians(30.0), math.radians(55.0))}
-    found = SEARCH.critical_friction(p, between=between)
+    found = ss.critical_friction(p, between=between)
     ends = [ss.jump_value(ss.Parameters.article(theta0=end)) for end in between["theta0"]]
     assert (found.kind, found.complete) == ("end", True)
     assert found.value == pytest.approx(min(ends), rel=1e-12)
@@ -102,4 +102,4 @@ def test_a_tube_holds_one_state() -> None:
 def test_the_lowest_cusp_is_that_of_the_closed_form(given: dict[str, float]) -> None:
     p = ss.Parameters.article(**given)
     assert ss.cusp_friction(p, method="search") == pytest.approx(ss.cusp_friction(p), rel=1e-12)
-    assert ss.load("kang_nam").search.cusp_friction(p, between={"mu0": (0.0, 0.1)}) == math.inf
+    assert ss.cusp_friction(p, between={"mu0": (0.0, 0.1)}, method="search") == math.inf

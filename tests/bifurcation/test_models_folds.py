@@ -140,7 +140,7 @@ def test_a_curve_of_folds_between_lines_is_seen_however_small(circle, radius, u,
     """Whole, or the part of it that a side or a corner of the range cuts off."""
     r = np.sqrt(radius**2 + (0.01 ** (2 / 3) + 0.02 ** (2 / 3)) ** 1.5)
     between = {"u": (radius * u[0], radius * u[1]), "v": (radius * v[0], radius * v[1])}
-    found = circle.bifurcation_set(circle.Parameters(r=r), ("u", "v"), 3, between=between)
+    found = ss.bifurcation_set(circle.Parameters(r=r), ("u", "v"), 3, between=between)
     assert found.complete
     (curve,) = found.curves
     np.testing.assert_allclose(np.hypot(curve.u, curve.v), radius, rtol=1e-6)

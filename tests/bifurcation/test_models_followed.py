@@ -43,12 +43,12 @@ def fold_of_rod(e: Any) -> Any:
 @pytest.mark.parametrize("start", ["small", "large", 0])
 def test_a_value_may_be_the_very_float_of_a_pitchfork(start: int | str, rod: Any) -> None:
     """There the state in which three meet is known: F = sin φ (cos φ − P) = −φ³/2 at P = 1, and φ = π."""
-    path = rod.quasi_static_path(rod.Parameters(), "P", [0.5, 1.0, 1.5], start=start)
+    path = ss.quasi_static_path(rod.Parameters(), "P", [0.5, 1.0, 1.5], start=start)
     fork = 0.0 if start != "large" else np.pi
     assert path.phi == pytest.approx([{0: -np.pi / 3}.get(start, fork), fork, np.pi], abs=1e-12)  # type: ignore[call-overload]
     assert [jump.value for jump in path.jumps] == ([] if start == "large" else [1.0])
-    assert rod.quasi_static_path(rod.Parameters(), "P", [1.0]).phi.tolist() == [0.0]
-    begun = rod.quasi_static_path(rod.Parameters(), "P", [1.0, 0.5])
+    assert ss.quasi_static_path(rod.Parameters(), "P", [1.0]).phi.tolist() == [0.0]
+    begun = ss.quasi_static_path(rod.Parameters(), "P", [1.0, 0.5])
     assert begun.phi == pytest.approx([0.0, 0.0], abs=1e-12)
 
 
@@ -75,9 +75,9 @@ def fading() -> Any:
 @pytest.mark.thorough
 def test_what_rises_may_be_the_only_parameter(fading: Any) -> None:
     p = fading.Parameters(F=0.3)
-    found = fading.jump_margin(p, {"F": 0.1}, vary="F", begin=0.0)
+    found = ss.jump_margin(p, {"F": 0.1}, vary="F", begin=0.0)
     assert found.distance == pytest.approx(2.0, rel=1e-9)
-    ends = fading.jump_value(p, "F", begin=0.2, until=[0.4, 0.6])
+    ends = ss.jump_value(p, "F", begin=0.2, until=[0.4, 0.6])
     assert ends == pytest.approx([np.nan, 0.5], nan_ok=True)
 
 

@@ -176,7 +176,7 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     vary, base = moved(name, "mu0", "V")
     span = f"{vary}={0.2 * base!r}:{1.2 * base!r}:3"
     told = json.loads(run("path", *of(name), "--vary", span, "--json"))
-    found = model.quasi_static_path(a_set(name), vary, np.linspace(0.2 * base, 1.2 * base, 3))
+    found = ss.quasi_static_path(a_set(name), vary, np.linspace(0.2 * base, 1.2 * base, 3))
     assert list(told) == ["model", "vary", "states", "jumps"]
     places = [_title(model, column) for column in found.columns]
     assert [row[vary] for row in told["states"]] == pytest.approx(found.values, rel=1e-15)

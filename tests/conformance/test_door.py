@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import copy
-import inspect
 import math
 import pickle
 import subprocess
 import sys
-from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym import door
 from spragsym.models.design.jumps import have_jumped
 from spragsym.parameters import NAMES
 from tests.conformance.models import MODELS, a_set, load
@@ -75,21 +72,6 @@ def test_folds_of_a_cubic_contact_are_not_those_of_a_linear_one() -> None:
 # ----------------------------------------------------------------------------------------------------- one entry
 
 
-def test_every_question_is_a_method_and_goes_through_the_door() -> None:
-    """The list of the interface, the methods of a model and the public functions are the same."""
-    asked = {name for name, method in vars(ss.Model).items() if getattr(method, "__module__", "") and _is_question(method)}
-    assert asked == door.INTERFACE | door.PARTS
-    assert door.INTERFACE <= set(ss.__all__)
-    assert not ss.load("stick_slip").closed
-    assert not ss.load("kang_nam").search.closed
-    for name in door.INTERFACE:
-        assert _is_question(getattr(ss, name))
-
-
-def _is_question(thing: Any) -> bool:
-    return inspect.isfunction(thing) and thing.__code__.co_filename == door.__file__
-
-
 def test_two_ways_to_one_answer() -> None:
     p, one = ss.Parameters(theta0=np.radians([30.0, 49.0])), ss.Parameters()
     closed, search = (ss.equilibria(p, method=method) for method in ("closed", "search"))
@@ -104,8 +86,6 @@ def test_two_ways_to_one_answer() -> None:
     for function, p in ((ss.equilibria, a_set("damped")), (ss.jump_value, a_set("damped"))):
         with pytest.raises(ss.ModelError, match=r"damped answers .* by no closed form"):
             function(p, method="closed")
-    with pytest.raises(ss.ModelError, match="surface is not there yet for the model kang_nam"):
-        ss.surface(ss.Parameters(theta0=0.7), method="search")
     with pytest.raises(ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"):
         ss.equilibria(p, method="guess")
 

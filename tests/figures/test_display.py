@@ -99,7 +99,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Report": lambda: _study().report(probability=False, redesign=False, oscillation=False),
     "Points of a search": lambda: _folds_of_a_model(),
     "Onsets": lambda: ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V"),
-    "Path of a search": lambda: MODEL.quasi_static_path(MODEL.Parameters(), "theta0", [0.5, 0.6]),
+    "Path of a search": lambda: ss.quasi_static_path(MODEL.Parameters(), "theta0", [0.5, 0.6]),
     "Diagram": lambda: ss.diagram(ss.load("stick_slip").Parameters(), "V", (0.05, 0.3), points=60),
     "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),
 }

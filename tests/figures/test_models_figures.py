@@ -19,7 +19,7 @@ BETWEEN = {"mu0": (0.0, 1.0)}
 @pytest.fixture(scope="module")
 def found():
     model = ss.load("kang_nam").search
-    return model.bifurcation_set(model.Parameters(theta0=1.0), n=6, between=BETWEEN)
+    return ss.bifurcation_set(model.Parameters(theta0=1.0), n=6, between=BETWEEN)
 
 
 @pytest.fixture

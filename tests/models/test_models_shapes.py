@@ -188,7 +188,7 @@ def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) 
     assert eq.whole.all()
     found = states(model, eq)
     assert {tuple(row) for row in np.round(found / math.pi, 12).tolist()} == {(0, 0), (0, 1), (1, 0), (1, 1)}
-    path = model.quasi_static_path(model.Parameters(), vary="gamma", values=np.linspace(0.1, 1.0, 5))
+    path = ss.quasi_static_path(model.Parameters(), vary="gamma", values=np.linspace(0.1, 1.0, 5))
     assert np.allclose(np.sin(path.a), 0)  # beside a border of the search it would look for its way for minutes
     slots = [int(np.abs(found[k]).sum() < 1) for k in range(4)]
     assert [int(code) for code in eq.stability[:4]] == [1 if hangs else 2 for hangs in slots]

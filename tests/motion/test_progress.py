@@ -28,12 +28,12 @@ def said_by(ask: Callable[[], Any]) -> list[str]:
     ("ask", "expected"),
     [
         pytest.param(
-            lambda: BELT.critical_friction(P, **FLAT),
+            lambda: ss.critical_friction(P, **FLAT),
             "whether the state ends at the cusp at mu0 = 0.207376",
             marks=pytest.mark.thorough,
         ),
         (lambda: ss.certify(P.replace(mu0=0.0), P.replace(mu0=0.01, theta0=1.01), "no jump"), "parts of the box looked at"),
-        pytest.param(lambda: BELT.bifurcation_set(P, n=3), "3 lines along mu0", marks=pytest.mark.thorough),
+        pytest.param(lambda: ss.bifurcation_set(P, n=3), "3 lines along mu0", marks=pytest.mark.thorough),
         (lambda: ss.jump_margin(ss.Parameters.article(theta0=0.7), {"mu0": 0.05}), "tolerances away"),
         (lambda: claims.run([one for one in claims.STATEMENTS if one.id == "claim-mu-cr"]), "claim-mu-cr"),
         (lambda: ss.rms_sweep(P, V=[0.4, 0.5], t_end=20.0, transient=10.0), "2 of 2 points"),

@@ -74,7 +74,7 @@ def test_curves_of_folds_end_with_the_contact(models: dict[str, Any]) -> None:
     model, hand = models["rail"], HANDS["rail"]
     vary = ("mu0", "kappa")
     p = model.Parameters()
-    found = model.bifurcation_set(p, vary, 12, between={"mu0": (0.0, 1.0), "kappa": (-0.3, 0.5)})
+    found = ss.bifurcation_set(p, vary, 12, between={"mu0": (0.0, 1.0), "kappa": (-0.3, 0.5)})
     assert found.curves
     assert all(closed(hand, curve, model, p, vary) for curve in found.curves)
     assert closed(hand, found.cusps, model, p, vary)

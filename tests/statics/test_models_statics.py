@@ -314,7 +314,7 @@ def same_path(vary, values, start, **changes):
     """A path through the general way and the article's."""
     known = ss.quasi_static_path(ss.Parameters.article(**changes), vary, values, start=start)
     p = model("kang_nam").Parameters(**{"theta0": 1.0, **changes})
-    found = model("kang_nam").quasi_static_path(p, vary, values, start=start)
+    found = ss.quasi_static_path(p, vary, values, start=start)
     assert np.allclose(found.x, known.x, atol=1e-9)
     assert (found.stability == known.stability).all()
     assert np.allclose([jump.value for jump in found.jumps], [jump.value for jump in known.jumps], atol=1e-12)

@@ -1,7 +1,6 @@
 """Where states meet, vanish and jump: the surface, folds, cusps, flutter, and paths over them, all without a guess."""
 
 from .bifurcation_sets import bifurcation_set
-from .critical_frictions import critical_value, cusp_friction
 from .cusp_points import cusps
 from .equilibrium_surface import Surface, surface
 from .flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
@@ -17,8 +16,6 @@ __all__ = [
     "Surface",
     "bifurcation_set",
     "critical_friction",
-    "critical_value",
-    "cusp_friction",
     "cusps",
     "flutter_boundary",
     "flutter_onsets",

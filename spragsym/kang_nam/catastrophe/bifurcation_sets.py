@@ -11,6 +11,7 @@ from ...errors import ConvergenceError, ParameterError
 from ...exact.half_angle import on_circle
 from ...generated import catastrophe as _catastrophe
 from ...parameters import FloatArray, Parameters
+from ...questions import NotInClosedForm
 from ...results.bifurcation_sets import BifurcationSet, Curve
 from ..statics import kernel
 from . import fold_curves
@@ -28,42 +29,20 @@ _SAMPLED = (0.11, 1.3, 7.1)
 
 
 def bifurcation_set(
-    p: Parameters, vary: Sequence[str] = ("theta0", "mu0"), n: int = 2000, *, negative_friction: bool = False
+    p: Parameters, vary: Sequence[str] | None = None, n: int | None = None, *, negative_friction: bool = False
 ) -> BifurcationSet:
-    """Every fold curve in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0: where the number of equilibria changes.
+    """The closed form of :func:`spragsym.bifurcation_set` in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0.
 
-    Parameters
-    ----------
-    p : Parameters
-        Scalars κ, α, σ, β; ``theta0`` and ``mu0`` are spanned and not used.
-    vary : sequence of str
-        θ₀ and μ₀, in whose plane there are closed forms; in others :class:`spragsym.Model` searches.
-    n : int
-        About how many directions θ to solve at, 600 or more; they gather where curves are long.
-    negative_friction : bool
-        Also list the mirror images (θ, θ₀, μ₀) → (π − θ, π − θ₀, −μ₀).
-
-    Returns
-    -------
-    BifurcationSet
-        Curves with their ends at θ₀ = 0 or π, at μ₀ = 0, or closed; cusps of the same region.
-
-    Raises
-    ------
-    ConvergenceError
-        With hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64 can't tell the folds of a direction apart.
+    With ``negative_friction`` the mirror images (θ, θ₀, μ₀) → (π − θ, π − θ₀, −μ₀) are listed too.
 
     Notes
     -----
     Source: f = f′ = 0; see :mod:`.fold_curves`. Where curves begin, end, turn back in θ and reach μ₀ = 0 is
     isolated exactly, so that none is missed, however small; their points are float64, and satisfy the condition to rounding.
-
-    Examples
-    --------
-    >>> found = bifurcation_set(Parameters.article())
-    >>> len(found), round(float(found.cusps.mu0[0]), 12)
-    (2, 0.200931781805)
     """
+    if vary is not None and tuple(vary) != ("theta0", "mu0"):
+        raise NotInClosedForm
+    n = 2000 if n is None else n
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
         raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
     fixed = Fixed(*p.scalars(*FIXED))

@@ -13,6 +13,7 @@ from ...display import Result
 from ...errors import ParameterError
 from ...generated import catastrophe as _catastrophe
 from ...parameters import RANGES, FloatArray, Parameters, as_numbers
+from ...questions import of_article
 from ...results.equilibria import Stability
 from ..statics import kernel
 from .fixed_parameters import FIXED
@@ -36,6 +37,7 @@ class Surface(Result):
     stability: NDArray[np.int8]
 
 
+@of_article("equilibria(p) has all states over a grid of parameters")
 def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     """The friction at which θ is the direction of an equilibrium, explicitly: no root is sought.
 

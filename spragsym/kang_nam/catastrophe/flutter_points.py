@@ -17,7 +17,7 @@ from ...exact.intervals import Arithmetic, arithmetic
 from ...generated import stability as _stability
 from ...generated.kernel import direction
 from ...parameters import FloatArray, Parameters
-from ...questions import NotInClosedForm
+from ...questions import NotInClosedForm, of_article
 from ...results.onsets import Onsets
 from ...results.points import in_closed_form
 from ..statics import kernel
@@ -105,6 +105,7 @@ class FlutterBoundary(Result):
     curve: NDArray[np.int64]
 
 
+@of_article("onset_curves(p, vary) has the curves of onsets in the plane of two parameters")
 def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     """Where the discriminant of (27) in λ² is zero on the equilibrium surface: the Hopf points of the article's Figure 14.
 

@@ -11,6 +11,7 @@ from ...display import Result
 from ...generated import linear_sprag as _linear
 from ...generated import stability as _stability
 from ...parameters import FloatArray, Parameters
+from ...questions import of_article
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,7 @@ class LinearSprag(Result):
     critical_friction: FloatArray
 
 
+@of_article("equilibria(p) has the states")
 def linear_sprag(p: Parameters) -> LinearSprag:
     """Displacement, poles and critical friction of the constant-angle model; all shapes broadcast.
 
@@ -84,6 +86,7 @@ def linear_sprag(p: Parameters) -> LinearSprag:
     )
 
 
+@of_article("folds(p, vary) has the values at which states meet")
 def linear_critical_friction(p: Parameters) -> Any:
     """μ_cr of the constant-angle model: it has a pole if and only if μ₀ ≥ μ_cr.
 

@@ -11,35 +11,15 @@ import numpy as np
 from ...exact.adaptive_bits import as_floats, decided, with_enough_bits
 from ...exact.intervals import Arithmetic, Interval, arithmetic
 from ...parameters import Parameters
+from ...questions import NotInClosedForm
 from ...results.lowest_ends import LowestEnd
 from . import cusp_proofs, turning_proofs
 from .fixed_parameters import FIXED
 from .fold_enclosures import Point
 
 
-def critical_friction(p: Parameters) -> LowestEnd:
-    """The lowest fold: the least friction at which the state of small deformation ends at any 0 < θ₀ < π.
-
-    Below it that state, followed from μ₀ = 0 at any inclination, never jumps. It may be lower than every cusp, since a curve of
-    folds that leaves its cusp upward may turn back below it; see :func:`cusp_friction`.
-
-    Parameters
-    ----------
-    p : Parameters
-        κ, α, σ, β, scalars or arrays; ``theta0`` and ``mu0`` are not used.
-
-    Returns
-    -------
-    LowestEnd
-        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no fold ends that state: then no
-        friction makes that state jump.
-
-    Raises
-    ------
-    ParameterError
-        For parameters that are missing.
-    ConvergenceError
-        At parameters so close to a coincidence that 6144 bits do not tell it from one.
+def critical_friction(p: Parameters, vary: str | None = None, over: str | None = None) -> LowestEnd:
+    """The closed form of :func:`spragsym.critical_friction` as friction rises at any 0 < θ₀ < π; of arrays too.
 
     Notes
     -----
@@ -49,13 +29,11 @@ def critical_friction(p: Parameters) -> LowestEnd:
 
     Examples
     --------
-    >>> found = critical_friction(Parameters.article())
-    >>> print(found, found.kind, np.degrees(found.theta0).round(6))
-    0.20093178180509003 cusp 68.020959
-    >>> below = critical_friction(Parameters(kappa=0.02, alpha=0.5, sigma=2.0, beta=0.0))
-    >>> print(below.kind)
-    turn
+    >>> critical_friction(Parameters(kappa=0.02, alpha=0.5, sigma=2.0, beta=0.0)).kind
+    'turn'
     """
+    if vary not in (None, "mu0") or over not in (None, "theta0"):
+        raise NotInClosedForm
     columns = np.broadcast_arrays(*(getattr(p, name) for name in FIXED))
     found = [_lowest(*map(float, point)) for point in zip(*(column.flat for column in columns), strict=True)]
     shape = columns[0].shape

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...errors import ConvergenceError, ParameterError
 from ...generated import stability as _stability
 from ...parameters import NAMES, RANGES, FloatArray, Parameters, as_numbers
+from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Held, Stability
 from ...results.paths import Jump, Path, followed
 from ..statics.solver import equilibria
@@ -29,60 +30,9 @@ Choice = Callable[[Equilibria, Mapping[str, float]], int]
 def quasi_static_path(
     p: Parameters, vary: str, values: ArrayLike, *, start: int | str = "small", after_jump: Choice | None = None
 ) -> Path:
-    """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with its jumps.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars; the parameter that varies is not used.
-    vary : str
-        Its name: ``"theta0"`` or another of the six.
-    values : array_like
-        One axis, strictly increasing or strictly decreasing.
-    start : "small", "large" or int
-        Where to begin, at the first value: the stable equilibrium of smallest or largest |x|, or a slot of
-        :func:`spragsym.equilibria`.
-    after_jump : callable, optional
-        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Two of three equilibria
-        vanish at a fold and one is left, so ``eq`` holds one equilibrium and slot 0 is the only choice. Whether the motion
-        settles there or on a limit cycle, :func:`spragsym.simulate` tells.
-
-    Returns
-    -------
-    Path
-
-    Raises
-    ------
-    ParameterError
-        For values that do not go one way, or out of range, or a ``start`` that has no equilibrium.
-    ConvergenceError
-        Where :func:`spragsym.folds` can't tell folds apart, or :func:`spragsym.equilibria` leaves a value undecided.
-
-    Notes
-    -----
-    Source: article, Figures 6 and 13. Folds to 1e-12 by :func:`spragsym.folds`.
-
-    A value that is equal to a fold as :func:`spragsym.folds` gives it counts as the fold itself, not passed yet: the state on
-    it is the one that arrives there, and the jump comes beyond it. So folds can be merged into the values, and each is the last
-    point of the branch that ends there. (If the fold was rounded to the side where the branch is gone, the state is that of the
-    fold.) Every other value lies before a fold or beyond it, however close.
-
-    If the first value is a fold, "small" and "large" choose among the two states there, the one in which two equilibria meet
-    included; then the path goes on with the stable of those two, or jumps if they vanish on its way. A slot, as an integer, is
-    one of :func:`spragsym.equilibria` at that very float, which lies on one side of the fold.
-
-    At a pitchfork (μ₀ = α = 0) nothing jumps: where three equilibria become one, each goes on as that one; where one becomes
-    three it would be divergent, and the path goes on with the one of larger x, in the direction of sliding.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> up = quasi_static_path(Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0)))
-    >>> [round(float(np.degrees(jump.value)), 6) for jump in up.jumps]
-    [35.353706]
-    """
+    """The closed form of :func:`spragsym.quasi_static_path` along any of the six parameters."""
     if vary not in NAMES:
-        raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
+        raise NotInClosedForm
     along = as_numbers("values", values, RANGES[vary])
     if along.ndim != 1 or not along.size:
         raise ParameterError(f"values has the shape {along.shape}; give one axis with at least one value")

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...exact.certified_roots import Roots, concatenated
 from ...exact.interval_arrays import FloatArray, Intervals
-from ...parameters import as_count
+from ...parameters import ParameterSet, as_count
 from ...progress import doing
+from ...questions import Method, question
 from ...results.bifurcation_sets import BifurcationSet, Curve
 from ...results.points import Points
 from ..mechanics.balance import Balance
-from ..mechanics.forces import Model
 from ..statics.regions import by_hand
 from ..statics.remarks import of_boxes, of_ranges
 from .bifurcation_conditions import Fold
@@ -42,35 +41,45 @@ ENOUGH = 4
 ON_LINE = 1e-9
 
 
+@question
 def bifurcation_set(
-    model: Model,
-    p: Any,
-    vary: Sequence[str],
-    n: int = 60,
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
+    n: int | None = None,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
 ) -> BifurcationSet:
-    """Where the number of equilibria in contact changes, in the plane of two parameters.
+    """Where the number of equilibria in contact changes in the plane of two parameters: every curve of folds, and the cusps.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; those that vary are not used.
-    vary : pair of str
-        Two parameters.
-    n : int
-        Lines in each direction, and one more wherever none of them passes between two extrema of curves. On each all folds are
-        found and proved.
+        Of any model, scalars; those that vary are not used.
+    vary : pair of str, optional
+        Two parameters, θ₀ and μ₀ unless told otherwise.
+    n : int, optional
+        Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes between two extrema of
+        curves; on each all folds are found and proved. Of closed forms about how many directions θ to solve at, 2000, 600 at
+        least.
     between : mapping, optional
-        Ranges of the two, as for :func:`spragsym.models.catastrophe.folds.folds`.
+        Ranges of the two, as for :func:`spragsym.folds`.
     within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.models.statics.equilibria.equilibria`.
+        Ranges of coordinates, as for :func:`spragsym.equilibria`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
 
     Returns
     -------
     BifurcationSet
+
+    Raises
+    ------
+    ParameterError
+        For parameters that the model has not, or ranges that leave theirs.
+    ConvergenceError
+        Of the article's model with hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64 can't tell folds apart.
 
     Notes
     -----
@@ -78,7 +87,17 @@ def bifurcation_set(
     them, and ends of curves by :func:`spragsym.models.catastrophe.fold_extrema.extrema`: where all of these are known, no curve
     is missed, however small it is. Points between by :mod:`spragsym.models.catastrophe.fold_curves`. Two points are neighbours
     only if no line separates them on which all folds are known.
+    Of the article's model: :mod:`spragsym.kang_nam.catastrophe.bifurcation_sets`.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> found = ss.bifurcation_set(ss.Parameters.article())
+    >>> len(found), round(float(found.cusps.mu0[0]), 12)
+    (2, 0.200931781805)
     """
+    model, n = p.model, 60 if n is None else n
+    vary = model.two(vary)
     as_count("n", n, 2)
     spans, unsaid = ranges(model, vary, between or {}), endless(model, vary, between or {})
     known = list(extrema(model, p, vary, between or {}, within))

@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 
 from ...errors import ConvergenceError
 from ...exact.interval_arrays import FloatArray
+from ...parameters import ParameterSet
+from ...questions import Method, question
 from ...results.equilibria import Equilibria
 from ...results.points import Points
 from ..mechanics.balance import Balance
@@ -49,7 +51,8 @@ class Along:
         return equilibria(self.p.replace(**{self.vary: values}), self.balance.contact)
 
 
-def linked(model: Any, p: Any, vary: str, eq: Equilibria, turns: Points | None) -> list[dict[int, int]]:
+@question
+def linked(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None, *, method: Method = "auto") -> list[dict[int, int]]:
     """:func:`links` between neighbours of the values at which equilibria are known, as far as a few halvings tell.
 
     Parameters
@@ -62,7 +65,7 @@ def linked(model: Any, p: Any, vary: str, eq: Equilibria, turns: Points | None) 
         Folds along it; None in lift-off, where there are none.
     """
     at, kinds = (np.empty(0), np.empty(0, dtype=str)) if turns is None else (getattr(turns, vary), turns.kind)
-    along = Along(Balance(model, eq.contact), p, vary, at, kinds)
+    along = Along(Balance(p.model, eq.contact), p, vary, at, kinds)
     return links(along, np.asarray(getattr(eq.parameters, vary)), eq, DRAWN)
 
 

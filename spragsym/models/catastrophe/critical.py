@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 from ...errors import ConvergenceError, ParameterError
+from ...parameters import FloatArray, ParameterSet
 from ...progress import doing
+from ...questions import Method, question
 from ...results.critical_values import value_at
 from ...results.equilibria import Stability
 from ...results.lowest_ends import LowestEnd
@@ -45,29 +47,43 @@ class _Candidate:
         return abs(self.value - other.value) <= SAME * (self.error + other.error) * max(1.0, abs(self.value))
 
 
+@question
 def critical_friction(
-    model: Model,
-    p: Any,
-    vary: str,
-    over: str,
+    p: ParameterSet,
+    vary: str | None = None,
+    over: str | None = None,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
 ) -> LowestEnd:
-    """The least ``vary`` at which the state that is followed from the lower end of its range ends, for any value of ``over``.
+    """The least friction at which the followed state ends at any inclination, or the least ``vary`` for any value of ``over``.
+
+    Below it that state, followed from the lower end of ``vary`` at any ``over``, never ends. It may be lower than every cusp,
+    since a curve of folds that leaves its cusp upward may turn back below it; see :func:`cusp_friction`.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; the two that vary are not used.
-    vary, over : str
-        Two parameters: the one along which the state is followed, and the one over whose range that is done.
+        Of any model; the two that vary are not used. Scalars; of closed forms arrays too.
+    vary, over : str, optional
+        Two parameters: the one along which the state is followed, mu0 unless told otherwise, and the one over whose range that is
+        done, theta0 unless told otherwise.
     between : mapping, optional
-        Their ranges, as for :func:`spragsym.models.catastrophe.folds.folds`.
+        Their ranges, as for :func:`spragsym.folds`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
 
     Returns
     -------
     LowestEnd
+        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no fold ends that state.
+
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+    ConvergenceError
+        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it from one.
 
     Notes
     -----
@@ -76,7 +92,20 @@ def critical_friction(
     least value on a piece of them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
     ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is asked, by following the state
     along ``vary`` there, whether it ends: below the first one at which it does, no piece has begun on which it could.
+    Of the article's model: :mod:`spragsym.kang_nam.catastrophe.lowest_fold`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> found = ss.critical_friction(ss.Parameters.article())
+    >>> print(found, found.kind, np.degrees(found.theta0).round(6))
+    0.20093178180509003 cusp 68.020959
+    >>> found = ss.critical_friction(ss.load("inclined_belt").Parameters(), between={"mu0": (0.0, 0.5)})
+    >>> round(found.mu0, 6), found.kind, found.complete
+    (0.207376, 'cusp', True)
     """
+    model = p.model
+    vary, over = model.rising_over(vary, over)
     if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
     between = between or {}
@@ -96,30 +125,65 @@ def critical_friction(
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
 
 
+@question
 def cusp_friction(
-    model: Model, p: Any, vary: str, over: str, *, between: Mapping[str, tuple[float, float]] | None = None
-) -> float:
-    """The least ``vary`` at a cusp, where folds are born over ``over``; infinite where there is none.
+    p: ParameterSet,
+    vary: str | None = None,
+    over: str | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> float | FloatArray:
+    """The friction of the lowest cusp, or the least ``vary`` at one, where folds are born over ``over``; infinite without one.
 
     What decides whether a state can end is :func:`critical_friction`: folds may lie below their cusps.
 
     Parameters
     ----------
-    p, vary, over, between
+    p : Parameters
+        Of any model, scalars or arrays; the two that vary are not used.
+    vary, over, between, method
         As for :func:`critical_friction`.
+
+    Returns
+    -------
+    float or ndarray
+        Of the shape of the parameters that are used.
 
     Raises
     ------
+    ParameterError
+        For parameters that are missing.
     ConvergenceError
         Where a lower one is not ruled out, or there is none in a part of an endless range.
 
     Notes
     -----
-    Source: :func:`spragsym.models.catastrophe.cusps.cusps`; beyond the end of a range there may be others, but no lower ones.
+    Source: :func:`spragsym.cusps`; beyond the end of a range there may be others, but no lower ones.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> print(ss.cusp_friction(ss.Parameters.article()))
+    0.20093178180509003
     """
+    vary, over = p.model.rising_over(vary, over)
+    used = [name for name in p.ranges if name not in (vary, over) and getattr(p, name) is not None]
+    shape = np.broadcast_shapes(*(getattr(p, name).shape for name in used))
+    if not shape:
+        return _lowest_cusp(p, vary, over, between)
+    columns = {name: np.broadcast_to(getattr(p, name), shape).reshape(-1) for name in used}
+    points = (p.replace(**{name: column[row] for name, column in columns.items()}) for row in range(int(np.prod(shape))))
+    return np.array([_lowest_cusp(point, vary, over, between) for point in points]).reshape(shape)
+
+
+def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Mapping[str, tuple[float, float]] | None) -> float:
     found = cusps(p, (over, vary), between=between)
-    value = float(getattr(found, vary).min(initial=math.inf))
-    place = len(model.about["coordinates"]) + list(found.vary).index(vary)
+    inside = [
+        all(p.ranges[name].contains(float(getattr(found, name)[row])) for name in (vary, over)) for row in range(len(found))
+    ]
+    value = float(getattr(found, vary)[np.array(inside, dtype=np.bool_)].min(initial=math.inf))
+    place = len(p.model.coordinates) + list(found.vary).index(vary)
     lower = any(float(box[place][0]) < value for box in found.undecided)
     if lower or not found.whole or (not math.isfinite(value) and found.endless):
         where = f", the lowest of those at {vary} = {value:.12g}" if len(found) else ""
@@ -127,43 +191,70 @@ def cusp_friction(
     return value
 
 
+@question
 def critical_value(
-    model: Model, p: Any, change: str, bracket: Sequence[float], vary: str, over: str, *,
+    p: ParameterSet,
+    vary: str,
+    bracket: Sequence[float],
+    *,
+    along: str | None = None,
+    over: str | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
-) -> float:  # fmt: skip
-    """The value of a parameter at which the lowest end over a range lies at the ``vary`` of p.
+    method: Method = "auto",
+) -> float:
+    """The value of a parameter at which the least friction at which the followed state ends is that of p.
+
+    On one side of it the state jumps at no inclination.
 
     Parameters
     ----------
-    change : str
+    p : Parameters
+        Of any model, scalars with ``mu0``; the parameter that varies is not used.
+    vary : str
         The parameter that is changed.
     bracket : (float, float)
         Two values of it with the lowest end on different sides.
-    vary, over, between
+    along, over : str, optional
+        As ``vary`` and ``over`` of :func:`critical_friction`.
+    between, method
         As for :func:`critical_friction`.
+
+    Returns
+    -------
+    float
+        To 1e-13, relative.
 
     Raises
     ------
+    ParameterError, ParameterTypeError
+        For a parameter that can't change, a bracket with the lowest end on one side, and parameters that are no scalars.
     ConvergenceError
         Where the lowest end is undecided on the way.
 
     Notes
     -----
-    Source: :func:`critical_friction`, less the value that p has; each of some ten values takes as long as that.
+    Source: :func:`critical_friction`, less the value that p has.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> print(f"{ss.critical_value(ss.Parameters.article(), 'beta', (1, 2)):.9f}")
+    1.632329272
     """
-    if change not in p.ranges or change in (vary, over):
-        others = ", ".join(name for name in p.ranges if name not in (vary, over))
-        raise ParameterError(f"vary = {change!r} can't be what changes where {vary} rises over {over}; choose one of {others}")
-    (level,) = p.scalars(vary)
+    rising, over = p.model.rising_over(along, over, "along")
+    if vary not in p.ranges or vary in (rising, over):
+        others = ", ".join(name for name in p.ranges if name not in (rising, over))
+        raise ParameterError(f"vary = {vary!r} can't be what changes where {rising} rises over {over}; choose one of {others}")
+    (level,) = p.scalars(rising)
 
     def lowest(value: float) -> float:
-        with doing("lowest end at {} = {:.6g}", change, value):
-            found = critical_friction(model, p.replace(**{change: value}), vary, over, between=between)
+        with doing("lowest end at {} = {:.6g}", vary, value):
+            found = critical_friction(p.replace(**{vary: value}), rising, over, between=between)
         if found.kind == "undecided":
-            raise ConvergenceError(f"at {change} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
+            raise ConvergenceError(f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
         return float(found.value)
 
-    return value_at(lowest, (vary, level), change, bracket, p.ranges[change])
+    return value_at(lowest, (rising, level), vary, bracket, p.ranges[vary])
 
 
 class _Search:

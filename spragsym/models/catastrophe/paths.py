@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from ...display import Result
 from ...errors import ConvergenceError, ParameterError
 from ...exact.interval_arrays import FloatArray
-from ...parameters import Range, as_numbers
+from ...parameters import ParameterSet, Range, as_numbers
+from ...questions import Method, question
 from ...results.equilibria import Equilibria, Stability, as_decided, one_each, with_state
 from ...results.paths import Jump, Path, followed
 from ...results.points import Points
@@ -64,16 +65,17 @@ NONE = np.zeros(2, dtype=np.int8)
 Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
 
+@question
 def quasi_static_path(
-    model: Model, p: Any, vary: str, values: ArrayLike, *, start: int | str = "small", after_jump: Choice | None = None
-) -> Path:
+    p: ParameterSet, vary: str, values: ArrayLike, *, start: int | str = "small", after_jump: Choice | None = None,
+    method: Method = "auto",
+) -> Path:  # fmt: skip
     """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with its jumps.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; the parameter that varies is not used.
+        Of any model, scalars; the parameter that varies is not used.
     vary : str
         Its name.
     values : array_like
@@ -84,6 +86,9 @@ def quasi_static_path(
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
         Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the stable one that is nearest.
+        Whether the motion settles there or on a limit cycle, :func:`spragsym.simulate` tells.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
 
     Returns
     -------
@@ -91,24 +96,36 @@ def quasi_static_path(
 
     Raises
     ------
+    ParameterError
+        For values that do not go one way, or out of range, or a ``start`` that has no equilibrium.
     ConvergenceError
         Where folds or equilibria are not all decided, or nothing stable is left to jump to.
 
     Notes
     -----
-    The rules are those of :func:`spragsym.quasi_static_path`. A value that lies within the ``error`` of a fold of ``model.folds``
+    Source: article, Figures 6 and 13; all folds along the parameter, see :func:`spragsym.folds`, and which states lie on one
+    branch, see :mod:`spragsym.models.catastrophe.branches`.
+
+    A value that lies within the ``error`` of a fold of ``folds``
     counts as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the
     first value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then
     the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable
     each goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or of
     whatever the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states
     that are equally small, or equally near, the one of larger coordinates is taken.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> up = ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0)))
+    >>> [round(float(np.degrees(jump.value)), 6) for jump in up.jumps]
+    [35.353706]
     """
     along = as_numbers("values", values)
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
     if along.ndim != 1 or not along.size or not ((steps > 0).all() or (steps < 0).all()):
         raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
-    way = _Way(model, p, vary, along)
+    way = _Way(p.model, p, vary, along)
     place = way.begin(start)
     out = [way.state(0, place)]
     jumps = []

@@ -17,6 +17,7 @@ from ...exact import boxes, certified_roots
 from ...exact.certified_roots import Roots
 from ...exact.interval_arrays import FloatArray, Intervals
 from ...parameters import ParameterSet
+from ...questions import question
 from ...results.equilibria import Equilibria, Held, Undecided
 from ..mechanics.balance import Balance
 from ..mechanics.border import BITS, on_its_side
@@ -73,6 +74,7 @@ def balance_of(model: Model, contact: bool) -> Balance:
     return balance
 
 
+@question
 def rest_index(p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
     """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
 

@@ -25,7 +25,6 @@ import importlib as _importlib
 import importlib.util as _util
 import pathlib as _pathlib
 import re as _re
-import types as _types
 from typing import Any as _Any
 
 _HERE = _pathlib.Path(__file__).resolve().parent  # a link to this folder, from wherever, leads to its checkout
@@ -62,17 +61,9 @@ def __getattr__(name: str) -> _Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     home = _HOMES[name]
     module = _importlib.import_module(f".{name}" if home == "." else home, __name__)
-    value = module if home == "." else _at_the_door(getattr(module, name))
+    value = module if home == "." else getattr(module, name)
     globals()[name] = value
     return value
-
-
-def _at_the_door(value: _Any) -> _Any:
-    """A public function that is asked of the model of its parameters; whatever else as it is."""
-    if not isinstance(value, _types.FunctionType):
-        return value
-    door = _importlib.import_module(".door", __name__)
-    return door.public(value) if value.__name__ in door.INTERFACE else value
 
 
 def __dir__() -> list[str]:

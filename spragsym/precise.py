@@ -20,13 +20,13 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import mpmath
 
-from .door import model_of
 from .errors import ParameterError, ParameterTypeError
 from .exact.decimals import exactly
 from .exact.intervals import Arithmetic, Interval
 from .models.load import USUAL, load
 from .names import hint
 from .parameters import ParameterSet, Range
+from .questions import Method, model_of
 from .results.precise_states import CuspProof, PreciseEquilibria
 
 if TYPE_CHECKING:
@@ -86,8 +86,8 @@ def as_digits(dps: int) -> int:
 
 
 def equilibria(
-    p: ParameterSet | None = None, *, contact: bool = True, dps: int = 50, arith: Arithmetic | None = None, method: str = "auto",
-    **exact: Exact,
+    p: ParameterSet | None = None, *, contact: bool = True, dps: int = 50, arith: Arithmetic | None = None,
+    method: Method = "auto", **exact: Exact,
 ) -> PreciseEquilibria:  # fmt: skip
     """All equilibria of one point of any model to ``dps`` digits, count and digits proved by interval arithmetic.
 
@@ -136,13 +136,14 @@ def equilibria(
     """
     model = _model(p)
     given = _exactly(model, p, exact)
-    found: PreciseEquilibria = model.precise_equilibria(given, contact, as_digits(dps), arith, method=method)
-    return found
+    from .models.digits import precise_equilibria
+
+    return precise_equilibria(model.Parameters(), given, contact, as_digits(dps), arith, method=method)
 
 
 def cusps(
     p: ParameterSet | None = None, *, vary: Sequence[str] | None = None, between: Mapping[str, tuple[float, float]] | None = None,
-    dps: int = 40, arith: Arithmetic | None = None, method: str = "auto", **exact: Exact,
+    dps: int = 40, arith: Arithmetic | None = None, method: Method = "auto", **exact: Exact,
 ) -> CuspProof:  # fmt: skip
     """All cusps of any model in the plane of two parameters to ``dps`` digits, and the proof that there are no more.
 
@@ -198,9 +199,9 @@ def cusps(
     vary = model.two(vary)
     vary = model.axes if set(vary) == set(model.axes) else vary  # one plane, in either order
     given = _exactly(model, p, exact, unasked=vary)
-    options = {} if between is None else {"between": between}
-    found: CuspProof = model.precise_cusps(given, vary, as_digits(dps), arith, method=method, **options)
-    return found
+    from .models.digits import precise_cusps
+
+    return precise_cusps(model.Parameters(), given, vary, as_digits(dps), arith, between=between, method=method)
 
 
 def _model(p: ParameterSet | None) -> Model:

@@ -1,8 +1,12 @@
 """Questions: one function for all models, answered by a closed form where the model of the parameters brings one.
 
-``@question`` stands on the general algorithm, whose signature and docstring are the public ones. A closed form has the same name;
-:data:`spragsym.kang_nam.CLOSED_FORMS` says where it stands. It raises :class:`NotInClosedForm` for arguments that it does not
-know, and is not asked about arguments that it does not have: then the general algorithm answers.
+``@question`` stands on the general algorithm, whose signature and docstring are the public ones: ``ss.folds`` is that function.
+A model must bring ``model.json`` and generated functions, ``algebra``, which follow from a page. A shipped one may bring closed
+forms of primitives (equilibria, folds, cusps, where states end, …) in a room of its name: ``CLOSED_FORMS`` there says for a
+question in which module the function of the same name stands. It is not asked about arguments that it does not have, and raises
+:class:`NotInClosedForm` for values that it does not know: then the general algorithm answers. What is derived from primitives
+asks the public questions, and so stands once. ``method="search"`` asks the same of the model without closed forms,
+``model.search``: its sets of parameters know it, so that everything below searches too.
 """
 
 from __future__ import annotations

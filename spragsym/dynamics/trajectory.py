@@ -194,7 +194,9 @@ class Trajectory(Recorded):
         return replace(self, t=t, state=state, events=events, error=error)
 
     def _problem(self, start: tuple[float, ...], length: float) -> Problem:
-        prepared: Problem = self.model.prepare(self.p, start=start, t_end=length, rtol=self.rtol)
+        from ..models.problems import prepare  # a room above this one
+
+        prepared: Problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
         return prepared
 
     def _identified(self, found: Outcome) -> Outcome:
@@ -290,9 +292,11 @@ def simulate(
     >>> tr.components, round(tr.largest(), 2)
     (('x', 'vx'), 0.61)
     """
+    from ..models.problems import prepare  # a room above this one
+
     model, p = model_of(p), p.given(V=V, d=d)
     state = tuple(as_number(name, value) for name, value in initial_state(model, start, initial).items())
-    problem = model.prepare(p, start=state, t_end=t_end, rtol=rtol, max_steps=max_steps)
+    problem = prepare(model, p, start=state, t_end=t_end, rtol=rtol, max_steps=max_steps)
     chosen = integrators.choose(backend, model.backends)
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:

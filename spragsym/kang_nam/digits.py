@@ -7,6 +7,8 @@ from typing import Any
 
 from ..exact.adaptive_bits import as_numbers, with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic, as_mpf
+from ..parameters import Parameters
+from ..questions import NotInClosedForm
 from ..results.equilibria import Stability
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from .catastrophe import cusp_proofs
@@ -14,7 +16,9 @@ from .catastrophe.fold_enclosures import Point
 from .statics import adaptive_precision
 
 
-def precise_equilibria(exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None) -> PreciseEquilibria:
+def precise_equilibria(
+    _p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
+) -> PreciseEquilibria:
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
     given = [exact[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")]
     found = adaptive_precision.equilibria(*given, contact=contact, digits=digits, arith=arith)
@@ -27,8 +31,12 @@ def precise_equilibria(exact: Mapping[str, Any], contact: bool, digits: int, ari
     return PreciseEquilibria(tuple(states), True, {})
 
 
-def precise_cusps(given: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None) -> CuspProof:
+def precise_cusps(
+    _p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None
+) -> CuspProof:
     """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of degree 9 in sin θ."""
+    if tuple(vary) != ("theta0", "mu0"):
+        raise NotInClosedForm
     exact = tuple(given[name] for name in ("kappa", "alpha", "sigma", "beta"))
     chosen = arith or arithmetic()
 

@@ -18,6 +18,8 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Arithmetic, Balls, as_mpf
 from ..exact.krawczyk import narrowed
 from ..exact.polynomials import Undecided
+from ..parameters import ParameterSet
+from ..questions import Method, question
 from ..results.equilibria import columns_of
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from .catastrophe.bifurcation_conditions import Cusp
@@ -36,18 +38,21 @@ from .statics.spectrum import type_at
 ROOM = 96
 
 
+@question
 def precise_equilibria(
-    model: Any, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
-) -> PreciseEquilibria:  # fmt: skip
+    p: ParameterSet, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None, *, method: Method = "auto"
+) -> PreciseEquilibria:
     """All equilibria of a point, each number within 10^−digits max(1, |number|).
 
     Parameters
     ----------
+    p : Parameters
+        Any set of the model.
     exact : mapping
         Every parameter: a rational number, or what gives an interval in an arithmetic.
     """
     _in_balls(arith)
-    balance = balance_of(model, contact)
+    balance = balance_of(p.model, contact)
     found, around, whole = _isolated(balance, exact)
     if found.left_point.size:
         closer = "" if _held(_ends(exact)) else ", or give only numbers that floats hold, as 0.5: these are searched more closely"
@@ -117,15 +122,17 @@ def _columns(balance: Balance, q: Sequence[Any], arguments: Mapping[str, Any]) -
     return [value for c, s, length in springs for value in (XP.atan2(s, c), length)]
 
 
+@question
 def precise_cusps(
-    model: Any, exact: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None,
-    between: Mapping[str, tuple[float, float]] | None = None,
+    p: ParameterSet, exact: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None, *,
+    between: Mapping[str, tuple[float, float]] | None = None, method: Method = "auto",
 ) -> CuspProof:  # fmt: skip
     """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.catastrophe.cusps.cusps`.
 
     Each is proved for the exact parameters; that there are no more, only where all of these are floats.
     """
     _in_balls(arith)
+    model = p.model
     spans = ranges(model, vary, between or {})
     balance = Balance(model, contact=True)
     with Balls().precision(FIRST_BITS):

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..dynamics import forces
-from ..dynamics.field import GAP, WIDTH, Border, Field, Mode
+from ..dynamics.field import GAP, WIDTH, Border, Field, Mode, never
 from ..errors import ParameterError
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def field_of(model: Model, reach: float) -> Field:
         curved=model.about.get("curved", False),
         around=tuple(place for place, entry in enumerate(model.about["coordinates"]) if entry.get("comes_around")),
         is_angle=model.is_angle,
-        aloft=model.aloft,
+        aloft=model.closed_form("aloft") or never,
     )
 
 

@@ -152,7 +152,7 @@ def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) ->
     room = f"{__package__.rpartition('.')[0]}.{where}"
     if not files and importlib.util.find_spec(room):  # a shipped model with closed forms
         own = importlib.import_module(room)
-        model = Model(where, about, module, own.Parameters, own.CLOSED)
+        model = Model(where, about, module, own.Parameters, own.CLOSED_FORMS)
     else:
         model = Model(where, about, module, parameter_class(about, where))
     model.Parameters._model = model

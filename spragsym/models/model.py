@@ -3,33 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, cached_property
+from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..door import closed_form, part, question
-from ..errors import ModelError, ParameterError
+from ..errors import ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described, explained
 
 if TYPE_CHECKING:
-    from ..cycles import Cycle
     from ..dynamics.field import Field
-    from ..dynamics.motions import Motions
-    from ..dynamics.problem import Problem
-    from ..dynamics.solution import Solution
-    from ..exact.intervals import Arithmetic
-    from ..results.equilibria import Equilibria
-    from ..results.points import Ended, Points
-    from ..results.precise_states import CuspProof, PreciseEquilibria
-    from ..sweeps.measure import Settings
-    from .catastrophe.normal_forms import NormalForm
-    from .statics.stability import Linearized
 
 
 class Model:
@@ -65,7 +53,7 @@ class Model:
 
     def __init__(
         self, where: str, about: Mapping[str, Any], module: Callable[[], ModuleType], parameters: Any,
-        closed: Mapping[str, tuple[str, Collection[Any]]] | None = None,
+        closed: Mapping[str, str] | None = None,
     ) -> None:  # fmt: skip
         self.name: str = about["name"]
         self.where, self.about, self.Parameters, self.closed = where, about, parameters, closed or {}
@@ -90,7 +78,7 @@ class Model:
 
     def closed_form(self, name: str) -> Callable[..., Any] | None:
         """The closed form of a question, if the model brings one."""
-        return closed_form(self.closed[name][0], name) if name in self.closed else None
+        return _found(self.closed[name], name) if name in self.closed else None
 
     @cached_property
     def field(self) -> Field:
@@ -187,36 +175,10 @@ class Model:
             vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
         return vary, over
 
-    def prepare(self, p: ParameterSet, **options: Any) -> Problem:
-        """A motion as a problem for an integrator."""
-        from .problems import prepare
-
-        return prepare(self, p, **options)
-
-    def motions(self, settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
-        """The motions of points of a sweep, parameters and initial state each, and why points have none."""
-        from .problems import motions
-
-        return motions(self, settings, points)
-
-    @part
     def cases(self) -> tuple[tuple[str, ParameterSet], ...]:
-        """Named points of all parameters, to begin at: the base values, or what a model brings."""
-        from .cases import cases
-
-        return cases(self)
-
-    @part
-    def integrate(self, problem: Problem) -> Solution:
-        """A motion by code that was compiled on installation."""
-        raise ModelError(f"{self.name} has no compiled motion; give backend='heyoka' or 'scipy'")
-
-    @part
-    def aloft(self, constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
-        """For each of many motions, constants and states in rows, whether it stays above the belt for good from its state."""
-        from ..dynamics.field import never
-
-        return never(constants, states)
+        """Named points of all parameters, to begin at: those that the model brings, or the base values."""
+        own = self.closed_form("cases")
+        return own() if own else _parameters.base_case(self.about, self.Parameters)
 
     def friction(self, p: ParameterSet, law: str = "friction_at_speed") -> FloatArray:
         """The friction coefficient of steady sliding at the speed of the belt, or ``"friction_at_rest"``, which statics takes.
@@ -230,63 +192,6 @@ class Model:
         of_law = self.about["friction"]["quantities"]
         missing = {name: 1.0 for name in self.about["angles"] if name not in of_law and getattr(p, name) is None}
         return np.asarray(getattr(self.algebra, law)(*self.arguments(p.replace(**missing), "motion")), dtype=float)
-
-    @question
-    def precise_equilibria(
-        self, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
-    ) -> PreciseEquilibria:  # fmt: skip
-        """Equilibria to a number of digits, from exact parameters by name: see :func:`spragsym.precise.equilibria`."""
-        from .digits import precise_equilibria
-
-        return precise_equilibria(self, exact, contact, digits, arith)
-
-    @question
-    def precise_cusps(
-        self, exact: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None, **options: Any
-    ) -> CuspProof:  # fmt: skip
-        """Cusps to a number of digits, from exact parameters by name: see :func:`spragsym.precise.cusps`."""
-        from .digits import precise_cusps
-
-        return precise_cusps(self, exact, vary, digits, arith, **options)
-
-    def normal_form(self, given: FloatArray, state: FloatArray, vary: str, radii: FloatArray) -> NormalForm:
-        """Of a Hopf point among :class:`~spragsym.Onsets`: see :func:`spragsym.models.catastrophe.normal_forms.normal_form`."""
-        from .catastrophe.normal_forms import normal_form
-
-        return normal_form(self, given, state, vary, radii)
-
-    def born(
-        self, given: FloatArray, state: FloatArray, vary: str, form: NormalForm, amplitude: float | None, backend: str | None
-    ) -> Cycle:
-        """The cycle that is born at one of them: see :func:`spragsym.models.catastrophe.births.born`."""
-        from .catastrophe.births import born
-
-        return born(self, given, state, vary, form, amplitude, backend)
-
-    def ended(self, points: Points) -> Ended:
-        """What happens at :class:`~spragsym.Points`: see :func:`spragsym.models.catastrophe.fold_outcomes.ended`."""
-        from .catastrophe.fold_outcomes import ended
-
-        return ended(points)
-
-    def columns(self, eq: Equilibria) -> dict[str, FloatArray]:
-        """What follows from where equilibria are: directions, lengths and tensions of inclined springs, the contact's force."""
-        from ..dynamics.forces import told_of
-        from .statics.stability import springs
-
-        q = [getattr(eq, name) for name in self.coordinates]
-        given = [value[..., None] for value in self.arguments(eq.parameters, "motion")]
-        with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
-            forces = {name: np.where(np.isnan(q[0]), np.nan, force(q, given)) for name, force in told_of(self).items()}
-        return {**springs(eq), **forces}
-
-    def linearized(
-        self, eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None
-    ) -> Linearized:
-        """What grows at equilibria: see :func:`spragsym.models.statics.stability.linearized`."""
-        from .statics.stability import linearized
-
-        return linearized(eq, states, around)
 
     def one(self, vary: str | None) -> str:
         if not self.parameters:
@@ -330,6 +235,12 @@ class Model:
         from .load import load
 
         return (load, (self.where,)) if self.closed or load(self.where) is self else (_searching, (self.where,))
+
+
+@cache
+def _found(room: str, name: str) -> Callable[..., Any]:
+    found: Callable[..., Any] = getattr(import_module(room, "spragsym"), name)
+    return found
 
 
 def _searching(where: str) -> Model:

@@ -15,6 +15,10 @@ MIRRORED = "a belt that runs the other way is the mirror image of the mechanism"
 _OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
 
 
+#: What an angle without a base value is, as in the article's cases.
+_INCLINATION = math.radians(30.0)
+
+
 def ranges(about: Mapping[str, Any]) -> dict[str, Range]:
     """Allowed values of every parameter, in order."""
     return {entry["name"]: _range(entry) for entry in about["parameters"]}
@@ -55,6 +59,17 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
         },
     )
     return named(made)
+
+
+def base_case(about: Mapping[str, Any], made: type[ParameterSet]) -> tuple[tuple[str, ParameterSet], ...]:
+    """One point of all parameters to begin at: base values, or an inclination, or the middle of a range."""
+    values = {}
+    for entry in about["parameters"]:
+        low, high = entry["low"], entry["high"]
+        angle = entry["name"] in about["angles"]
+        middle = _INCLINATION if angle else 0.5 * (low + high) if low is not None and high is not None else 1.0
+        values[entry["name"]] = middle if entry["base"] is None else entry["base"]
+    return (("Base values", made(**values)),)
 
 
 def _range(entry: Mapping[str, Any]) -> Range:

@@ -302,15 +302,18 @@ class Equilibria(Result):
 
     @cached_property
     def _made(self) -> dict[str, FloatArray]:
-        found: dict[str, FloatArray] = self._model.columns(self)
-        return found
+        from ..models.statics.stability import told_of_states
+
+        return told_of_states(self)
 
     @cached_property
     def _all(self) -> Any:
         return self._linearized(self.states)
 
     def _linearized(self, states: tuple[NDArray[np.int64], ...]) -> Any:
-        return self._model.linearized(self, states, self._source.around)
+        from ..models.statics.stability import linearized
+
+        return linearized(self, states, self._source.around)
 
     def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
         """Values of all states by point and slot."""

@@ -110,18 +110,21 @@ class Onsets(Points):
         form = self.normal_forms[int(index)]
         if isinstance(form, str):
             raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
-        return self.parameters.model.born(
-            self._given(int(index)), self._state(int(index)), self.vary[0], form, amplitude, backend
-        )
+        from ..models.catastrophe.births import born
+
+        model, state = self.parameters.model, self._state(int(index))
+        return born(model, self._given(int(index)), state, self.vary[0], form, amplitude, backend)
 
     def _normal_form(self, row: int) -> Any:
         if self.kind[row] != "hopf":
             return UNDAMPED
+        from ..models.catastrophe.normal_forms import normal_form
+
         state, vary = self._state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * np.maximum(1.0, np.abs([*state, getattr(self, vary)[row]])) * (1 + 2.0**-50)
         try:
-            return self.parameters.model.normal_form(self._given(row), state, vary, radii)
+            return normal_form(self.parameters.model, self._given(row), state, vary, radii)
         except Undecided as reason:
             return str(reason)
 

@@ -165,8 +165,9 @@ class Points(Rows):
 
     @cached_property
     def _what_ends(self) -> Ended:
-        found: Ended = self._ended or self.parameters.model.ended(self)
-        return found
+        from ..models.catastrophe.fold_outcomes import ended
+
+        return self._ended or ended(self)
 
     @cached_property
     def _states(self) -> Equilibria:

@@ -108,11 +108,13 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
+    from ..models.problems import motions  # a room above this one
+
     model, p = model_of(p), p.given(V=V, d=d)
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
     settings = settings_of(t_end, transient, rtol, backend, max_steps, model.backends)
-    return carried_out(Plan(inputs, settings, model.motions, Results(model)), workers, progress, store)
+    return carried_out(Plan(inputs, settings, partial(motions, model), Results(model)), workers, progress, store)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ each of them; the exit code is that of the tests.
 
 from __future__ import annotations
 
+import inspect
 import os
 import sys
 from itertools import takewhile
@@ -16,21 +17,27 @@ from pathlib import Path
 import pytest
 
 import spragsym as ss
-from spragsym import door
 from tests.conformance import models
 
 
-def ways(model: ss.Model, name: str) -> tuple[str, ...]:
+def questions() -> dict[str, bool]:
+    """Public functions that are asked of sets of parameters, and whether other models than the article's can be asked."""
+    asked = {name: getattr(ss, name) for name in ss.__all__ if inspect.isfunction(getattr(ss, name))}
+    first = {name: next(iter(inspect.signature(one).parameters), "") for name, one in asked.items()}
+    of_article = {"surface", "flutter_boundary", "linear_sprag", "linear_critical_friction"}
+    return {name: name not in of_article for name in asked if first[name] in ("p", "low", "distribution")}
+
+
+def ways(model: ss.Model, name: str, general: bool) -> tuple[str, ...]:
     """How a model answers a question."""
-    general = getattr(getattr(ss.Model, name), "__wrapped__", None)
-    found = ["closed"] * (name in model.closed) + ["search"] * getattr(general, "answered", True)
-    return tuple(found)
+    own = name in model.closed or (not general and bool(model.closed))
+    return (*["closed"] * own, *["search"] * general)
 
 
 def table(asked: list[ss.Model]) -> list[list[str]]:
     """A row for each question."""
-    head = ["", *(model.name for model in asked)]
-    return [head, *([name, *("+".join(ways(model, name)) or "-" for model in asked)] for name in sorted(door.INTERFACE))]
+    rows = ([name, *("+".join(ways(model, name, general)) or "-" for model in asked)] for name, general in questions().items())
+    return [["", *(model.name for model in asked)], *rows]
 
 
 def main() -> int:

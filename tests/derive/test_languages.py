@@ -15,7 +15,7 @@ from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
 #: Modules of spragsym that every room may use.
-SERVANTS = {"assumed", "_version", "display", "door", "errors", "names", "progress"}
+SERVANTS = {"assumed", "_version", "display", "questions", "errors", "names", "progress"}
 
 
 def section(title: str) -> str:

@@ -21,6 +21,7 @@ from spragsym.dynamics import (
 from spragsym.dynamics.lobatto import unit_points
 from spragsym.generated import stability
 from spragsym.kang_nam.statics.solver import equilibria
+from spragsym.models.problems import prepare
 from tests.support import few
 
 #: The article's model, as cycles take it.
@@ -49,7 +50,7 @@ def base() -> dict[str, Trajectory]:
 @pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")
 def test_compiled_is_scipy_step_for_step(base: dict[str, Trajectory]) -> None:
     """The same steps and events, since C has the page's algebra; digits part slowly, as a compiler sums in another order."""
-    problem = BASE.model.prepare(BASE.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=40.0, rtol=1e-9)
+    problem = prepare(BASE.model, BASE.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=40.0, rtol=1e-9)
     compiled, scipy = (integrators.integrate(problem, name).samples for name in ("compiled", "scipy"))
     assert compiled.t.size == scipy.t.size
     np.testing.assert_allclose(compiled.t, scipy.t, atol=1e-7)
@@ -201,7 +202,7 @@ def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, former)
-    problem = p.model.prepare(p.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=1.0, rtol=1e-10)
+    problem = prepare(p.model, p.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=1.0, rtol=1e-10)
     assert 0 < with_heyoka.compiled_for(problem).solver.time < 1e6
 
 
@@ -248,7 +249,7 @@ def test_a_cycle_that_scipy_closes_closes_in_all_digits(monkeypatch: pytest.Monk
         theta0=2.7812867375530876, mu0=0.4634621203921272, kappa=0.01839, alpha=0.0076022, sigma=0.2678068, beta=0.0
     )
     belt = {"V": 0.15216712083347134, "d": 5.41751330401023}
-    problem = p.model.prepare(p.replace(**belt), start=(0, 0, 0, 0), t_end=60.0, rtol=1e-10)
+    problem = prepare(p.model, p.replace(**belt), start=(0, 0, 0, 0), t_end=60.0, rtol=1e-10)
     near = np.array([0.0294, 0.7032, 0.0, 0.0])
     found = flows.onward(problem, "scipy").closed(near, 20.673, 0.1)
     run = {"rtol": 1e-13, "backend": "scipy"}
@@ -275,7 +276,7 @@ def _highest_near(tr: Trajectory, t: float) -> np.ndarray:
 def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
     """Or cycles near a state at rest along the belt are found by one integrator and not by the other."""
     none = np.zeros((2, 8))
-    constants = BASE.model.prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
+    constants = prepare(BASE.model, BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
     for name in set(_installed()) & set(integrators.OF_ANY_MODEL):
         passage = flows.flow(SPRAG, name, derivatives=False).fly(np.array([1.7, 0.34, 0.0, 0.06]), constants, 30.0, none)
         turns = [turn for turn in passage.turns if turn.border == -1]

@@ -15,6 +15,7 @@ from spragsym.dynamics.motions import Measured, Motions
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.errors import SweepError
+from spragsym.models.problems import prepare
 from spragsym.sweeps import rms_sweep
 
 pytest.importorskip("heyoka")
@@ -29,7 +30,7 @@ def problems(count: int, t_end: float = 60.0, t_record: float = 20.0, **options:
     for theta0, mu0, *start in RNG.uniform(low, high, (count, 6)).tolist():
         p = ss.Parameters.article(theta0=theta0, mu0=mu0)
         found.append(
-            p.model.prepare(p.replace(**BELT), start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options)
+            prepare(p.model, p.replace(**BELT), start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options)
         )
     return found
 

@@ -12,6 +12,7 @@ import spragsym as ss
 from spragsym.dynamics import with_compiled
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.regimes import Regime
+from spragsym.models.problems import prepare
 from spragsym.sweeps import basin, rms_sweep
 from tests.oracles import article_motion
 
@@ -88,7 +89,7 @@ def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
 
 @pytest.fixture(scope="session")
 def problem() -> Problem:
-    return SLOW.model.prepare(SLOW.replace(**BELT), start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
+    return prepare(SLOW.model, SLOW.replace(**BELT), start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
 
 
 @needs_heyoka

@@ -90,6 +90,18 @@ def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[
     return out
 
 
+def told_of_states(eq: Equilibria) -> dict[str, FloatArray]:
+    """What follows from where equilibria are: directions, lengths and tensions of inclined springs, the contact's force."""
+    from ...dynamics.forces import told_of
+
+    model = eq.parameters.model
+    q = [getattr(eq, name) for name in model.coordinates]
+    given = [value[..., None] for value in model.arguments(eq.parameters, "motion")]
+    with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
+        forces = {name: np.where(np.isnan(q[0]), np.nan, force(q, given)) for name, force in told_of(model).items()}
+    return {**springs(eq), **forces}
+
+
 def springs(eq: Equilibria) -> dict[str, FloatArray]:
     """Direction in (−π, π] and length of each inclined spring: theta and L of one, theta_1, L_1, … of several."""
     balance = Balance(eq.parameters.model, eq.contact)

@@ -22,6 +22,7 @@ from spragsym.dynamics.classify import classify
 from spragsym.dynamics.motions import Motions
 from spragsym.dynamics.problem import Problem
 from spragsym.dynamics.with_heyoka import compiled_for
+from spragsym.models.problems import prepare
 from spragsym.sweeps import rms_sweep, sensitivity
 from spragsym.sweeps.workers import pool
 
@@ -154,7 +155,7 @@ def overhead_table() -> None:
     for t_end, times, many in ((10.0, 200, 200), (2000.0, 5, 5)):
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
-            problem = p.model.prepare(p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
+            problem = prepare(p.model, p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
             motions, flow = Motions.of([problem]), flows.onward(problem, "heyoka")
             course = integrators.measure(motions, "heyoka").course(0)
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}

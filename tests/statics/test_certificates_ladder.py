@@ -110,9 +110,9 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
 
 @pytest.mark.usefixtures("few_bits")
 def test_a_boundary_that_no_bits_settle_is_an_error(arith: Arithmetic) -> None:
-    """The mass at the anchor of the spring: with α = β = 0 and κ = σ the balance holds at θ = −π/2 with L = 0 exactly."""
+    """The mass at the anchor, θ = −π/2 and L = 0, but for a difference of preload and stiffness that 128 bits do not see."""
     with pytest.raises(ss.ConvergenceError, match=r"128 bits do not settle theta0=.*: L or y holds 0; move the point off"):
-        adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, Fraction(1, 2), 0, contact=False, arith=arith)
+        adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, Fraction(1, 2) + Fraction(1, 10**60), 0, contact=False, arith=arith)
 
 
 @pytest.mark.parametrize("power", [20, 34, 50])
@@ -168,7 +168,7 @@ def _states(monkeypatch: pytest.MonkeyPatch, arith: Arithmetic, given: list[Any]
     monkeypatch.setattr(kernel, "state", lambda *_: tuple(given))
     monkeypatch.setattr(adaptive_precision, "_stability", lambda *_: 1)
     t, values = arith.exact(Fraction(1, 2)), (*[arith.exact(Fraction(1))] * 7, 1)
-    return adaptive_precision._state(arith, t, values[:4], values, digits, fold)
+    return adaptive_precision._state(arith, t, values[:4], values, digits, fold, shrunk=False)
 
 
 def test_lengths_and_sides_that_hold_0_are_undecided(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,9 @@ from .spans import Span, Typed, box, span, vary, within
 from .states import boxes_of, rows_of, summed, unless_room
 from .tables import print_json, print_table
 from .targets import force, refuse
+
+#: Points of a table.
+MOST = 10_000
 
 
 @of_model(kind=Numbers, statics=True)
@@ -64,10 +68,13 @@ def equilibria(
         _draw(case, None if vary is None else along, plot, force)
     many = [name for name, value in case.values.items() if not isinstance(value, float) and value.ndim]
     asked = box(case, within)
-    found = []
-    for point in _points(case.values):
-        told = {title: unit * point[name] for name, (title, unit) in titles.items()}
-        found.append({"parameters": told, **_states(case, point, asked)})
+    found, size = [], math.prod(np.size(value) for value in case.values.values())
+    if size > MOST:
+        raise click.UsageError(f"{size} points are more than the {MOST} of a table; in Python ss.equilibria takes any number")
+    with show_progress(f"searching for equilibria of {size} points" if many else "searching for equilibria"):
+        for point in _points(case.values):
+            told = {title: unit * point[name] for name, (title, unit) in titles.items()}
+            found.append({"parameters": told, **_states(case, point, asked)})
     if json_output:
         print_json({"model": case.model.name, **({"points": found} if many else found[0])})
         return
@@ -119,8 +126,7 @@ def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
     told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
     for contact, state in case.model.regimes.items():
         try:
-            with show_progress(f"searching for equilibria in {state}"):
-                eq = ss.equilibria(p, contact=contact, **more)
+            eq = ss.equilibria(p, contact=contact, **more)
         except ConvergenceError as reason:  # the other regime may be known
             told["undecided"].append({"state": state, "reason": str(reason)})
             told["complete"] = False

@@ -251,7 +251,7 @@ def test_a_cycle_that_scipy_closes_closes_in_all_digits(monkeypatch: pytest.Monk
     belt = {"V": 0.15216712083347134, "d": 5.41751330401023}
     problem = prepare(p.model, p.replace(**belt), start=(0, 0, 0, 0), t_end=60.0, rtol=1e-10)
     near = np.array([0.0294, 0.7032, 0.0, 0.0])
-    found = flows.onward(problem, "scipy").closed(near, 20.673, 0.1)
+    found = flows.onward(problem, "scipy").closed(near, 2, 20.673, 0.1)
     run = {"rtol": 1e-13, "backend": "scipy"}
     starts = [found.state, *(found.state + off * np.eye(4)[i] for i in (0, 1, 3) for off in (1e-6, -1e-6))]
     back = [
@@ -262,7 +262,7 @@ def test_a_cycle_that_scipy_closes_closes_in_all_digits(monkeypatch: pytest.Monk
     returns = np.array([_highest_near(tr, found.period) for tr in back])
     np.testing.assert_allclose(found.slope, (returns[1::2] - returns[2::2]).T / 2e-6, atol=1e-4)
     monkeypatch.setattr(flows, "LOOSE", 1e-6)
-    again = flows.onward(problem, "scipy").closed(near, 20.673, 0.1)
+    again = flows.onward(problem, "scipy").closed(near, 2, 20.673, 0.1)
     assert np.abs(again.state - found.state).max() < 1e-11
     assert again.period == pytest.approx(found.period, abs=1e-11)
 

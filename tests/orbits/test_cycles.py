@@ -474,7 +474,7 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
 
 @pytest.mark.thorough
 def test_chaos_is_proved_by_exponents() -> None:
-    found = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0)
+    found = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0, t_end=60_000.0)
     assert found.kind == "chaotic", found.why
     across = np.abs(found.exponents) > 2 * found.error
     assert across.sum() == 3  # all but that of the flow
@@ -545,13 +545,14 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
 
 
 @pytest.mark.thorough
-def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
+def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     p = at(60.0, kappa=0.001)
     lifted = ss.equilibria(p, contact=False)
     (well,) = np.flatnonzero(lifted.stability == ss.Stability.STABLE)
     start = (float(lifted.x[well]) + 0.01, float(lifted.y[well]), 0.0, 0.0)
-    with pytest.raises(ss.ConvergenceError, match="lifted off for good"):
-        ss.cycle(p, **BELT, near=start)
+    orbit = ss.cycle(p, **BELT, near=start)  # one of a family of closed orbits about the bottom of the well
+    assert np.abs(orbit.multipliers) == pytest.approx(1.0, abs=1e-6)
+    assert not orbit.stable
     found = ss.lyapunov(p, **BELT, start=start, t_end=500.0)
     assert abs(found.trace) < 1e-15  # no friction without contact
     assert found.zero.all()

@@ -27,7 +27,7 @@ def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
 
 
 def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK) -> list[Any]:
-    """Curves of folds and cusps in the plane of two parameters; returns the artists.
+    """Curves of folds and cusps in the plane of two parameters, undecided stretches of lines shaded; returns the artists.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
     for curve in found.curves:
         artists += ax.plot(as_drawn(model, one, getattr(curve, one)), as_drawn(model, two, getattr(curve, two)), color=color)
     cusps = [as_drawn(model, name, getattr(found.cusps, name)) for name in found.vary]
-    artists += ax.plot(*cusps, "o", color=BLACK, markersize=3.5)
+    artists += [*ax.plot(*cusps, "o", color=BLACK, markersize=3.5), *_undecided(ax, model, found)]
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
 
@@ -53,7 +53,7 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
 
     Full where the onset is gentle, dashed where it is dangerous, dotted where that is undecided; dots where that changes (GH),
     squares for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without damping two modes meet on
-    grey lines. The axes span the ranges that were searched.
+    grey lines. The axes span the ranges that were searched, and undecided stretches of lines are shaded.
 
     Parameters
     ----------
@@ -82,7 +82,15 @@ def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
             artists.append(ax.annotate(text, place, aside, textcoords="offset points", fontsize="x-small"))
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     _span(ax, model, found.vary, found.between)
-    return artists
+    return [*artists, *_undecided(ax, model, found)]
+
+
+def _undecided(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:
+    """Stretches of the lines that were searched of which it is not known what they hold."""
+    if not len(found.undecided):
+        return []
+    ends = [[as_drawn(model, name, found.undecided[:, k - 2, end]) for k, name in enumerate(found.vary)] for end in (0, 1)]
+    return ax.plot(*np.swapaxes(ends, 0, 1), color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 
 
 def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None:

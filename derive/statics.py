@@ -31,14 +31,6 @@ def jacobian(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
     return tuple(tuple(model.tidy(model.derivative(row, symbol)) for symbol in model.coordinates) for row in model.residuals)
 
 
-def hessian(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, ...], ...], ...]:
-    """Second derivatives of the residuals."""
-    return tuple(
-        tuple(tuple(model.tidy(model.derivative(entry, symbol)) for symbol in model.coordinates) for entry in row)
-        for row in jacobian(model)
-    )
-
-
 def by_parameters(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
     """Derivatives of the residuals by the parameters, and by μ as the last."""
     return tuple(
@@ -116,8 +108,6 @@ def module(model: Mechanics) -> Module:
                      model.residuals_apart, "(F_1, …)"),
             function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,
                      jacobian(model), "((∂F_1/∂q_1, …), …)"),
-            function("forces_hessian", "Second derivatives of the forces by the coordinates.", state, hessian(model),
-                     "(((∂²F_1/∂q_1∂q_1, …), …), …)"),
             function("forces_by_parameters", "Derivatives of the forces by the parameters, an angle as the angle, and by mu.", state,
                      by_parameters(model), "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)"),
             *apart,

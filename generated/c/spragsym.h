@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "80bc78b10d809c7b"
+#define SPRAGSYM_SOURCE "ebcf767cc93d26aa"
 
 /** What became of a call. */
 typedef enum {

@@ -14,7 +14,7 @@
  */
 
 /** Head of the SHA-256 of what was emitted together. */
-export const SOURCE = "80bc78b10d809c7b";
+export const SOURCE = "ebcf767cc93d26aa";
 
 /** Names of the parameters, in the order in which the algebra takes them. */
 export const NAMES = Object.freeze(["theta0", "mu0", "kappa", "alpha", "sigma", "beta"]);

@@ -36,8 +36,8 @@ from ..._broadcast import broadcasting
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
-    "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
+    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
+    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
     "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
@@ -136,21 +136,6 @@ def forces_jacobian(
     w0 = 1/l1
     w1 = c1*s1*sigma*w0
     return ((alpha + sigma*(-(s1*s1)*w0 + 1), mu*pushing + w1), (w1, beta + pushing + sigma*(-(c1*c1)*w0 + 1)))
-
-
-@broadcasting
-def forces_hessian(
-    x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma_g, cos_psi, sin_psi, mu, pushing, *, xp=numpy,
-):
-    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
-    Operations: 16."""
-    w0 = 3*(s1*s1)
-    w1 = sigma/(l1*l1)
-    w2 = c1*w1
-    w3 = s1*w1
-    w4 = w3*(2 - w0)
-    w5 = w2*(w0 - 1)
-    return (((-w0*w2, w4), (w4, w5)), ((w4, w5), (w5, -3*(c1*c1)*w3)))
 
 
 @broadcasting

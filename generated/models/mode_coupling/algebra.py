@@ -27,8 +27,8 @@ from ..._broadcast import broadcasting
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
-    "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
+    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
+    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
     "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
@@ -119,13 +119,6 @@ def forces_jacobian(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     w0 = sigma/2
     w1 = -w0
     return ((alpha + w0, mu + w1), (w1, beta + w0 + 1))
-
-
-@broadcasting
-def forces_hessian(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
-    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
-    Operations: 0."""
-    return (((0, 0), (0, 0)), ((0, 0), (0, 0)))
 
 
 @broadcasting

@@ -43,8 +43,8 @@ from ..._broadcast import broadcasting
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
-    "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
+    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
+    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
     "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
@@ -156,24 +156,6 @@ def forces_jacobian(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sig
         (w2, pushing + sigma*(-(c1*c1)*w0 + 1) + sigma_p, w3, w4),
         (0, w3, pushing + sigma_w, 0),
         (0, w4, 0, sigma_p),
-    )
-
-
-@broadcasting
-def forces_hessian(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing, *, xp=numpy):
-    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
-    Operations: 16."""
-    w0 = 3*(s1*s1)
-    w1 = sigma/(l1*l1)
-    w2 = c1*w1
-    w3 = s1*w1
-    w4 = w3*(2 - w0)
-    w5 = w2*(w0 - 1)
-    return (
-        ((-w0*w2, w4, 0, 0), (w4, w5, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)),
-        ((w4, w5, 0, 0), (w5, -3*(c1*c1)*w3, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)),
-        ((0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)),
-        ((0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)),
     )
 
 

@@ -32,7 +32,7 @@ from ..._broadcast import broadcasting
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "turnings", "torsions", "forces", "stiffnesses", "spring_forces", "contact_force",
-    "forces_apart", "forces_jacobian", "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope",
+    "forces_apart", "forces_jacobian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope",
     "friction_slope_by_sizes", "rhs", "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates",
     "layers", "layer_rates", "turning_borders", "turning_rates", "energy", "strain_energy", "friction_power",
     "damper_power", "applied_power",
@@ -163,53 +163,6 @@ def forces_jacobian(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, 
         (
             (kappa*(-2*s1_2*w6 - w10*w14*w6 + w10*w9 + w11*w12 - w11*w13 + w12*w13*w8 - w14*w15*w7 + w15*w9 + w6 + w7) -
             pushing + w0_2*w1 - w1*w2*w4 + w2*w3 + w3*w4,)
-        ),
-    )
-
-
-@broadcasting
-def forces_hessian(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
-    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
-    Operations: 114."""
-    s1_2 = s1*s1
-    s1_3 = s1*s1_2
-    w0 = xp.sin(phi)
-    w0_2 = w0*w0
-    w1 = mu*pushing
-    w10 = c1*s1
-    l1_2 = l1*l1
-    w7 = 1/(l1*l1_2)
-    w11 = w0*w7
-    w12 = 12*s1
-    w13 = 6*w0_2
-    w14 = s1_2*w0_2
-    w15 = 8*phi1
-    w8 = (w0*w0_2)*w7
-    w16 = c1*w8
-    w17 = phi1/l1
-    w3 = xp.cos(phi)
-    w18 = s1*w3
-    w19 = w0*w3
-    w2 = pushing*w0
-    w20 = w3*w7
-    w21 = c1*w20
-    w22 = 6*phi1
-    w23 = c1*w11
-    w24 = 6*s1_2
-    w25 = w18*w7
-    w26 = s1_3*w20
-    w27 = 32*phi1
-    w28 = 24*phi1
-    w4 = 1/l1_2
-    w5 = phi1*w4
-    w6 = 6*w5
-    w9 = 3*w4
-    return (
-        (
-            ((cos0*w1*w3 - cos0*w2 + kappa*(c1*w0*w17 - c1*w12*w19*w5 + 18*s1*w8 - s1_2*w16*w27 + s1_2*w23*w28 - s1_2*w6 +
-            18*s1_3*w11 - 24*s1_3*w8 + w0_2*w25*w28 - w0_2*w26*w27 - w0_2*w6 - w10*w13*w4 + w10*w9 - w11*w12 - w13*w21 +
-            24*w14*w21 + 12*w14*w5 + w15*w16 + w15*w26 + w17*w18 - w19*w24*w4 + w19*w9 - w21*w24 - w22*w23 - w22*w25 + 3*w5) +
-            4*w0_2*w1 - 2*w1 + 4*w2*w3,),)
         ),
     )
 

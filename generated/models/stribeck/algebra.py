@@ -33,15 +33,15 @@ import numpy
 
 from ..._broadcast import broadcasting
 from ..kang_nam.algebra import (
-    contact_gap, forces, forces_apart, forces_by_parameters, forces_hessian, forces_jacobian, geometry, mirror,
-    spring_forces, squared_lengths, stiffnesses,
+    contact_gap, forces, forces_apart, forces_by_parameters, forces_jacobian, geometry, mirror, spring_forces,
+    squared_lengths, stiffnesses,
 )
 
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
-    "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
+    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
+    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
     "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 

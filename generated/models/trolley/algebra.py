@@ -38,7 +38,7 @@ from ..._broadcast import broadcasting
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_hessian", "forces_by_parameters", "balance", "balance_jacobian", "mass_matrix", "damping", "friction_slope",
+    "forces_by_parameters", "balance", "balance_jacobian", "mass_matrix", "damping", "friction_slope",
     "friction_slope_by_sizes", "rhs", "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates",
     "layers", "layer_rates", "energy", "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
@@ -141,29 +141,6 @@ def forces_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
     w4 = -sigma*w1
     w5 = -w3
     return ((alpha + w2, mu*pushing + w3, w4), (w3, beta + pushing + sigma*(-(c1*c1)*w0 + 1), w5), (w4, w5, alpha_a + w2))
-
-
-@broadcasting
-def forces_hessian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing, *, xp=numpy):
-    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
-    Operations: 20."""
-    w0 = 3*(s1*s1)
-    w1 = sigma/(l1*l1)
-    w2 = c1*w1
-    w3 = w0*w2
-    w4 = -w3
-    w5 = w0 - 2
-    w6 = s1*w1
-    w7 = -w5*w6
-    w8 = w0 - 1
-    w9 = w2*w8
-    w10 = w5*w6
-    w11 = -w2*w8
-    return (
-        ((w4, w7, w3), (w7, w9, w10), (w3, w10, w4)),
-        ((w7, w9, w10), (w9, -3*(c1*c1)*w6, w11), (w10, w11, w7)),
-        ((w3, w10, w4), (w10, w11, w7), (w4, w7, w3)),
-    )
 
 
 @broadcasting

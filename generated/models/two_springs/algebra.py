@@ -40,8 +40,8 @@ from ..._broadcast import broadcasting
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
-    "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
+    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
+    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
     "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
@@ -163,28 +163,6 @@ def forces_jacobian(
         (alpha + sigma*(-(s1*s1)*w0 + 1) + sigma_2*(-(s2*s2)*w1 + 1), mu*pushing + w2),
         (w2, beta + pushing + sigma*(-(c1*c1)*w0 + 1) + sigma_2*(-(c2*c2)*w1 + 1)),
     )
-
-
-@broadcasting
-def forces_hessian(
-    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing, *,
-    xp=numpy,
-):
-    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
-    Operations: 46."""
-    s1_2 = s1*s1
-    w0 = 1/(l1*l1)
-    w1 = c1*w0
-    w2 = 3*s1_2*w1
-    s2_2 = s2*s2
-    w3 = lambda_2/(l2*l2)
-    w4 = c2*w3
-    w5 = 3*s2_2*w4
-    w6 = 3*w0
-    w7 = 3*w3
-    w8 = sigma*(2*s1*w0 - (s1*s1_2)*w6) + sigma_2*(2*s2*w3 - (s2*s2_2)*w7)
-    w9 = sigma*(-w1 + w2) + sigma_2*(-w4 + w5)
-    return (((-sigma*w2 - sigma_2*w5, w8), (w8, w9)), ((w8, w9), (w9, -(c1*c1)*s1*sigma*w6 - (c2*c2)*s2*sigma_2*w7)))
 
 
 @broadcasting

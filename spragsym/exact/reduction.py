@@ -1,8 +1,8 @@
 """Roots of a system in a small box where its Jacobian is nearly singular: reduced to one unknown, with many digits.
 
-The function g(u) of :mod:`.reduced_equations` has a Taylor polynomial of degree 3 with an enclosure of the last coefficient,
-which holds all roots: a cubic with one coefficient that is an interval. Its roots are isolated by halving, in balls of many
-digits.
+Near a fold or a cusp the Jacobian has rank n − 1. So n − 1 of the equations determine all unknowns but one, u, uniquely in a
+small box, and the last equation becomes g(u). Its Taylor polynomial of degree 3 with an enclosure of the last coefficient holds
+all roots: a cubic with one coefficient that is an interval. These are isolated by halving, in balls of many digits.
 
 What is proved of the box: the other unknowns stay in it, as functions of u, by interval Newton on the n − 1 equations; a
 piece of u holds no root if the polynomial is not 0 on it, and exactly one if its slope is not 0 on it and its signs at both
@@ -20,10 +20,10 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from .elimination import solved
 from .intervals import Ball, Balls
-from .jets import gradient, variables
+from .jets import Jet, gradient, variables
 from .polynomials import Undecided
-from .reduced_equations import ReducedEquations
 
 #: F of balls or of jets of balls.
 Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
@@ -31,8 +31,6 @@ Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
 Box: TypeAlias = list[tuple[Fraction, Fraction]]
 
 _BALLS = Balls()
-#: The row of the only box.
-_ONE = np.zeros(1, dtype=np.int64)
 #: Times a piece of u is halved before the expansion is made anew for its halves.
 HALVINGS = 60
 #: Pieces of one expansion after which it counts as too wide.
@@ -89,51 +87,82 @@ def third_derivative(evaluate: Evaluate, box: Box, jacobian: NDArray[np.float64]
         return task.third(box[task.along], task.others(box[task.along], box))
 
 
-@dataclass(frozen=True)
-class _OneBox:
-    """A system with slopes from jets."""
-
-    evaluate: Evaluate
-
-    def values(self, _rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Any]:
-        """F of balls or of jets of balls."""
-        return self.evaluate(unknowns)
-
-    def slopes(self, _rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
-        """Its slopes."""
-        return [gradient(row, len(unknowns)) for row in self.evaluate(variables(unknowns, 1))]
-
-
 def _task(evaluate: Evaluate, jacobian: NDArray[np.float64], among: Sequence[int]) -> _Task:
     """With u and the equation that is left among the given ones."""
     left, _, right = np.linalg.svd(jacobian)
     unknowns, equations = (_first(max(among, key=lambda i: abs(float(part[i]))), part.size) for part in (right[-1], left[:, -1]))
-    return _Task(_OneBox(evaluate), _ONE, unknowns, equations, _largest_pivot)
+    return _Task(evaluate, unknowns, equations)
 
 
-def _first(number: int, n: int) -> NDArray[np.int64]:
-    """Numbers in their order, but one of them first, as a column."""
-    return np.array([number, *(i for i in range(n) if i != number)])[:, None]
+def _first(number: int, n: int) -> tuple[int, ...]:
+    """Numbers in their order, but one of them first."""
+    return (number, *(i for i in range(n) if i != number))
 
 
-class _Task(ReducedEquations):
-    """One box, of balls."""
+@dataclass(frozen=True)
+class _Task:
+    """A system in one box: u is the first of the ``unknowns``, the equation that is left the first of the ``equations``."""
+
+    evaluate: Evaluate
+    unknowns: tuple[int, ...]
+    equations: tuple[int, ...]
+
+    def _ordered(self, values: Sequence[Any]) -> list[Any]:
+        """Unknowns in their order, of u and the others."""
+        return [values[self.unknowns.index(place)] for place in range(len(values))]
+
+    def _values(self, unknowns: Sequence[Any]) -> list[Any]:
+        """F, the equation that is left first."""
+        values = self.evaluate(self._ordered(unknowns))
+        return [values[row] for row in self.equations]
+
+    def _slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
+        """Slopes of F by u and the others, the equation that is left first."""
+        rows = [gradient(row, len(unknowns)) for row in self.evaluate(variables(self._ordered(unknowns), 1))]
+        return [[rows[row][place] for place in self.unknowns] for row in self.equations]
+
+    def _coefficients(self, series: Sequence[Sequence[Any]], order: int) -> list[Any]:
+        """Coefficients of that order of F along series of u and the others to one order less, the equation that is left first."""
+        jets = [Jet({(0,) * k: part[k] for k in range(order) if not _is_zero(part[k])}, order) for part in series]
+        return [row.terms.get((0,) * order, 0) if isinstance(row, Jet) else 0 for row in self._values(jets)]
+
+    def _newton(self, u: Ball, others: Sequence[Ball]) -> list[Any]:
+        """Interval Newton's operator m − J⁻¹ S(u, m) for the other unknowns as functions of u, which solve n − 1 equations S."""
+        middle = [_BALLS.middle(value) for value in others]
+        slopes = [row[1:] for row in self._slopes([u, *others])[1:]]
+        steps = solved(slopes, self._values([u, *middle])[1:], _largest_pivot)
+        return [m - step for m, step in zip(middle, steps, strict=True)]
+
+    def _expansion(self, u: Ball, others: Sequence[Ball], highest: int) -> list[Any]:
+        """Taylor coefficients of g from the first on; those of F are linear in the last ones of the others."""
+        slopes = self._slopes([u, *others])
+        matrix, zero = [row[1:] for row in slopes[1:]], Ball(0, 0, 0, u.bits)
+        steps = solved(matrix, [row[0] for row in slopes[1:]], _largest_pivot)
+        series: list[list[Any]] = [[u, 1], *([value, zero - step] for value, step in zip(others, steps, strict=True))]
+        out = [_less(slopes[0][0], slopes[0][1:], steps) + zero]
+        for order in range(2, highest + 1):
+            rest, *rows = self._coefficients(series, order)
+            steps = solved(matrix, rows, _largest_pivot)
+            out.append(_less(rest, slopes[0][1:], steps) + zero)
+            for part, term in zip(series, [0, *(zero - step for step in steps)], strict=True):
+                part.append(term)
+        return out
 
     @property
     def along(self) -> int:
         """Number of u."""
-        return int(self.unknowns[0, 0])
+        return self.unknowns[0]
 
     def third(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Ball:
         """The third coefficient of the expansion about any point of a span."""
-        last: Ball = self.expansion(_ONE, _BALLS.between(*span), others, 3)[0][2]
+        last: Ball = self._expansion(_BALLS.between(*span), others, 3)[2]
         return last
 
     def at(self, u: Fraction, others: Sequence[Ball]) -> list[Any]:
         """The other coefficients of the expansion about a point."""
         at = _BALLS.exact(u)
         sharp = self._narrowed(at, others)
-        return [self.values(_ONE, [at, *sharp])[0], *self.expansion(_ONE, at, sharp, 2)[0]]
+        return [self._values([at, *sharp])[0], *self._expansion(at, sharp, 2)]
 
     def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> None:
         """All roots of a box: of the whole if it can be settled, else of its halves in u, and of theirs."""
@@ -175,7 +204,7 @@ class _Task(ReducedEquations):
     def _boxed(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Box:
         """A span of u, and the other unknowns."""
         sides = [span, *map(_BALLS.ends, others)]
-        return [sides[place] for place in np.argsort(self.unknowns[:, 0])]
+        return self._ordered(sides)
 
     def _polished(self, span: tuple[Fraction, Fraction], others: list[Ball], last: Any) -> Box:
         """A small box around the only root in a span, by interval Newton on g; ``last`` is its third coefficient."""
@@ -202,7 +231,7 @@ class _Task(ReducedEquations):
         # Widened, until the unknowns as functions of u stay inside; where they leave the box itself no harm is done.
         for _ in range(WIDENINGS):
             wide = [value + (value - _BALLS.middle(value)) * 3 for value in given]
-            image = self.newton(_ONE, u, wide)
+            image = self._newton(u, wide)
             if all(_inside(one, other) for one, other in zip(image, wide, strict=True)):
                 return self._narrowed(u, image)
             given = [_BALLS.union(one, other) for one, other in zip(image, given, strict=True)]
@@ -212,7 +241,7 @@ class _Task(ReducedEquations):
         """Balls of the other unknowns contracted until they are not narrower by much."""
         current = list(others)
         for _ in range(12):
-            image = self.newton(_ONE, u, current)
+            image = self._newton(u, current)
             if any(_width(one) * 2 > _width(other) for one, other in zip(image, current, strict=True)):
                 return [min(one, other, key=_width) for one, other in zip(image, current, strict=True)]
             current = image
@@ -259,6 +288,17 @@ def _taylor_slope(c: Sequence[Any], h: Ball) -> Any:
 def _at(c: Sequence[Any], place: Fraction) -> Any:
     h = _BALLS.exact(place)
     return c[0] + h * (c[1] + h * (c[2] + h * c[3]))
+
+
+def _less(value: Any, factors: Sequence[Any], steps: Sequence[Any]) -> Any:
+    """value − Σ factor step."""
+    for factor, step in zip(factors, steps, strict=True):
+        value = value - factor * step
+    return value
+
+
+def _is_zero(value: Any) -> bool:
+    return isinstance(value, int) and value == 0
 
 
 def _sign(value: Any) -> int:

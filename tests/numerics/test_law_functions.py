@@ -15,8 +15,6 @@ from spragsym.exact.ball_functions import XP as BALLS
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.intervals import Ball, Balls
 from spragsym.exact.jets import Jet
-from spragsym.exact.wide_balls import XP as WIDE
-from spragsym.exact.wide_balls import WideBalls
 from spragsym.models.mechanics.laws import XP as BOXES
 
 #: Each function, and arguments: about 0 and far from it, and where it is 1 or 0.
@@ -45,17 +43,12 @@ def ends(value: Any) -> tuple[mpmath.mpf, mpmath.mpf]:
     """Of the one number that it is."""
     if isinstance(value, Ball):
         return tuple(mpmath.mpf(end.numerator) / end.denominator for end in Balls().ends(value))  # type: ignore[return-value]  # two
-    if isinstance(value, WideBalls):
-        (high,), (low,), (radius,) = (np.atleast_1d(part) for part in (value.middle.high, value.middle.low, value.radius))
-        middle = mpmath.mpf(float(high)) + mpmath.mpf(float(low))
-        return middle - float(radius), middle + float(radius)
     return mpmath.mpf(float(value.low[0])), mpmath.mpf(float(value.high[0]))
 
 
 #: How a float becomes a number of each type, its functions, and the width allowed, relative to what is larger, the value or 1.
 TYPES: dict[str, tuple[Callable[[float], Any], Any, float]] = {
     "intervals": (lambda x: Intervals.point([x]), BOXES, 2e-14),
-    "double-double": (lambda x: WideBalls.exact(np.array([x])), WIDE, 4e-27),
     "balls": (lambda x: Balls().exact(Fraction(x)), BALLS, 2.0**-150),
 }
 
@@ -93,20 +86,17 @@ def test_derivatives_of_a_function(kind: str, name: str) -> None:
 @pytest.mark.parametrize("name", ARGUMENTS)
 def test_balls_of_arguments_hold_all_values(name: str) -> None:
     for x, r in ((0.5, 1e-3), (0.3, 1e-12), (2.0, 1e-20), (1.0, 2.0**-60), (3.0, 1e-5)):
-        wide = WideBalls.exact(np.array([x]))
-        wide.radius[0] = r
         ball = Balls().between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
-        for found, most in ((getattr(WIDE, name)(wide), 2e-27), (getattr(BALLS, name)(ball), 2.0**-150)):
-            low, high = ends(found)
-            size = max(abs(true(name, x)), 1)
-            for share in (-1, -0.3, 0.5, 1):
-                assert low <= true(name, mpmath.mpf(x) + share * mpmath.mpf(r)) <= high
-            assert high - low <= 60 * r * size + most * size
+        low, high = ends(getattr(BALLS, name)(ball))
+        size = max(abs(true(name, x)), 1)
+        for share in (-1, -0.3, 0.5, 1):
+            assert low <= true(name, mpmath.mpf(x) + share * mpmath.mpf(r)) <= high
+        assert high - low <= 60 * r * size + 2.0**-150 * size
 
 
 def test_numbers_without_width_are_as_right_as_others() -> None:
     """A number of the page, as the 2 of sqrt(2), is no exact float after its root."""
-    for functions in (BOXES, WIDE, BALLS):
+    for functions in (BOXES, BALLS):
         low, high = ends(functions.sqrt(2))
         assert low < mpmath.sqrt(2) < high
         low, high = ends(functions.pi)

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...exact import certified_roots, contractors, many_reductions
+from ...exact import certified_roots, contractors
 from ...exact.ball_functions import XP
 from ...exact.boxes import POLE, System
 from ...exact.certified_roots import Roots
@@ -21,7 +21,6 @@ from ...exact.krawczyk import ball, outward
 from ...exact.polynomials import Undecided
 from ...exact.reduction import Evaluate, Reduced, reduced_roots
 from .balance import Balance
-from .double_double_balance import Clusters
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
@@ -35,7 +34,7 @@ TOLERANCE = 1e-12
 CLUSTERS = 24
 #: Parts that are left all over a cluster: more bits do not help.
 ALL_OVER = 32
-#: Clusters of which double-double decides none: so many lie along a line.
+#: Boxes that are left of a point where roots form a line.
 LINE = 500
 #: Next boxes of the same point that a box is compared with at once.
 TOGETHER = 512
@@ -96,23 +95,14 @@ def replaced(found: Roots, points: NDArray[np.int64], again: Roots) -> Roots:
     )
 
 
-def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots, levels: int) -> Roots:
-    """What a search has left or knows to few digits, looked at again in double-double; what that leaves is left in clusters.
-
-    Parameters
-    ----------
-    levels : int
-        Times a cluster is divided.
-    """
+def clustered(given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+    """The same with one hull for each cluster of boxes that are left, and of boxes around roots that are known to few digits."""
     points = unsettled(found)
     if not points.size:
         return found
     hulls, owner = clusters(*boxes_of(found))
-    endless = np.bincount(owner)[owner] > LINE
-    ends, alone, mine, open_ = _by_double_double(balance, given[:, owner[~endless]], hulls[:, :, ~endless], levels)
-    left = endless.copy()
-    left[~endless] = open_
-    part = Roots(ends, alone, owner[~endless][mine], hulls[:, :, left], owner[left])
+    none = np.empty((2, hulls.shape[1], 0))
+    part = Roots(none, none, np.empty(0, dtype=np.int64), hulls, owner)
     return replaced(found, points, assembled(of_each(around, given), found, points, [part]))
 
 
@@ -129,7 +119,7 @@ def precise_forces(balance: Balance) -> Precise:
 def settled_by_digits(
     system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise, without: Sequence[int] = ()
 ) -> Roots:
-    """The same with many digits, one point after the other, ``without`` points for which they are in vain."""
+    """What a search has left or knows to few digits, with many digits, one point after the other; ``without`` some points."""
     if not unsettled(found).size:
         return found
     hulls, owner = clusters(*boxes_of(found))
@@ -173,21 +163,6 @@ def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
     poor = ~(found.error <= TOLERANCE)
     ends = np.concatenate([found.left, found.ends[:, :, poor] + AROUND], axis=2)
     return ends, np.concatenate([found.left_point, found.point[poor]])
-
-
-def _by_double_double(
-    balance: Balance, given: FloatArray, hulls: FloatArray, levels: int
-) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_]]:
-    """Ends of roots in clusters, of what each is alone in, the cluster of each; and the clusters that take more digits."""
-    boxes = widened(hulls)
-    with np.errstate(all="ignore"):
-        system = Clusters.at(balance, given)
-        slopes = balance.jacobian(Intervals.point(Intervals(boxes).middle), system.parameters).middle
-        found = many_reductions.reduced_roots(system, boxes, slopes, levels)
-    error = certified_roots.relative_error(found.ends, Intervals(found.ends).middle)
-    found.open[found.box[~(error <= TOLERANCE)]] = True
-    kept = ~found.open[found.box]
-    return found.ends[:, :, kept], found.alone[:, :, kept], found.box[kept], found.open
 
 
 def widened(hull: FloatArray) -> FloatArray:

@@ -28,13 +28,13 @@ from ..mechanics.precise_balance import (
     assembled,
     at,
     boxes_of,
+    clustered,
     hull_of_each,
     lines,
     of_each,
     of_points,
     precise_forces,
     replaced,
-    settled,
     settled_by_digits,
     unsettled,
 )
@@ -45,9 +45,8 @@ from .interval_newton import refined
 from .regions import by_hand, region
 from .remarks import kinds_of, of_region, summed
 
-#: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
-#: so is searched anew, to narrower boxes.
-STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
+#: Relative widths of boxes down to which a point is searched: what is left at one is searched anew at the next.
+STAGES = (2.0**-9, 2.0**-14, 2.0**-19, 2.0**-32, 2.0**-44)
 
 #: Boxes of a point that a second, narrower search leaves where roots form a line.
 ALL_OVER = 2000
@@ -144,7 +143,7 @@ def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
-    found = _searched(balance, given, around, *STAGES[0])
+    found = _searched(balance, given, around, STAGES[0])
     along = lines(found)
     for stage in STAGES[1:]:
         points = np.setdiff1d(unsettled(found), along)
@@ -152,7 +151,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
             left, owner = boxes_of(found)
             mine = np.isin(owner, points)
             hulls = hull_of_each(left[:, :, mine], np.searchsorted(points, owner[mine]), points.size)
-            part = at(_searched(balance, given[:, points], hulls, *stage, again=True), points)
+            part = at(_searched(balance, given[:, points], hulls, stage, again=True), points)
             along = np.union1d(along, lines(part))
             points = np.setdiff1d(points, along)
             found = replaced(found, points, assembled(of_each(around, given), found, points, [of_points(part, points)]))
@@ -161,19 +160,13 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     return around_anchors(balance, given, around, found, 0.0)
 
 
-def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int, again: bool = False) -> Roots:
-    """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double.
-
-    Where a search ``again`` still leaves boxes all over, there is a line of roots, and nothing is reduced.
-    """
+def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, again: bool = False) -> Roots:
+    """Roots by boxes down to a width, and clusters of what these leave; what a search ``again`` leaves all over is a line."""
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
     found = certified_roots.roots(balance, outcome, around, given, given)
     along = lines(found, ALL_OVER) if again else np.empty(0, dtype=np.int64)
-    if not along.size:
-        return settled(balance, given, around, found, levels)
-    rest = np.setdiff1d(np.arange(given.shape[1]), along)
-    some = settled(balance, given, around, of_points(found, rest), levels)
-    return certified_roots.concatenated([some, of_points(found, along)], balance.n)
+    some = of_points(found, np.setdiff1d(np.arange(given.shape[1]), along)) if along.size else found
+    return certified_roots.concatenated([clustered(given, around, some), of_points(found, along)], balance.n)
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> Equilibria:

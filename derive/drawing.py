@@ -143,7 +143,7 @@ def _is_ball(page: Page) -> bool:
     """Whether the contact law is that of a curved body: a power of the penetration that is not whole."""
     if page.normal is None or page.normal.gap is None:
         return False
-    depth = sp.Symbol("depth", positive=True)
+    depth = sp.Dummy(positive=True)
     return not sp.sympify(page.normal.law(depth)).is_polynomial(depth)
 
 
@@ -171,7 +171,7 @@ def _belt(sheet: Sheet, page: Page) -> None:
     for x in (-16.0, 16.0):
         spring(sheet, Axis((x, height), (x, top - 3)), turns=3, width=6.0)
     sheet.line((-26.0, top - 3), (26.0, top - 3))
-    depth = sp.Symbol("depth", positive=True)
+    depth = sp.Dummy(positive=True)
     law = sp.sympify(page.normal.law(depth))
     terms = sorted(sp.Add.make_args(sp.expand(law)), key=lambda term: sp.degree(term, depth) if term.is_polynomial(depth) else 0)
     letters = ", ".join(_letter(term.subs(depth, 1)) for term in terms)
@@ -341,7 +341,7 @@ def _forces(sheet: Sheet, page: Page) -> None:
     given = [force.components for force in page.forces if force.at is not None]
     given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
-        given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Symbol("depth", positive=True)))))
+        given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))
     for place, components in enumerate(given):
         x, y = (float(component.subs(values)) for component in components)
         size = math.hypot(x, y) or 1.0

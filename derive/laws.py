@@ -14,7 +14,7 @@ from .mechanics import SIDE, Mechanics
 from .model import PageError, expression_of
 
 #: A sliding speed, positive.
-SLIP = sp.Symbol("slip", positive=True)
+SLIP = sp.Symbol("_slip", positive=True)
 
 
 def slip(model: Mechanics) -> sp.Expr:

@@ -32,7 +32,7 @@ MU = sp.Symbol("mu", real=True)
 #: Penetration in lift-off: small, so that no exponential of it is infinite, and not 0, where slopes of a root are.
 TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
-DEPTH = sp.Symbol("depth", positive=True)
+DEPTH = sp.Symbol("_depth", positive=True)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import inspect
 import math
+import re
+import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -42,6 +44,7 @@ class PageError(ArithmeticError):
     """A page that can't be carried through: which line, what was expected, and what still works."""
 
     def __init__(self, line: int, message: str, page: str = "") -> None:
+        message = re.sub(r"(?<!['\w])_(?=[a-z])", "", message)  # names of generated code's own, as the page's laws have them
         place = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
         super().__init__(f"{place}: {message}" if place else message)
         self.line, self.message = line, message
@@ -192,6 +195,9 @@ class Page:
     inertia: tuple[sp.Expr, int] | None = None
     normal: Contact | None = None
     sliding: Friction | None = None
+
+    def __post_init__(self) -> None:
+        _check_texts(summary=self.summary)
 
     # ------------------------------------------------------------------------------------------------ quantities
 
@@ -428,6 +434,14 @@ def _check_texts(**texts: object) -> None:
             raise PageError(
                 _line(), f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments"
             )
+        check_characters(what, text, _line())
+
+
+def check_characters(what: str, text: str, line: int, allowed: str = "") -> None:
+    """Text that files of every language can hold: no control characters, line ends, surrogates, or marks that turn the direction."""
+    wrong = next((one for one in text if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp") and one not in allowed), None)
+    if wrong is not None:
+        raise PageError(line, f"{what} = {ascii(text)} holds the character U+{ord(wrong):04X}, which is not printed; take it out")
 
 
 def _assumptions(domain: str, line: int) -> dict[str, bool]:

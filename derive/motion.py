@@ -73,7 +73,7 @@ class Motion:
     def inverse(self) -> sp.Matrix:
         """Symbols of the entries of the inverse of M."""
         n = len(self.model.coordinates)
-        return sp.Matrix(n, n, lambda i, j: sp.Symbol(f"inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True))
+        return sp.Matrix(n, n, lambda i, j: sp.Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True))
 
     @cached_property
     def named(self) -> tuple[sp.Symbol, ...]:
@@ -85,7 +85,7 @@ class Motion:
         """What those entries are, and the accelerations by their symbols: M is inverted in numbers once, and never differentiated."""
         if not self.is_coupled:
             return {}
-        determinant = sp.Symbol("determinant", positive=True)
+        determinant = sp.Symbol("_determinant", positive=True)
         M, tidy = self.model.mass, self.model.tidy
         entries = zip(self.inverse, M.adjugate(), strict=True)
         return {
@@ -232,7 +232,7 @@ def module(model: Mechanics) -> Module:
         continued = {**shorthands, **{torsion.phi: torsion.continued for torsion in model.torsions}}
         return Function(name, summary, "the page", (*regime, *ways), results, returns, continued, transcendental=True)
 
-    below, overlap = sp.symbols("below overlap", real=True)
+    below, overlap = sp.symbols("_below _overlap", real=True)
     everywhere = {
         below: 1 - sp.sign(borders[0]),
         overlap: sp.Abs(borders[0]) - borders[0],

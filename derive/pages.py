@@ -54,7 +54,7 @@ def read(path: Path, name: str = "") -> Model:
     try:
         if not path.is_file() or path.stat().st_size > _LARGEST:
             raise PageError(0, f"the page is no file, or has more than {_LARGEST} bytes; give a file of Python")
-        return _model(path, path.read_text(encoding="utf-8"), name or path.stem)
+        return _model(path, path.read_text(encoding="utf-8-sig"), name or path.stem)
     except UnicodeDecodeError as error:
         raise PageError(0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name) from error
     except PageError as error:

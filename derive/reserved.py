@@ -1,4 +1,8 @@
-"""Names that a page can't give away: results of models have them, or a language in which its functions are written."""
+"""Names that a page can't give away, since results, sets, commands and files of models have them.
+
+Those of generated code are no matter of a list: its own begin with an underscore, as no name of a page does, and in other languages
+than Python a page's names end with one.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +14,7 @@ RESULTS = frozenset((
     "lyapunov", "lyapunov_error", "marginal", "mean", "measured", "model", "mu", "normal_forms", "offered", "omega", "parameters", "period", "places", "plot",
     "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability",
     "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "table_varied",
-    "to_dataframe", "to_xarray", "told", "undecided", "values", "vary", "when", "whole", "why", "xp",
+    "to_dataframe", "to_xarray", "told", "undecided", "values", "vary", "when", "whole", "why",
 ))  # fmt: skip
 
 #: What else a motion and its sweep are asked for; a coordinate would hide it.
@@ -19,15 +23,8 @@ OF_MOTIONS = frozenset((
     "outcome", "p", "plot", "power", "rtol", "samples", "save", "spectrum", "spring_force", "state", "t", "t_end", "to_dataset", "transient", "weights",
 ))  # fmt: skip
 
-#: Words of C99, JavaScript and MATLAB, and functions that generated code calls.
-WORDS = frozenset((
-    "HUGE_VAL", "INFINITY", "M_PI", "NAN", "NULL",
-    "abs", "arguments", "auto", "await", "break", "case", "catch", "char", "classdef", "const", "continue", "debugger", "default", "delete",
-    "do", "double", "else", "elseif", "end", "enum", "eval", "exp", "export", "extends", "extern", "fabs", "float", "for", "function", "global",
-    "goto", "if", "implements", "inline", "instanceof", "int", "interface", "let", "log", "long", "new", "numpy", "otherwise", "package", "parfor",
-    "persistent", "private", "protected", "public", "register", "restrict", "return", "short", "sign", "signed", "sizeof", "spmd", "sqrt",
-    "square", "static", "struct", "super", "switch", "this", "throw", "typedef", "typeof", "union", "unsigned", "var", "void", "volatile", "while",
-))  # fmt: skip
+#: What generated Python calls by its own name.
+OF_CODE = frozenset(("abs", "xp"))
 
 #: What the commands of a model call their options, and the values of these: `spragsym folds --vary`. A test holds this list against them.
 OF_COMMANDS = frozenset((
@@ -43,9 +40,3 @@ OF_SETS = frozenset((
 
 #: Keys of a file with a user's own data, where quantities stand by their names on the page.
 OF_FILES = frozenset(("begin", "correlation", "friction", "model", "state", "vary"))
-
-#: What generated functions call what they are made of.
-OF_CODE = frozenset((
-    "Number", "ModuleType", "below", "broadcasting", "depth", "determinant", "one", "overlap", "result", "slip",
-    *(f"inverse_{row}{column}" for row in range(1, 5) for column in range(row, 5)),
-))  # fmt: skip

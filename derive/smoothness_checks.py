@@ -97,7 +97,7 @@ def _check_contact(model: Mechanics) -> None:
         return
     if contact.gap is not None and not contact.unilateral:
         # The penetration is of either sign: what is smooth where it is positive may not be so beyond.
-        depth = sp.Symbol("depth", real=True)
+        depth = sp.Dummy(real=True)
         law = model.scaled(expression_of(contact.law(depth)))
         _check_kinks(law, "the contact law, with unilateral=False,", contact.line, {depth})
         _check_domains(law, "the contact law, with unilateral=False,", contact.line, {depth})

@@ -21,6 +21,8 @@ from .model import Contact, Damper, Datum, Friction, Page, PageError, Spring, To
 COORDINATE = "this coordinate"
 #: And a parameter.
 PARAMETER = "this parameter"
+#: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code needs some.
+LONGEST = 40
 #: So many exponentials of the sliding speed can a friction law have.
 NEAR = 9
 #: Places at which the sign of a coefficient is looked at, and where a range without an end is ended for it.
@@ -53,10 +55,11 @@ def _check_coordinates(page: Page) -> None:
 
 def _check_names(page: Page) -> None:
     for datum in (*page.units, *page.parameters):
-        if str(datum.symbol) in reserved.OF_FILES:
-            raise PageError(
-                datum.line, f"this quantity is named {datum.symbol.name!r}, as a key of files of data is; give it another name"
-            )
+        name = datum.symbol.name
+        if name in reserved.OF_FILES:
+            raise PageError(datum.line, f"this quantity is named {name!r}, as a key of files of data is; give it another name")
+        if not name.isidentifier():
+            raise PageError(datum.line, f"this quantity is named {name!r}, which is no name; give it another, as {_instead(name)!r}")
     taken: dict[str, tuple[str, int]] = {}
     for name, what, line in _names(page):
         if not name.isidentifier() or keyword.iskeyword(name):
@@ -65,6 +68,12 @@ def _check_names(page: Page) -> None:
             raise PageError(
                 line,
                 f"{what} is named {name!r}, which C can't spell; give it a name of Latin letters, and its symbol with latex=",
+            )
+        if name.startswith("_") or len(name) > LONGEST:
+            raise PageError(
+                line,
+                f"{what} is named {name!r}; a name begins with a letter and has at most {LONGEST}, as languages that code is "
+                "exported to ask; give it another name",
             )
         if what == PARAMETER and name in reserved.OF_COMMANDS:
             raise PageError(
@@ -77,10 +86,6 @@ def _check_names(page: Page) -> None:
             or (what == PARAMETER and name in reserved.OF_SETS)
         ):
             raise PageError(line, f"{what} is named {name!r}, which results and generated functions use; give it another name")
-        if name in reserved.WORDS:
-            raise PageError(
-                line, f"{what} is named {name!r}, a word of the languages that functions are written in; give it another name"
-            )
         if name in taken:
             other, first = taken[name]
             place = f" of line {first}" if first else ""

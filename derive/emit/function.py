@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -38,6 +39,24 @@ class Function:
     def accepted(self) -> tuple[sp.Symbol, ...]:
         """All arguments, in order."""
         return (*self.arguments, *self.further)
+
+
+def renamed(function: Function, spelled: Callable[[str], str]) -> Function:
+    """The function with all of its symbols spelled anew."""
+
+    def of(part: Results) -> Results:
+        if isinstance(part, tuple):
+            return tuple(map(of, part))
+        whole = sp.sympify(part)
+        return whole.xreplace({it: sp.Symbol(spelled(it.name), **it.assumptions0) for it in whole.free_symbols})
+
+    return replace(
+        function,
+        arguments=of(function.arguments),
+        further=of(function.further),
+        results=of(function.results),
+        shorthands={of(symbol): of(value) for symbol, value in function.shorthands.items()},
+    )
 
 
 @dataclass(frozen=True)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from ..emit import language, targets, double_double_kernel, write
+from ..emit.function import renamed
 from . import article, bounds, ledger, mechanics
 from . import nomenclature as nm
 from .catalogue import modules, motion
@@ -42,7 +44,12 @@ def render(outcome: ledger.Ledger) -> dict[str, str]:
 
 def material() -> targets.Material:
     """What every target prints."""
-    parts, of_page = modules(), (motion.module(),)
+    parts = modules()
+    # What code calls its own begins with an underscore, as no name of MATLAB does.
+    of_page = tuple(
+        replace(it, functions=tuple(renamed(function, lambda name: name.lstrip("_")) for function in it.functions))
+        for it in (motion.module(),)
+    )
     solver = kernel()
     arithmetic = language.read(_GENERAL / "double_double.py")
     functions = {function.name: function for module in (*parts, *of_page) for function in module.functions}

@@ -85,7 +85,7 @@ def in_octave(name: str, folder: Path) -> list[float]:
     for call in calls(name):
         names = [f"r{place}" for place in range(len(call.results))]
         columns = ", ".join(f"[{value!r}; {value!r}]" for value in call.given)
-        program += f"[{', '.join(names)}] = {name}.algebra.{call.function}({columns});\n"
+        program += f"[{', '.join(names)}] = {name}_.algebra.{call.function}({columns});\n"
         program += "".join(f"printf('%.17g\\n', {one}(end));\n" for one in names)
     return [float(word) for word in octave(folder, program).split()]
 
@@ -129,8 +129,8 @@ def test_the_example_is_built_and_moves_as_python_does(name: str, tmp_path: Path
     model = load(name)
     out = export(name, "c", tmp_path)
     taken = set(re.findall(r"double (\w+)", (out / f"{name}.h").read_text(encoding="utf-8")))
-    assert set(model.parameters) <= taken
-    assert not taken & {part for pair in model.about["angles"].values() for part in pair}  # an angle, not its cosine and sine
+    assert {f"{name}_" for name in model.parameters} <= taken
+    assert not taken & {f"{part}_" for pair in model.about["angles"].values() for part in pair}  # an angle, not its cosine and sine
     subprocess.run(["make", "-s"], cwd=out, check=True, timeout=120)
     lines = subprocess.run(["./example"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout.splitlines()
     assert len(lines) == 6

@@ -46,6 +46,7 @@ class Material:
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     #: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine, itself before them if it is used.
     angles: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    of_a_page: bool = False  #: whether names are a page's, each of which ends with an underscore, and not known here
     of_page: tuple[Module, ...] = ()  #: further modules, which Python has in the folder of the model's page
     asked: tuple[str, ...] = ()  #: functions of the kernel that extension modules in C call, besides the model's own files
     arithmetic: Source = NOTHING  #: double-double numbers

@@ -113,8 +113,8 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y
     w2 = V - vx
     side = xp.sign(w2)
     mu = mu0*side*(-near1*xp.exp(-d*side*w2) + 1)
-    below = 1 - xp.sign(y)
-    pushing = below/2
+    _below = 1 - xp.sign(y)
+    pushing = _below/2
     s1 = w0*w3
     w4 = vx*zeta_s
     w5 = vy*zeta_s

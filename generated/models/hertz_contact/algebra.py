@@ -38,8 +38,8 @@ from ..kang_nam.algebra import (
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
+    "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
+    "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
     "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
@@ -49,9 +49,9 @@ __all__ = [
 def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 25."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
-    root2 = xp.sqrt(depth)
-    w0 = depth*pushing*root2
+    _depth = (base0*base0)/1099511627776 - pushing*y
+    root2 = xp.sqrt(_depth)
+    w0 = _depth*pushing*root2
     return (c1*sigma - cos0*sigma - mu*w0 + x*(alpha + sigma), kappa + s1*sigma - sigma*sin0 - w0 + y*(beta + sigma))
 
 
@@ -59,9 +59,9 @@ def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing,
 def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """The normal force of the contact. Returns N. Source: the page. Operations: 9."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
-    root2 = xp.sqrt(depth)
-    return depth*pushing*root2
+    _depth = (base0*base0)/1099511627776 - pushing*y
+    root2 = xp.sqrt(_depth)
+    return _depth*pushing*root2
 
 
 @broadcasting
@@ -69,9 +69,9 @@ def forces_apart(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pu
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 15."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
-    root2 = xp.sqrt(depth)
-    w0 = depth*pushing*root2
+    _depth = (base0*base0)/1099511627776 - pushing*y
+    root2 = xp.sqrt(_depth)
+    w0 = _depth*pushing*root2
     return (alpha*x - mu*w0, beta*y + kappa - w0)
 
 
@@ -80,11 +80,28 @@ def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu,
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 27."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = (base0*base0)/1099511627776 - pushing*y
     w0 = 1/l1
-    w1 = 3*xp.sqrt(depth)*pushing/2
+    w1 = 3*xp.sqrt(_depth)*pushing/2
     w2 = c1*s1*sigma*w0
     return ((alpha + sigma*(-(s1*s1)*w0 + 1), mu*w1 + w2), (w2, beta + sigma*(-(c1*c1)*w0 + 1) + w1))
+
+
+@broadcasting
+def forces_hessian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
+    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
+    Operations: 34."""
+    base0 = 1 - pushing
+    _depth = (base0*base0)/1099511627776 - pushing*y
+    w0 = 3*(s1*s1)
+    w1 = 1/(l1*l1)
+    w2 = c1*w1
+    w3 = w0*w2
+    w4 = s1*sigma*w1
+    w5 = w4*(2 - w0)
+    w6 = 3*pushing/(4*xp.sqrt(_depth))
+    w7 = sigma*w2*(w0 - 1)
+    return (((-sigma*w3, w5), (w5, -mu*w6 + sigma*(-w2 + w3))), ((w5, w7), (w7, -3*(c1*c1)*w4 - w6)))
 
 
 @broadcasting
@@ -92,15 +109,15 @@ def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 29."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = (base0*base0)/1099511627776 - pushing*y
     w0 = 1/l1
     w1 = sin0*w0
     w2 = cos0*w0
     w3 = c1*s1
     w4 = 1 - l1
-    root3 = xp.sqrt(depth)
+    root3 = xp.sqrt(_depth)
     return (
-        (sigma*(-(s1*s1)*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, -depth*pushing*root3),
+        (sigma*(-(s1*s1)*w1 + sin0 - w2*w3), 0, x, c1*w4, 0, -_depth*pushing*root3),
         (sigma*((c1*c1)*w2 - cos0 + w1*w3), 1, 0, s1*w4, y, 0),
     )
 
@@ -111,52 +128,52 @@ def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, 
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     14."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
-    root2 = xp.sqrt(depth)
-    return ((d*depth*mu0*pushing*root2*xp.exp(-V*d), 0), (0, 0))
+    _depth = (base0*base0)/1099511627776 - pushing*y
+    root2 = xp.sqrt(_depth)
+    return ((_depth*d*mu0*pushing*root2*xp.exp(-V*d), 0), (0, 0))
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
 @broadcasting
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 47."""
+    _overlap = -y + abs(y)
+    _depth = _overlap/2
     w1 = cos0 - x
     w3 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w3*w3)
     w0 = 1/l1
     c1 = w0*w1
-    overlap = -y + abs(y)
-    depth = overlap/2
     near1 = 1
     w2 = V - vx
     side = xp.sign(w2)
     mu = mu0*side*(-near1*xp.exp(-d*side*w2) + 1)
-    below = 1 - xp.sign(y)
-    pushing = below/2
+    _below = 1 - xp.sign(y)
+    pushing = _below/2
     s1 = w0*w3
-    root4 = xp.sqrt(depth)
+    root4 = xp.sqrt(_depth)
     return (
-        -c1*sigma + cos0*sigma + depth*mu*pushing*root4 - x*(alpha + sigma),
-        depth*pushing*root4 - kappa - s1*sigma + sigma*sin0 - y*(beta + sigma),
+        _depth*mu*pushing*root4 - c1*sigma + cos0*sigma - x*(alpha + sigma),
+        _depth*pushing*root4 - kappa - s1*sigma + sigma*sin0 - y*(beta + sigma),
     )
 
 
 @broadcasting
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 45."""
+    base0 = 1 - pushing
+    _depth = (base0*base0)/1099511627776 - pushing*y
     w1 = cos0 - x
     w2 = sin0 - y
     l1 = xp.sqrt(w1*w1 + w2*w2)
     w0 = 1/l1
     c1 = w0*w1
-    base4 = 1 - pushing
-    depth = (base4*base4)/1099511627776 - pushing*y
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
     s1 = w0*w2
-    root6 = xp.sqrt(depth)
+    root6 = xp.sqrt(_depth)
     return (
-        -c1*sigma + cos0*sigma + depth*mu*pushing*root6 - x*(alpha + sigma),
-        depth*pushing*root6 - kappa - s1*sigma + sigma*sin0 - y*(beta + sigma),
+        _depth*mu*pushing*root6 - c1*sigma + cos0*sigma - x*(alpha + sigma),
+        _depth*pushing*root6 - kappa - s1*sigma + sigma*sin0 - y*(beta + sigma),
     )
 
 
@@ -169,16 +186,16 @@ def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V,
     l1 = xp.sqrt(w1*w1 + w2*w2)
     w0 = 1/l1
     s1 = w0*w1
-    c1 = w0*w2
     base4 = 1 - pushing
-    depth = (base4*base4)/1099511627776 - pushing*y
+    _depth = (base4*base4)/1099511627776 - pushing*y
+    c1 = w0*w2
     w3 = near1*xp.exp(-d*side*(V - vx))
     mu = mu0*side*(1 - w3)
-    w4 = xp.sqrt(depth)
+    w4 = xp.sqrt(_depth)
     w5 = 3*pushing*w4/2
     w6 = c1*s1*sigma*w0
     return (
-        (-alpha + sigma*((s1*s1)*w0 - 1), -mu*w5 - w6, -d*depth*mu0*pushing*w3*w4, 0),
+        (-alpha + sigma*((s1*s1)*w0 - 1), -mu*w5 - w6, -_depth*d*mu0*pushing*w3*w4, 0),
         (-w6, -beta + sigma*((c1*c1)*w0 - 1) - w5, 0, 0),
     )
 
@@ -196,15 +213,15 @@ def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, bet
     c1 = w0*w2
     s1 = w0*w4
     base4 = 1 - pushing
-    depth = (base4*base4)/1099511627776 - pushing*y
+    _depth = (base4*base4)/1099511627776 - pushing*y
     w5 = -sin0
     w6 = sin0*w0
     w7 = cos0*w0
     w8 = c1*s1
     w9 = V - vx
     w10 = near1*xp.exp(-d*side*w9)
-    root7 = xp.sqrt(depth)
-    w11 = depth*pushing*root7
+    root7 = xp.sqrt(_depth)
+    w11 = _depth*pushing*root7
     w12 = -cos0
     w13 = mu0*w10*w11
     return (
@@ -217,14 +234,14 @@ def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, bet
 def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 40."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = (base0*base0)/1099511627776 - pushing*y
     base2 = cos0 - x
     base4 = sin0 - y
     l1 = xp.sqrt(base2*base2 + base4*base4)
     base10 = l1 - 1
-    root12 = xp.sqrt(depth)
+    root12 = xp.sqrt(_depth)
     return (
-        alpha*(x*x)/2 + (base10*base10)*sigma/2 + beta*(y*y)/2 + 2*(depth*depth)*pushing*root12/5 + kappa*y + (vx*vx)/2 +
+        2*(_depth*_depth)*pushing*root12/5 + alpha*(x*x)/2 + (base10*base10)*sigma/2 + beta*(y*y)/2 + kappa*y + (vx*vx)/2 +
         (vy*vy)/2
     )
 
@@ -234,20 +251,20 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushin
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 32."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = (base0*base0)/1099511627776 - pushing*y
     base2 = cos0 - x
     base4 = sin0 - y
     l1 = xp.sqrt(base2*base2 + base4*base4)
     base8 = l1 - 1
-    root10 = xp.sqrt(depth)
-    return alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*(y*y)/2 + 2*(depth*depth)*pushing*root10/5
+    root10 = xp.sqrt(_depth)
+    return 2*(_depth*_depth)*pushing*root10/5 + alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*(y*y)/2
 
 
 @broadcasting
 def friction_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 19."""
     base0 = 1 - pushing
-    depth = (base0*base0)/1099511627776 - pushing*y
+    _depth = (base0*base0)/1099511627776 - pushing*y
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
-    root2 = xp.sqrt(depth)
-    return depth*mu*pushing*root2*vx
+    root2 = xp.sqrt(_depth)
+    return _depth*mu*pushing*root2*vx

@@ -186,8 +186,8 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=nu
     w2 = V - vx
     side = xp.sign(w2)
     mu = mu0*side*(-near1*xp.exp(-d*side*w2) + 1)
-    below = 1 - xp.sign(y)
-    pushing = below/2
+    _below = 1 - xp.sign(y)
+    pushing = _below/2
     s1 = w0*w3
     return (
         -c1*sigma + cos0*sigma - mu*pushing*y - x*(alpha + sigma),

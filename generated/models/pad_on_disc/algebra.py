@@ -224,8 +224,8 @@ def rhs(
     w2 = V - vx
     side = xp.sign(w2)
     mu = mu0*side*(-near1*xp.exp(-d*side*w2) + 1)
-    below = 1 - xp.sign(-w - w3)
-    pushing = below/2
+    _below = 1 - xp.sign(-w - w3)
+    pushing = _below/2
     s1 = w0*w4
     w5 = sigma_p*z
     return (

@@ -185,8 +185,8 @@ def forces_by_parameters(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_
 @broadcasting
 def mass_matrix(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 1."""
-    one = 0*(phi + cos0 + sin0 + mu0 + kappa + cos_psi + sin_psi + zeta + V + d) + 1
-    return (((1*one/3),),)
+    _one = 0*(phi + cos0 + sin0 + mu0 + kappa + cos_psi + sin_psi + zeta + V + d) + 1
+    return (((1*_one/3),),)
 
 
 @broadcasting
@@ -230,8 +230,8 @@ def rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=n
     w6 = cos0*cos_psi + sin0*sin_psi
     w7 = -cos0*sin_psi + cos_psi*sin0
     phi1 = xp.atan2(-w2*w6 + w5*w7, w2*w7 + w5*w6)
-    below = 1 - xp.sign(cos0 - w3)
-    pushing = below/2
+    _below = 1 - xp.sign(cos0 - w3)
+    pushing = _below/2
     w8 = 3*pushing
     w10 = w0*w8
     w11 = 3*kappa*phi1

@@ -152,8 +152,8 @@ def rhs(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, mu_s, mu_k, v_s, V,
     side = xp.sign(w2)
     w3 = side*w2
     mu = side*(mu_k + near2*(-mu_k + mu_s)*xp.exp(-w3/v_s))*(-near1*xp.exp(-d*w3) + 1)
-    below = 1 - xp.sign(y)
-    pushing = below/2
+    _below = 1 - xp.sign(y)
+    pushing = _below/2
     s1 = w0*w4
     return (
         -c1*sigma + cos0*sigma - mu*pushing*y - x*(alpha + sigma),

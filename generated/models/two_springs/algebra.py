@@ -247,8 +247,8 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2
     w5 = V - vx
     side = xp.sign(w5)
     mu = mu0*side*(-near1*xp.exp(-d*side*w5) + 1)
-    below = 1 - xp.sign(y)
-    pushing = below/2
+    _below = 1 - xp.sign(y)
+    pushing = _below/2
     s1 = w0*w7
     s2 = w3*w8
     w10 = sigma + sigma_2

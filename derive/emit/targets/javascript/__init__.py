@@ -11,6 +11,14 @@ from .. import Material, Target, runtime
 from . import algebra, kernel
 
 _EXAMPLE = "example.mjs"
+_OF_A_SOLVER = (
+    "Names are those of the Python package and of the C library. The solver throws at bad input: TypeError for what is no number or has "
+    "an unknown name, RangeError for a number out of its range."
+)
+_OF_A_PAGE = (
+    "Names are those of the page; as arguments of functions they end with an underscore. Functions compute with any numbers: whether "
+    "parameters are in RANGES is for the caller to see to."
+)
 _DECLARATIONS = "declarations.d.ts"
 
 
@@ -37,6 +45,7 @@ def _words(material: Material) -> dict[str, str]:
     return {
         "library": material.library,
         "summary": textwrap.fill(material.summary, 121, subsequent_indent=" * "),
+        "names_and_errors": textwrap.fill(_OF_A_PAGE if material.of_a_page else _OF_A_SOLVER, 127, subsequent_indent=" * "),
         "header": material.header.replace("``", "`"),
         "source": material.digest[:16],
         "names": json.dumps(list(material.parameters)),

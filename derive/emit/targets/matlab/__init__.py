@@ -11,6 +11,7 @@ import math
 import re
 import textwrap
 from collections.abc import Iterable
+from dataclasses import replace
 
 from ...expressions import number
 from ...quantities import Quantity
@@ -26,6 +27,8 @@ _INPUT = ("parameters.m", "numbers.m", "shown.m", "whole.m")
 
 def render(material: Material) -> dict[str, str]:
     """The files of the package, and examples."""
+    if material.of_a_page:  # no function or constant of MATLAB ends with an underscore
+        material = replace(material, library=f"{material.library}_")
     package = f"+{material.library}"
     own = {name: text for name, text in material.runtime.get("matlab", {}).items() if name.endswith(".m")}
     texts = {f"{package}/algebra.m": _namespace("algebra", _ALGEBRA, map(algebra.definition, material.algebra.values()))}
@@ -114,4 +117,4 @@ def _number(value: float) -> str:
     return "pi" if value == math.pi else f"{value:g}".replace("inf", "Inf")
 
 
-TARGET = Target("matlab", "MATLAB and Octave", "matlab", render, exported=("+{library}/*.m", f"{_EXAMPLE}*.m"))
+TARGET = Target("matlab", "MATLAB and Octave", "matlab", render, exported=("+*/*.m", f"{_EXAMPLE}*.m"))

@@ -190,9 +190,7 @@ def _statements(function: Function, body: Body) -> list[str]:
         if not function.accepted:
             raise
     printer = AlgebraPrinter.of(body)
-    printer.one = "one"
-    while printer.one in {str(symbol) for symbol in (*function.accepted, *(symbol for symbol, _ in body.assignments))}:
-        printer.one += "_"
+    printer.one = "_one"
     total = " + ".join(map(str, function.accepted))
     return [_wrap(f"    {printer.one} = 0*({total}) + 1"), *_printed(body, printer)]
 

@@ -6,9 +6,9 @@
  * @header@
  *
  * Every function returns a status, and writes results only with @LIBRARY@_OK or @LIBRARY@_UNCERTAIN: no NaN ever leaves this
- * library. For gcc, clang and MSVC, as C99 or C++11; link with -lm where there is one. The same bits on every machine, since no
- * operations are fused, or a refusal to compile: -ffast-math, /fp:fast and x87 arithmetic are refused. The error bounds rest on
- * IEEE 754, with rounding to nearest and gradual underflow, as every program starts with.
+ * library. For gcc, clang and MSVC, as C99 or C++11; link with -lm where there is one. No operations are fused, so that all but what
+ * the C library's functions return is the same to the bit: -ffast-math, /fp:fast and x87 arithmetic are refused. What can't be seen
+ * here is clang's -ffp-contract=fast, which fuses all the same: leave it out. Numbers are those of IEEE 754, rounded to nearest.
  */
 #ifndef @LIBRARY@_H
 #define @LIBRARY@_H
@@ -26,7 +26,7 @@ extern "C" {
 typedef enum {
     @LIBRARY@_OK = 0,          /**< done, and vouched for */
     @LIBRARY@_UNCERTAIN = 1,   /**< done, but the number, the kind or twelve digits can't be vouched for */
-    @LIBRARY@_BAD_INPUT = 2,   /**< a null pointer, a NaN, an infinity or a parameter out of its range; no results */
+    @LIBRARY@_BAD_INPUT = 2,   /**< @bad@; no results */
     @LIBRARY@_OUT_OF_RANGE = 3 /**< allowed numbers whose result double can't carry; no results */
 } @library@_status;
 

@@ -4,8 +4,7 @@
  *
  * @header@
  *
- * Names are those of the Python package and of the C library. Bad input throws: TypeError for what is no number or has an unknown
- * name, RangeError for a number out of its range.
+ * @names_and_errors@
  *
  * Where no sine, exponential or square root is written below, every engine gives the same bits: ECMAScript rounds each of + - * /
  * to double. Math.sqrt is that of IEEE 754 in the engines known; Math.exp may differ in its last bit from engine to engine.

@@ -1,0 +1,47 @@
+"""Names of a page, and texts in it, in every language that it is exported to."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytest.importorskip("sympy")
+
+import spragsym as ss
+from spragsym.derive import export, folder, pages
+from tests.oracles.languages import NODE, OCTAVE
+from validation import names
+
+#: Words, constants, functions and macros of languages, and what code calls its own.
+TAKEN = ("Math", "atan", "pi", "sin", "EOF", "template", "INLINE", "deliver")
+LANGUAGES = ("c", "javascript", "matlab")
+
+
+def page(tmp_path: Path, name: str, text: str = names.PAGE.format(*TAKEN)) -> Path:
+    path = tmp_path / f"{name}.py"
+    path.write_text(text, encoding="utf-8-sig")  # Python runs a page with a byte order mark
+    return path
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_argument_of_an_exported_page_ends_with_an_underscore(language: str, tmp_path: Path) -> None:
+    """As no keyword, function or constant of a language does, nor a name of the runtime files."""
+    files = export.export(page(tmp_path, "2dof v.2"), "2dof v.2", language)
+    text = next(text for name, text in files.items() if name.endswith((".h", ".mjs", "algebra.m")))
+    heads = re.findall(r"page_2dof_v_2_forces\(([^)]*)\)|  forces\(([^)]*)\) \{|= forces\(([^)]*)\)", text)
+    given = re.findall(r"(?:double )?(\w+)", " ".join(map("".join, heads)).replace("double *result", "").replace("double result[1]", ""))
+    assert len(given) > 5
+    assert all(name.endswith("_") for name in given)
+
+
+@pytest.mark.thorough
+@pytest.mark.skipif(NODE is None or OCTAVE is None, reason="there is no node or no Octave on this machine")
+@pytest.mark.parametrize("name", ["my-brake", "main"])
+def test_names_of_languages_are_computed_with_as_in_python(name: str, tmp_path: Path) -> None:
+    path = page(tmp_path, name)
+    folder.write_page(path, tmp_path / "model")
+    assert names.compare(ss.load(tmp_path / "model"), tmp_path, np.random.default_rng(55), list(TAKEN)) == []

@@ -439,9 +439,11 @@ def _check_texts(**texts: object) -> None:
 
 def check_characters(what: str, text: str, line: int, allowed: str = "") -> None:
     """Text that files of every language can hold: no control characters, line ends, surrogates, or marks that turn the direction."""
-    wrong = next((one for one in text if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp") and one not in allowed), None)
+    wrong = next(
+        (one for one in text if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp") and one not in allowed), None
+    )
     if wrong is not None:
-        raise PageError(line, f"{what} = {ascii(text)} holds the character U+{ord(wrong):04X}, which is not printed; take it out")
+        raise PageError(line, f"{what} = {text!a} holds the character U+{ord(wrong):04X}, which is not printed; take it out")
 
 
 def _assumptions(domain: str, line: int) -> dict[str, bool]:

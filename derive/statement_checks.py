@@ -59,7 +59,9 @@ def _check_names(page: Page) -> None:
         if name in reserved.OF_FILES:
             raise PageError(datum.line, f"this quantity is named {name!r}, as a key of files of data is; give it another name")
         if not name.isidentifier():
-            raise PageError(datum.line, f"this quantity is named {name!r}, which is no name; give it another, as {_instead(name)!r}")
+            raise PageError(
+                datum.line, f"this quantity is named {name!r}, which is no name; give it another, as {_instead(name)!r}"
+            )
     taken: dict[str, tuple[str, int]] = {}
     for name, what, line in _names(page):
         if not name.isidentifier() or keyword.iskeyword(name):

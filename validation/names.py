@@ -31,7 +31,22 @@ from tests.support import results_of_c, with_angles
 
 CASES = 50
 HOME = Path(inspect.getfile(derivation)).parent
-HEADERS = ("complex", "ctype", "errno", "fenv", "float", "limits", "math", "signal", "stdint", "stdio", "stdlib", "string", "time", "unistd")
+HEADERS = (
+    "complex",
+    "ctype",
+    "errno",
+    "fenv",
+    "float",
+    "limits",
+    "math",
+    "signal",
+    "stdint",
+    "stdio",
+    "stdlib",
+    "string",
+    "time",
+    "unistd",
+)
 #: Roles of names: a coordinate, an angle, and parameters in every function that pages have.
 PAGE = '''r"""A block."""
 from spragsym.derive.model import Abs, Page, atan, cos, cosh, exp, log, pi as PI, sin, sinh, sqrt, tanh
@@ -69,7 +84,11 @@ def pool() -> tuple[str, ...]:
     with tempfile.TemporaryDirectory() as name:
         words |= set(octave(Path(name), "printf('%s ', [iskeyword(); __list_functions__(); __builtins__()]{:});").split())
     words |= {"await", "class", "function", "let", "yield", "template", "namespace", "operator", "virtual", "co_await", "concept"}
-    for path in (*HOME.rglob("runtime/**/*"), *HOME.glob("emit/*.py"), *(HOME.parent / "generated" / "models").glob("*/algebra.py")):
+    for path in (
+        *HOME.rglob("runtime/**/*"),
+        *HOME.glob("emit/*.py"),
+        *(HOME.parent / "generated" / "models").glob("*/algebra.py"),
+    ):
         if path.is_file() and "__pycache__" not in path.parts:
             words |= set(re.findall(r"[A-Za-z_]\w*", path.read_text(encoding="utf-8")))
     return tuple(sorted(words))
@@ -92,7 +111,12 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
                 if at is None or names[at] == safe[at]:
                     return {"kind": "wrong", "wrong": [f"{names}: {error}"]}
                 names[at], refused = safe[at], refused + 1
-        return {"kind": "page", "wrong": compare(ss.load(home / "model"), home, rng, names), "names": 8 - refused, "refused": refused}
+        return {
+            "kind": "page",
+            "wrong": compare(ss.load(home / "model"), home, rng, names),
+            "names": 8 - refused,
+            "refused": refused,
+        }
 
 
 def compare(model: Any, home: Path, rng: np.random.Generator, names: list[str]) -> list[str]:
@@ -131,7 +155,9 @@ def in_node(_: Any, out: Path, calls: list[Any]) -> list[float]:
     (module,) = out.glob("*.mjs")
     program = f'import {{ algebra }} from "./{module.name}";\nconst calls = {json.dumps([(name, given) for name, _, given, _ in calls])};\n'
     program += "console.log(JSON.stringify(calls.map(([called, given]) => algebra[called](...given)).flat(9)));\n"
-    done = subprocess.run([str(NODE), "--input-type=module", "-"], input=program, cwd=out, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run(
+        [str(NODE), "--input-type=module", "-"], input=program, cwd=out, capture_output=True, text=True, timeout=60, check=True
+    )
     return list(json.loads(done.stdout))
 
 

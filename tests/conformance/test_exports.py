@@ -130,7 +130,7 @@ def test_the_example_is_built_and_moves_as_python_does(name: str, tmp_path: Path
     out = export(name, "c", tmp_path)
     taken = set(re.findall(r"double (\w+)", (out / f"{name}.h").read_text(encoding="utf-8")))
     assert {f"{name}_" for name in model.parameters} <= taken
-    assert not taken & {f"{part}_" for pair in model.about["angles"].values() for part in pair}  # an angle, not its cosine and sine
+    assert not taken & {f"{part}_" for pair in model.about["angles"].values() for part in pair}  # but an angle
     subprocess.run(["make", "-s"], cwd=out, check=True, timeout=120)
     lines = subprocess.run(["./example"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout.splitlines()
     assert len(lines) == 6

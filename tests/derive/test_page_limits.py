@@ -136,9 +136,7 @@ def test_a_statement_that_does_not_fit_is_refused_by_its_line(said: str, words: 
 # ------------------------------------------------------------------------------------------------ names
 
 
-@pytest.mark.parametrize(
-    "name", few(sorted(reserved.OF_COMMANDS | reserved.OF_SETS | reserved.OF_CODE), "json", "model", "abs")
-)
+@pytest.mark.parametrize("name", few(sorted(reserved.OF_COMMANDS | reserved.OF_SETS | reserved.OF_CODE), "json", "model", "abs"))
 def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -> None:
     if name == "from":
         pytest.skip("no name in Python")

@@ -52,9 +52,8 @@ def _words(material: Material) -> dict[str, str]:
         "source": material.digest[:16],
         "header": textwrap.fill(material.header.replace("``", ""), WIDTH, subsequent_indent=" * "),
         "summary": textwrap.fill(plain(material.summary), WIDTH, subsequent_indent=" * "),
-        "bad": "a null pointer, a NaN or an infinity" + (
-            "; of the solver, a parameter out of its range too" if material.kernel.routines else ""
-        ),
+        "bad": "a null pointer, a NaN or an infinity"
+        + ("; of the solver, a parameter out of its range too" if material.kernel.routines else ""),
         "symbols": algebra.symbols((material.algebra[name] for name in material.public), material.quantities, material.angles),
     }
     for name, quantity in material.quantities.items():

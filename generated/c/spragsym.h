@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "16f57c57a4cb10a6"
+#define SPRAGSYM_SOURCE "35f6e66f8036350b"
 
 /** What became of a call. */
 typedef enum {

@@ -14,7 +14,7 @@
  */
 
 /** Head of the SHA-256 of what was emitted together. */
-export const SOURCE = "16f57c57a4cb10a6";
+export const SOURCE = "35f6e66f8036350b";
 
 /** Names of the parameters, in the order in which the algebra takes them. */
 export const NAMES = Object.freeze(["theta0", "mu0", "kappa", "alpha", "sigma", "beta"]);

@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "35f6e66f8036350b"
+#define SPRAGSYM_SOURCE "bb802ec2f396a304"
 
 /** What became of a call. */
 typedef enum {

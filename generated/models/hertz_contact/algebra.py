@@ -38,8 +38,8 @@ from ..kang_nam.algebra import (
 __all__ = [
     "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
     "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_hessian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs",
-    "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
+    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
+    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
     "strain_energy", "friction_power", "damper_power", "applied_power",
 ]
 
@@ -85,23 +85,6 @@ def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu,
     w1 = 3*xp.sqrt(_depth)*pushing/2
     w2 = c1*s1*sigma*w0
     return ((alpha + sigma*(-(s1*s1)*w0 + 1), mu*w1 + w2), (w2, beta + sigma*(-(c1*c1)*w0 + 1) + w1))
-
-
-@broadcasting
-def forces_hessian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
-    """Second derivatives of the forces by the coordinates. Returns (((∂²F_1/∂q_1∂q_1, …), …), …). Source: the page.
-    Operations: 34."""
-    base0 = 1 - pushing
-    _depth = (base0*base0)/1099511627776 - pushing*y
-    w0 = 3*(s1*s1)
-    w1 = 1/(l1*l1)
-    w2 = c1*w1
-    w3 = w0*w2
-    w4 = s1*sigma*w1
-    w5 = w4*(2 - w0)
-    w6 = 3*pushing/(4*xp.sqrt(_depth))
-    w7 = sigma*w2*(w0 - 1)
-    return (((-sigma*w3, w5), (w5, -mu*w6 + sigma*(-w2 + w3))), ((w5, w7), (w7, -3*(c1*c1)*w4 - w6)))
 
 
 @broadcasting

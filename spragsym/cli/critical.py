@@ -171,7 +171,7 @@ def _has(case: Case) -> tuple[bool, bool]:
 def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str]:
     """What each friction is, of those that the model has."""
     kind = frictions["kind_lowest"]
-    place = f" (a {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
+    place = f" ({'to' if kind == 'infinity' else 'a'} {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
     with_mu0, both = _has(case)
     if not both:
         return {"mu0_jump": "mu0_jump: mu0 of the jump"} if with_mu0 and vary != "mu0" else {}

@@ -85,6 +85,8 @@ def equilibria(
          *(row[name] if not name.startswith("growth") else f"{row[name]:.1e}" for name in columns), upward(row["error"]))
         for point in found for row in point["equilibria"]
     ], optional=unless_room(columns))  # fmt: skip
+    if not rows and all(point["complete"] for point in found):
+        click.echo("none, proved")
     for state in case.model.regimes.values():
         unknown = [one for point in found for one in point["undecided"] if one["state"] == state]
         if boxes := [one for one in unknown if len(one) > len(("state", "reason"))]:

@@ -26,7 +26,8 @@ class LowestEnd(Shown, NDArrayOperatorsMixin):
         Of ``vary`` and of ``over``; both are attributes under these names, too, as ``mu0`` and ``theta0``.
     kind : str or ndarray of str
         ``"cusp"``; ``"turn"`` where a curve of folds turns back in ``vary``; ``"border"`` where the state leaves the contact;
-        ``"end"`` where it is lowest at an end of the range of ``over``; empty where the state ends nowhere: then ``value`` is
+        ``"end"`` where it is lowest at an end of the range of ``over``; ``"infinity"`` where the state runs to
+        infinity; empty where the state ends nowhere: then ``value`` is
         infinite and ``where`` NaN; ``"undecided"`` where nothing is known above ``value``, below which the state does not end.
     error : float or ndarray
         Bound on \\|error\\| / max(1, \\|value\\|) of both.

@@ -17,13 +17,13 @@ from .named_columns import Columns
 
 @dataclass(frozen=True)
 class Jump(Result):
-    """A state that vanishes at a fold or leaves the contact, and the one that takes its place.
+    """A state that vanishes at a fold, leaves the contact or runs to infinity, and the one that takes its place.
 
     ``before`` and ``after`` say where they are, by the names of ``Path.columns``: numbers, angles in radians.
     """
 
-    value: float  #: of the parameter, at the fold or on the border
-    kind: str  #: ``"fold"``, or ``"border"`` where the state leaves the contact
+    value: float  #: of the parameter, at the fold, on the border or in the limit
+    kind: str  #: ``"fold"``, ``"border"`` where the state leaves the contact, or ``"infinity"``
     before: Mapping[str, float]
     after: Mapping[str, float]
     stability_after: Stability

@@ -241,7 +241,8 @@ def _rise(report: Report) -> Iterator[tuple[str, str]]:
     if "theta0" in study.quantities and rise.is_friction:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
         if report.kind_lowest:
-            lowest += f", a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg; below it it jumps at no angle"
+            what = "to infinity" if report.kind_lowest == "infinity" else f"a {report.kind_lowest}"
+            lowest += f", {what} at {report.theta0_lowest_deg:.6g} deg; below it it jumps at no angle"
         yield ("its lowest fold at any angle", lowest)
         if report.kind_lowest != "cusp":  # it would be said twice
             yield ("friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}".format, "there is none"))

@@ -20,6 +20,11 @@ FLAT = 1e-100
 class Plain:
     """A condition without inequalities, of which halving tells more."""
 
+    #: Whether det K = 0 is one of its equations.
+    singular = False
+    #: Whether one is that the gap is 0.
+    touching = False
+
     def given_up(self, at: State) -> NDArray[np.bool_] | None:
         """No box."""
         return None
@@ -33,6 +38,7 @@ class Fold(Plain):
     """det K = 0."""
 
     order = 0
+    singular = True
 
     def equations(self, at: State) -> Sequence[Any]:
         """The determinant."""
@@ -43,6 +49,7 @@ class Touch(Plain):
     """The gap of the contact is 0."""
 
     order = 0
+    touching = True
 
     def equations(self, at: State) -> Sequence[Any]:
         """The gap."""
@@ -57,6 +64,7 @@ class Cusp(Plain):
     """
 
     order = 1
+    singular = True
 
     def __init__(self, column: int = 0) -> None:
         self.column = column
@@ -74,6 +82,7 @@ class Turn(Plain):
     """
 
     order = 1
+    singular = True
 
     def equations(self, at: State) -> Sequence[Any]:
         """The determinant, and the force along w that the first parameter brings."""
@@ -88,6 +97,8 @@ class FoldOnBorder(Plain):
     """det K = 0 and the gap of the contact is 0: a curve of folds leaves the contact."""
 
     order = 0
+    touching = True
+    singular = True
 
     def equations(self, at: State) -> Sequence[Any]:
         """The determinant and the gap."""
@@ -98,6 +109,7 @@ class TouchTurn(Plain):
     """The gap is 0, and the curve on which it is turns back in the second parameter."""
 
     order = 1
+    touching = True
 
     def equations(self, at: State) -> Sequence[Any]:
         """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first parameter."""

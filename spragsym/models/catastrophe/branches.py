@@ -28,6 +28,7 @@ from ..statics.stability import linearization
 from ..tubes.tube_regions import Parts
 from ..tubes.tubes import Tubes
 from . import symmetry
+from .escapes import INFINITY
 from .points import given_column
 
 #: Times a step is halved, and steps beyond which nothing more is hoped for; halvings for what is only drawn.
@@ -183,6 +184,10 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     mirrored = bool((along.kinds == "pitchfork").any() and (along.kinds[within] == "pitchfork").all())
     if mirrored and within.any():
         return _across_pitchfork(along, pairs, begin, end, [value in along.at for value in step])
+    if within.any() and np.char.startswith(along.kinds[within].astype(str), INFINITY).all():
+        above = np.char.endswith(along.kinds[within].astype(str), "up")
+        gone = int((above == (step[0] > step[1])).sum())
+        return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)
     # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
     over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
     if over_fold:

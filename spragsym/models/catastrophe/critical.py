@@ -25,6 +25,7 @@ from ..statics.remarks import of_ranges
 from ..tubes.tubes import carried
 from .bifurcation_conditions import Touch, TouchTurn
 from .cusps import cusps
+from .escapes import INFINITY, escapes
 from .fold_extrema import extrema, isolated
 from .folds import folds
 from .paths import OVER_BORDER, ModelEnd, first_end
@@ -312,7 +313,14 @@ class _Search:
     def points(self) -> Iterator[tuple[str, Points]]:
         """Extrema and ends of curves of folds, and the same of the border, if the model has one."""
         both = (self.over, self.vary)
-        yield from extrema(self.model, self.p, both, dict(zip(both, map(tuple, self.spans.tolist()), strict=True)))
+        whole = True
+        for kind, points in extrema(self.model, self.p, both, dict(zip(both, map(tuple, self.spans.tolist()), strict=True))):
+            whole &= points.whole and bool(np.isfinite(points.region).all())
+            yield kind, points
+        if not whole:
+            yield INFINITY, escapes(self.balance, self.p, both, self.spans)
+            for end in self.spans[0]:
+                yield INFINITY, escapes(self.balance, self.p.replace(**{self.over: float(end)}), (self.vary,), self.spans[1:])
         if self.balance.opens:
             beyond = Balance(self.model, contact=True, room=OVER_BORDER)
             yield "border", isolated(beyond, self.p, TouchTurn(), both, self.spans)

@@ -25,6 +25,10 @@ class Condition(Protocol):
 
     #: Order of the derivatives of the stiffness that it is made of.
     order: int
+    #: Whether det K = 0 is one of the equations.
+    singular: bool
+    #: Whether one is that the gap of the contact is 0.
+    touching: bool
 
     def equations(self, at: State) -> Sequence[Any]:
         """The values that must vanish, one for each unknown parameter; jets carry ``order`` derivatives more than these."""

@@ -34,6 +34,7 @@ from ..tubes.tubes import Tubes
 from ..tubes.turning_points import turned
 from .bifurcation_conditions import Touch
 from .branches import Along, links
+from .escapes import INFINITY, escapes
 from .folds import folds
 from .points import arranged, given_column, search
 
@@ -51,10 +52,10 @@ CLEARLY = 0.1
 
 @dataclass(frozen=True)
 class ModelEnd(Result):
-    """Where a state vanishes at a fold or leaves the contact."""
+    """Where a state vanishes at a fold, leaves the contact or runs to infinity."""
 
-    value: float  #: of the parameter, at the fold or on the border
-    kind: str  #: ``"fold"``, or ``"border"`` where the state leaves the contact
+    value: float  #: of the parameter, at the fold, on the border or in the limit
+    kind: str  #: ``"fold"``, ``"border"`` where the state leaves the contact, or ``"infinity"`` where it runs there
     before: Mapping[str, float]  #: coordinates there
     error: float  #: bound on the error of ``value``
 
@@ -170,6 +171,7 @@ class _Way:
         at = self._snapped(along)
         self.within = (at >= along.min()) & (at <= along.max())
         self.at, self.kinds = at[self.within], self._column("kind")
+        self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
         self.stops, self.wanted = self._stops(along)
         self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
         if not self.eq.decided.all():
@@ -188,7 +190,7 @@ class _Way:
         """
         names = self.balance.coordinates
         for stop in np.flatnonzero(~eq.decided).tolist():
-            here = np.flatnonzero(self.at == self.stops[stop])
+            here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
             states = np.array([self._column(name)[here] for name in names]).T
             room = BESIDE * np.maximum(1.0, np.abs(states))
             boxes = [box for box in eq.undecided if box.index == (stop,)]
@@ -214,7 +216,13 @@ class _Way:
                 f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all decided; ss.folds lists the boxes, "
                 "and a path needs a range without them"
             )
-        return [found, *self._touches((low, high))]
+        # States run to infinity only where nothing bounds them.
+        far = (
+            []
+            if found.whole and np.isfinite(found.region).all()
+            else [escapes(self.balance, self.p, (self.vary,), np.array([[low, high]]))]
+        )
+        return [found, *self._touches((low, high)), *far]
 
     def _snapped(self, along: FloatArray) -> FloatArray:
         """Where states vanish: one value for those that coincide within their errors, and the value asked for that lies there.
@@ -293,7 +301,7 @@ class _Way:
 
     def _met(self, stop: int) -> list[int]:
         """Numbers of the folds and borders that a stop is equal to."""
-        return [int(number) for number in np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork"))]
+        return [int(number) for number in np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork") & ~self.far)]
 
     def _stability_met(self, number: int) -> int:
         """Where one λ is 0 the others decide."""
@@ -315,7 +323,7 @@ class _Way:
         if not (several and self._turns(stop - 1, place, stop) is not None) and place in self._links(stop - 1):
             return self._links(stop - 1)[place]
         number = self._ending(stop, place)
-        return ~number if self.at[number] == self.stops[stop] and self.kinds[number] != "pitchfork" else None
+        return ~number if number in self._met(stop) else None
 
     def _begun(self, stop: int, number: int) -> int | None:
         """The stable one of the two states that begin at a fold, at the stop behind it; None if they lie on the other side."""
@@ -386,9 +394,13 @@ class _Way:
             away = np.abs(self._states(np.array([number])) - there.z[: tubes.n])
             if there.sure[0] and there.z[tubes.n, 0] == self.at[number] and (away <= there.room[: tubes.n]).all():
                 return int(number)
-        pitchforks = here[self.kinds[here] == "pitchfork"]
-        if pitchforks.size == 1:  # at folds the state would be known to turn
-            return int(pitchforks[0])
+        others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
+        if others.size > 1 and self.far[others].all():  # of states that run opposite ways
+            q = np.array([[self.eq.coordinates[name][stop - 1, place]] for name in self.balance.coordinates])
+            away = self._states(others)
+            others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
+        if others.size == 1:  # at folds the state would be known to turn
+            return int(others[0])
         ends = f"{self.vary} = {float(self.stops[stop - 1]):.17g} and {float(self.stops[stop]):.17g}"
         raise ConvergenceError(f"where the state ends between {ends} is not told apart from {here.size} folds and borders there")
 
@@ -413,10 +425,12 @@ class _Way:
         before = end.before
         eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
-        how = "leaves the contact" if end.kind == "border" else f"ends in a {end.kind}"
+        how = {"border": "leaves the contact", INFINITY: "runs to infinity"}.get(end.kind, f"ends in a {end.kind}")
         ends = f"the state {how} at {self.vary} = {end.value!r}"
         if not count:
             raise ConvergenceError(f"{ends}, and there is no other beyond it: end the path before it")
+        if choose is None and end.kind == INFINITY:
+            raise ConvergenceError(f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes")
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
@@ -459,4 +473,5 @@ class _Way:
         number = self._ending(stop, place)
         before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
         error, kind = float(self._column("error")[number]), str(self._column("kind")[number])
+        kind = INFINITY if self.far[number] else kind
         return ModelEnd(float(self.at[number]), kind, before, error)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -14,6 +15,7 @@ from ...errors import ParameterError, ParameterTypeError
 from ...exact import boxes, certified_roots
 from ...exact.certified_roots import Roots
 from ...exact.interval_arrays import FloatArray, Intervals
+from ...exact.jets import Jet, variables
 from ...parameters import ParameterSet, as_numbers
 from ...results.points import Points
 from ..mechanics.balance import Balance
@@ -102,7 +104,14 @@ def search(
         The box of coordinates by hand, as for :func:`spragsym.models.statics.regions.region`.
     """
     places = [balance.parameters.index(name) for name in vary]
+    if condition.singular and is_affine(balance, given, spans, places):
+        endless = np.broadcast_to(np.inf, (2, balance.n, given.shape[1]))
+        return _without_points(np.concatenate([endless, _sides(given, spans)], axis=1), np.ones(given.shape[1], dtype=np.bool_))
     around, whole = _region(balance, places, given, spans, asked)
+    if condition.touching and not whole.all():
+        # On the border the contact's force is 0: these are states in lift-off, too.
+        apart = Balance(balance.model, contact=False, room=balance.room)
+        around, whole = _region(apart, places, given, spans, asked)
     limits = np.concatenate([balance.limits, np.full((2, len(vary)), np.inf)], axis=1)
     system = Augmented(balance, vary, condition)
     fixed = given.copy()
@@ -131,7 +140,10 @@ def nothing(
     balance: Balance, vary: Sequence[str], given: FloatArray, spans: FloatArray, asked: FloatArray | None = None
 ) -> Found:
     """The result of a search where it is known beforehand that there are no points."""
-    around, whole = _region(balance, [balance.parameters.index(name) for name in vary], given, spans, asked)
+    return _without_points(*_region(balance, [balance.parameters.index(name) for name in vary], given, spans, asked))
+
+
+def _without_points(around: FloatArray, whole: NDArray[np.bool_]) -> Found:
     none, nowhere = np.empty((2, around.shape[1], 0)), np.empty(0, dtype=np.int64)
     return Found(Roots(none, none, nowhere, none, nowhere), around, whole)
 
@@ -143,8 +155,28 @@ def _region(
     low, high = given.copy(), given.copy()
     low[places], high[places] = spans[:, :1], spans[:, 1:]
     around, whole = region(balance, Intervals.between(low, high), asked)
-    sides = np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(places), given.shape[1]))
-    return np.concatenate([around, sides], axis=1), whole
+    return np.concatenate([around, _sides(given, spans)], axis=1), whole
+
+
+def _sides(given: FloatArray, spans: FloatArray) -> FloatArray:
+    """−low and high of the parameters that vary, for each point."""
+    return np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(spans), given.shape[1]))
+
+
+def is_affine(balance: Balance, given: FloatArray, spans: FloatArray, places: Sequence[int]) -> bool:
+    """Whether the forces are affine in the coordinates, by structure: there is one state, none, or a line, and no two meet."""
+    if balance.springs:
+        return False
+    low, high = given[:, :1].copy(), given[:, :1].copy()
+    low[places], high[places] = spans[:, :1], spans[:, 1:]
+    with np.errstate(all="ignore"):
+        values = balance.arguments(balance.prepared(Intervals.between(low, high)))
+        try:
+            rows = balance.by_coordinate("forces", variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), [], values)
+        except ZeroDivisionError:  # a law that has no value there
+            return False
+    pairs = list(itertools.combinations_with_replacement(range(balance.n), 2))
+    return all(isinstance(row.derivative(*pair), int) for row in rows if isinstance(row, Jet) for pair in pairs)
 
 
 def _merged(left: FloatArray) -> FloatArray:

@@ -1,0 +1,102 @@
+"""Forces of states that run to infinity: coordinates q = u/w with w → 0 as a number type.
+
+A number a w^−k is a pair of a, regular at w = 0, and the integer k. Sums, products, quotients, even roots and lengths of springs
+are such numbers again; so the algebra that is generated for the balance gives each row as w^−k G(u, w) with G regular at w = 0,
+where it is the part of highest degree. An exponential or a cosine of what runs away is none: :class:`NoChart`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from .laws import XP
+
+
+class NoChart(Exception):
+    """A function of what runs to infinity that has no expansion there."""
+
+
+class Scaled:
+    """A number value · w^−order, with one w for all."""
+
+    __slots__ = ("order", "value", "w")
+    __array_ufunc__ = None
+
+    def __init__(self, value: Any, order: int, w: Any) -> None:
+        self.value, self.order, self.w = value, order, w
+
+    def _of(self, other: Any) -> Scaled:
+        return other if isinstance(other, Scaled) else Scaled(other, 0, self.w)
+
+    def finite(self) -> Any:
+        """The number itself, where it does not run away."""
+        if self.order > 0:
+            raise NoChart
+        return self.value * self.w**-self.order if self.order else self.value
+
+    def __neg__(self) -> Scaled:
+        return Scaled(-self.value, self.order, self.w)
+
+    def __add__(self, other: Any) -> Scaled:
+        other = self._of(other)
+        if isinstance(other.value, int) and other.value == 0:
+            return self
+        small, large = sorted((self, other), key=lambda one: one.order)
+        shift = large.order - small.order
+        return Scaled(large.value + (small.value * self.w**shift if shift else small.value), large.order, self.w)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Scaled:
+        return self + -self._of(other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return -self + other
+
+    def __mul__(self, other: Any) -> Any:
+        other = self._of(other)
+        if isinstance(other.value, int) and other.value == 0:
+            return 0
+        return Scaled(self.value * other.value, self.order + other.order, self.w)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        other = self._of(other)
+        return Scaled(self.value / other.value, self.order - other.order, self.w)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        quotient: Scaled = self._of(other) / self
+        return quotient
+
+    def __pow__(self, power: int) -> Any:
+        return Scaled(self.value**power, self.order * power, self.w)
+
+
+class _Functions:
+    """The namespace ``xp`` of generated functions of such numbers."""
+
+    pi = XP.pi
+
+    @staticmethod
+    def sqrt(value: Any) -> Any:
+        """Of even order half of it."""
+        if not isinstance(value, Scaled):
+            return XP.sqrt(value)
+        if value.order % 2:
+            raise NoChart
+        return Scaled(XP.sqrt(value.value), value.order // 2, value.w)
+
+    @staticmethod
+    def atan2(sine: Any, cosine: Any) -> Any:
+        """Of no number that runs away."""
+        raise NoChart
+
+    def __getattr__(self, name: str) -> Callable[[Any], Any]:
+        function: Callable[[Any], Any] = getattr(XP, name)
+        return lambda value: function(value.finite() if isinstance(value, Scaled) else value)
+
+
+#: The one that is needed.
+SCALED: Any = _Functions()

@@ -1,0 +1,69 @@
+"""A state that runs to infinity at a value of a parameter: the value in closed form, for forces with and without springs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from tests.support import derived
+
+pytest.importorskip("sympy")
+
+#: κ (ψ − q) + N (μ cos θ₀ − sin θ₀) = 0, N = q sin θ₀: steady sliding ends at μ = tan θ₀ + κ/(sin θ₀ cos θ₀).
+ROD = r'''r"""A rigid rod that leans against a moving wall."""
+from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
+
+page = Page("A rigid rod on a pivot against a moving wall, for small turns.")
+m, k_c, l = page.unit("m", "kg", "mass"), page.unit("k_c", "N/m", "contact stiffness"), page.unit("l", "m", "length of the rod")
+theta0 = page.parameter("theta0", "rad", "angle of the rod to the wall's normal", "(0, pi/2)", 0.7)
+mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.4)
+k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.03, becomes="kappa")
+psi = page.parameter("psi", "1", "turn that presses the rod on the wall", "> 0", 0.1)
+V, d = page.parameter("V", "m/s", "speed of the wall", ">= 0", 0.5), page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+q = page.coordinate("q", "m", "way of the tip across the rod, towards the wall")
+page.kinetic(m * page.rate(q) ** 2 / 6)
+page.potential(k_t * (q / l - psi) ** 2 / 2)
+page.contact(-sin(theta0) * q, lambda depth: k_c * depth)
+page.friction(cos(theta0) * q, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
+'''
+#: The spring pulls back by its length l − 1 only, P pushes out: both states, l = 1/(1 − P), run to infinity at P = 1.
+SPUN = r'''r"""A mass on a bar that spins."""
+from spragsym.derive.model import Page
+
+page = Page("A mass on a bar that spins, on a spring to a point beside the bar.")
+m, k, L = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "spring"), page.unit("L", "m", "length of the spring")
+P = page.parameter("P", "N/m", "push, as of a spin, over the way", ">= 0", 0.5, becomes="P")
+x = page.coordinate("x", "m", "along the bar")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.spring(k, (x, 0), (0, L / 2), length=L)
+page.potential(-P * x**2 / 2)
+'''
+
+
+@pytest.mark.thorough
+def test_steady_sliding_ends_where_the_state_runs_to_infinity(run: Any) -> None:
+    folder, theta0, kappa = derived(ROD, "rigid_rod"), 0.7, 0.03
+    p = ss.load(folder).Parameters()
+    ends = np.tan(theta0) + kappa / (np.sin(theta0) * np.cos(theta0))
+    eq = ss.equilibria(p.replace(mu0=ends + np.array([-1e-3, 1e-3])))
+    assert (eq.count.tolist(), eq.complete) == ([1, 0], True)
+    with pytest.raises(ss.ConvergenceError, match=rf"runs to infinity at mu0 = {ends:.15f}"[:-3] + r"\d*, and there is no other"):
+        ss.quasi_static_path(p, "mu0", [0.1, 0.5, 1.2])
+    assert "none, proved" in run("equilibria", "--model", str(folder), "--mu0", "1")
+
+
+@pytest.mark.thorough
+def test_the_friction_below_which_it_does_so_at_no_angle() -> None:
+    """(1 + κ) tan θ₀ + κ/tan θ₀ is least where tan² θ₀ = κ/(1 + κ)."""
+    found = ss.critical_friction(ss.load(derived(ROD, "rigid_rod")).Parameters(), between={"mu0": (0.0, 1.0)})
+    assert (found.kind, found.complete) == ("infinity", True)
+    assert [found.mu0, np.tan(found.theta0) ** 2] == pytest.approx([2 * np.sqrt(0.03 * 1.03), 0.03 / 1.03], rel=1e-12)
+
+
+def test_a_spring_that_is_stretched_without_end() -> None:
+    p = ss.load(derived(SPUN, "spun")).Parameters()
+    with pytest.raises(ss.ConvergenceError, match=r"runs to infinity at P = (1\.0|0\.9999999999\d*),"):
+        ss.quasi_static_path(p, "P", [0.5, 0.9, 1.1], start=2)

@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import JUMPED, Field, Mode
-from .heyoka_library import XP, Roots, library
+from .heyoka_library import XP, Functions, library
 from .lobatto import unit_points
 from .segment import Crossing, Passage, Turn
 from .with_heyoka import Approach, put, watched
@@ -40,9 +40,9 @@ class Compiled:
         width, parameters = len(field.modes[0]), len(field.parameters)
         constants = [hy.par[i] for i in range(self.constants)]
         mode = [hy.par[self.constants + i] for i in range(width)]
-        accelerations = list(field.acceleration(state, constants, mode, xp := Roots(XP)))
+        accelerations = list(field.acceleration(state, constants, mode, xp := Functions()))
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
-        approaches = Approach.of(xp.arguments, system)
+        approaches = Approach.of(xp.called, system)
         if derivatives:
             jacobian = field.jacobian(state, constants, mode, XP)
             slopes = field.by_parameters(state, constants, mode, XP)

@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import GAP, Border, Field, Mode
-from .heyoka_library import XP, Roots, library
+from .heyoka_library import Functions, library
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
@@ -25,6 +25,9 @@ CHUNK = 20_000
 #: does not see the least length, and goes on with negative ones.
 CLOSE = 10.0
 
+#: Minus the exponent from which on an exponential of the place is felt: there it is below rounding.
+FELT = 37.0
+
 #: Largest tolerance of fields with a border that is curved.
 CURVED = 1e-3 * GAP
 
@@ -34,34 +37,43 @@ Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
 @dataclass(frozen=True)
 class Approach:
-    """Where the argument of a root is least and small, as the squared length of a spring that passes its anchor.
+    """Where a step ends because of what its Taylor series does not see.
+
+    That is where the argument of a root is least and small, as the squared length of a spring that passes its anchor, and where
+    an exponential or a hyperbolic tangent of the place is about to be felt; those of the sliding speed are borders of the field.
 
     Attributes
     ----------
     watched : expression
         Passes zero upward there.
-    value : heyoka.cfunc
-        The argument.
+    value : heyoka.cfunc or None
+        The argument of a root.
     """
 
     watched: Any
     value: Any
 
     @classmethod
-    def of(cls, roots: list[Any], system: list[Any]) -> list[Approach]:
-        """Those of all arguments of roots that move."""
+    def of(cls, called: list[tuple[str, Any]], system: list[Any]) -> list[Approach]:
+        """Those of all functions that were ``called``."""
         import heyoka as hy
 
-        names, found = [name for name, _ in system], []
-        for root in roots:
-            rate = sum((hy.diff(root, name) * each for name, each in system), hy.expression(0.0))
-            found.append(cls(1e-3 * (rate - CLOSE * root), hy.cfunc([root], names)))
+        names, found = [name for name, _ in system], list[Approach]()
+        rates = {str(name) for name in names[len(names) // 2 :]}
+        for name, z in called:
+            seen = set(hy.get_variables(z))
+            if name == "sqrt" and seen:
+                rate = sum((hy.diff(z, name) * each for name, each in system), hy.expression(0.0))
+                found.append(cls(1e-3 * (rate - CLOSE * z), hy.cfunc([z], names)))
+            elif name in ("exp", "tanh") and seen and not seen & rates:
+                outside = z + FELT if name == "exp" else (FELT**2 - 4.0 * z * z) / FELT
+                found.append(cls(1e-3 * FELT * outside / (FELT**2 + z * z), None))
         return found
 
     def passed(self, state: Any, pars: Any) -> bool:
-        """Whether the argument is zero to GAP; the ``state`` is moved on by as much, as a spring has no direction there."""
+        """Whether the argument of a root is zero to GAP; the ``state`` is moved on by as much: there is no direction."""
         n = len(state) // 2
-        if not abs(self.value(state, pars=pars[: self.value.nparams])[0]) < GAP**2:
+        if self.value is None or not abs(self.value(state, pars=pars[: self.value.nparams])[0]) < GAP**2:
             return False
         state[:n] += GAP / np.abs(state[n:]).max() * state[n:]
         return True
@@ -95,7 +107,7 @@ class Equations:
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
         known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = field.acceleration(state, known, mode, xp := Roots(XP))
+        accelerations = field.acceleration(state, known, mode, xp := Functions())
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]
@@ -103,7 +115,7 @@ class Equations:
             sums = hy.make_vars("sum.shift", "sum.square", *(f"sum.{name}" for name in names[1:]))
             sums = sums if isinstance(sums, list | tuple) else [sums]
             system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
-        return cls(system, (state, known, mode), Approach.of(xp.arguments, system[: field.size]))
+        return cls(system, (state, known, mode), Approach.of(xp.called, system[: field.size]))
 
 
 class Compiled:

@@ -87,7 +87,7 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
     Raises
     ------
     ParameterTypeError
-        For strings, booleans, complex numbers, objects, ragged lists and masked values.
+        For strings, booleans, complex numbers, objects, ragged lists, masked values, quantities with units and named dimensions.
     ParameterError
         For NaN, infinities and numbers out of range.
     """
@@ -95,6 +95,7 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
         single: FloatArray = np.array(value)
         single.setflags(write=False)
         return single
+    _check_plain(name, value)
     if isinstance(value, np.ma.MaskedArray):
         if np.ma.is_masked(value):
             raise ParameterTypeError(
@@ -123,6 +124,21 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
         )
     array.setflags(write=False)
     return array
+
+
+def _check_plain(name: str, value: object) -> None:
+    """No units and no named dimensions, which an array would lose without a word."""
+    unit = str(getattr(value, "units", getattr(value, "unit", "")))
+    if unit not in ("", "dimensionless", "radian", "rad") and hasattr(value, "magnitude" if hasattr(value, "units") else "value"):
+        raise ParameterTypeError(
+            f"{name} is in {unit}, and units are not converted here; give its number in one system of units, angles in radians"
+        )
+    dimensions = getattr(value, "dims", ())
+    if dimensions and hasattr(value, "values"):
+        raise ParameterTypeError(
+            f"{name} has the dimensions {', '.join(map(str, dimensions))}, and arrays broadcast by their shapes here; give "
+            f"{name}.values, or xarray.broadcast(...) first"
+        )
 
 
 def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:

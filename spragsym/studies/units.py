@@ -38,6 +38,12 @@ _BRACKETED = re.compile(
 _RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*(?P<unit>{_UNIT})?")
 #: What a unit may be written with; pint's own parser sees nothing else.
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
+#: What pint knows by another meaning than many a writer's, and what says each of the two.
+_TWO_MEANINGS = {
+    "grad": "deg or gon", "Grad": "deg or gon", "gr": "g or grain", "ton": "t (1000 kg) or short_ton", "tons": "t (1000 kg) or short_ton",
+    "mil": "mm or thou", "mils": "mm or thou",
+}  # fmt: skip
+_TORQUE = [("[length]", 2.0), ("[mass]", 1.0), ("[time]", -2.0)]
 _PERCENT = {"percent": "%", "per cent": "%", "pct": "%"}
 
 
@@ -99,10 +105,10 @@ def factor(unit: str, si: str) -> float:
         if unit not in ("", "1", "%"):
             raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
         return 0.01 if unit == "%" else 1.0
-    if unit in ("grad", "Grad"):  # to pint the second is 1e9 rad
-        raise ParameterError(f"the unit {unit!r} has two meanings, deg and gon")
     wanted, given = registry().parse_units(si), parsed(unit)
-    if dimension(given) != dimension(wanted):
+    (*of_given, angle), (*of_wanted, wanted_angle) = dimension(given), dimension(wanted)
+    # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
+    if of_given != of_wanted or (angle != wanted_angle and of_wanted != _TORQUE):
         raise ParameterError(f"the unit {unit!r} ({given}) does not measure what {si} does")
     size: Any = registry().Quantity(1.0, given).to(wanted).magnitude
     return float(size)
@@ -113,11 +119,17 @@ def parsed(unit: str) -> pint.Unit:
     powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)  # a power of a power may be larger than any number
     if not _LETTERS.fullmatch(unit) or powers or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
         raise ParameterError(f"the unit {unit!r} can't be read")
+    for word in re.findall(r"[^\W\d]+", unit):
+        if word in _TWO_MEANINGS:
+            raise ParameterError(f"the unit {word!r} has two meanings; write {_TWO_MEANINGS[word]}")
     try:
         found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
+        bare = [name for name in found._units if not any(power for _, power in dimension(registry().Unit(name)))]
         zero = registry().Quantity(0.0, found).to_base_units().magnitude
     except Exception as error:  # pint raises many kinds, of the tokenizer too
         raise ParameterError(f"the unit {unit!r} is not known") from error
+    if bare:
+        raise ParameterError(f"{bare[0]} in the unit {unit!r} is a factor and no unit; multiply the number by it")
     if zero != 0:
         raise ParameterError(f"the unit {unit!r} has a zero point of its own")
     return found

@@ -40,7 +40,8 @@ _RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
 #: What pint knows by another meaning than many a writer's, and what says each of the two.
 _TWO_MEANINGS = {
-    "grad": "deg or gon", "Grad": "deg or gon", "gr": "g or grain", "ton": "t (1000 kg) or short_ton", "tons": "t (1000 kg) or short_ton",
+    "grad": "deg or gon", "Grad": "deg or gon", "gr": "g or grain",
+    "ton": "t (1000 kg) or short_ton", "tons": "t (1000 kg) or short_ton",
     "mil": "mm or thou", "mils": "mm or thou",
 }  # fmt: skip
 _TORQUE = [("[length]", 2.0), ("[mass]", 1.0), ("[time]", -2.0)]

@@ -109,6 +109,7 @@ lint: $(TEST)
 	$(BIN)/ruff check --preview --select PLW1514 .  # what a file's encoding is by default differs between machines
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/mypy tests/conformance/user_code.py
 	$(BIN)/clang-format --dry-run --Werror $(C_FILES)
 	@if command -v cppcheck >/dev/null; then $(CPPCHECK) $(filter %.c,$(C_FILES)); \
 	else echo "cppcheck is not installed: skipped, C is checked for its layout only"; fi

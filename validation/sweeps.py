@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from tests.oracles import sweep_attacks
+from validation import machine_attacks
 
 CASES = 40
 
@@ -22,11 +23,11 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as name:
         try:
             if kind == "disks":
-                outcomes = sweep_attacks.attack_disks(rng, 4)
+                outcomes = machine_attacks.attack_disks(rng, 4)
             else:
                 attack, count = {
                     "journals": (sweep_attacks.attack_journals, 100), "files": (sweep_attacks.attack_files, 200),
-                    "workers": (sweep_attacks.attack_workers, 4),
+                    "workers": (machine_attacks.attack_workers, 4),
                 }[kind]  # fmt: skip
                 outcomes = attack(rng, Path(name), count)
         except PermissionError as error:

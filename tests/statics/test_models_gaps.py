@@ -1,6 +1,6 @@
 """Pages whose gap is an expression: nothing on the other side of the contact's border is listed, whatever it is.
 
-Pages with gaps at random are drawn by tests/oracles/random_pages.py; here what becomes of a state that lies on the border itself.
+Pages with gaps at random are drawn by validation/random_pages.py; here what becomes of a state that lies on the border itself.
 """
 
 from __future__ import annotations

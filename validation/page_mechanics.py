@@ -25,7 +25,7 @@ import mpmath as mp
 import numpy as np
 
 import spragsym as ss
-from tests.oracles.random_pages import Drawn, draw
+from validation.page_writer import Drawn, draw
 
 #: Parameter sets of a page, states at which accelerations are compared, starts of Newton's method and its steps.
 SETS, PLACES, STARTS, STEPS = 3, 6, 300, 60
@@ -455,7 +455,7 @@ def _missed(
 # ------------------------------------------------------------------------------------------------ pages
 
 
-def judge(seed: int, number: int) -> dict[str, Any]:
+def judged(seed: int, number: int) -> dict[str, Any]:
     """The outcome of one page."""
     from spragsym.derive import folder
     from spragsym.derive.model import PageError

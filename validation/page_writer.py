@@ -1,6 +1,6 @@
 """Pages at random, from everything that the vocabulary allows, each as text and as what its statements are made of.
 
-The parts are kept as text, and :mod:`tests.oracles.page_mechanics` evaluates them as numbers: nothing of ``derive/`` is used.
+The parts are kept as text, and :mod:`validation.page_mechanics` evaluates them as numbers: nothing of ``derive/`` is used.
 Units become 1, so that the dimensionless values of the parameters are what the quantities are.
 """
 

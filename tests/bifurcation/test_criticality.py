@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact.polynomials import Undecided
-from spragsym.models.catastrophe.normal_forms import BALLS, _pair, normal_form
+from spragsym.models.catastrophe.normal_forms import BALLS, _pair
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from tests.support import needs_a_quick_integrator
@@ -69,22 +68,6 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
             assert bound < 1e-5 * max(abs(found), 1e-3)
 
 
-@pytest.mark.thorough
-def test_the_bound_covers_a_wider_box() -> None:
-    """A box around another middle that holds the point holds the coefficient too."""
-    onsets = onsets_of("damped", "mu0", theta0=0.7)
-    known, model = onsets.normal_forms[0], onsets.parameters.model
-    given = np.array([getattr(onsets, name)[0] for name in model.parameters])
-    state = np.array([getattr(onsets, name)[0] for name in model.coordinates])
-    for off in (np.array([1e-9, 0, 0]), np.array([0, -3e-9, 0]), np.array([0, 0, 1e-8]), np.array([1e-8, 2e-8, -3e-8])):
-        moved = given.copy()
-        moved[model.parameters.index("mu0")] += off[2]
-        wide = normal_form(model, moved, state + off[:2], "mu0", 1.01 * np.abs(off) + 1e-12)
-        assert known.lyapunov != wide.lyapunov
-        assert abs(known.lyapunov - wide.lyapunov) <= wide.lyapunov_error < 1e-2
-        assert abs(known.omega - wide.omega) <= wide.omega_error
-
-
 def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
     """A turn of the plane, and two decaying directions, in bases that differ by up to 1e-6."""
     rng = np.random.default_rng(3)
@@ -113,22 +96,6 @@ def test_a_linear_mode_has_cycles_of_every_size_at_one_friction() -> None:
     assert onsets.criticality.tolist() == ["undecided"]
     assert abs(onsets.lyapunov[0]) <= onsets.lyapunov_error[0] < 1e-15
     assert "not told from 0" in onsets.why[0]
-
-
-@pytest.mark.parametrize(
-    ("values", "state", "text"),
-    [
-        ({"V": 0.0}, [0.1, -0.01], "sliding speed is 0"),
-        ({}, [0.1, 0.0], "border of contact"),
-        ({}, [0.1, -0.01], "no two eigenvalues have the sum 0"),
-    ],
-)
-def test_a_kink_or_no_hopf_point_is_refused(values: dict[str, float], state: list[float], text: str) -> None:
-    model = ss.load("damped")
-    p = model.Parameters(theta0=0.7, **values)
-    given = np.array(p.scalars(*model.parameters))
-    with pytest.raises(Undecided, match=text):
-        normal_form(model, given, np.array(state), "mu0", np.full(3, 1e-12))
 
 
 @pytest.mark.thorough

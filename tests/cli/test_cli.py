@@ -124,22 +124,6 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
     assert target.read_bytes()[:8] != b"precious"
 
 
-# ------------------------------------------------------------------------------------------- nothing to compute
-
-EMPTY = ["30:60:0", "30:60:-1", "30:60:1", "", ",", "30:60:", "::", "nan:60:3", "30:inf:3"]
-
-
-@pytest.mark.parametrize("flag", ["--theta0", "--mu0", "--kappa", "--alpha", "--sigma", "--beta", "-V", "-d"])
-def test_an_empty_axis_is_an_error_that_leaves_nothing(flag: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    given = ["--theta0", "49"] if flag != "--theta0" else []
-    for numbers in EMPTY:
-        assert invoke("sweep", *given, flag, numbers, "-o", str(tmp_path / "a.csv")) == USAGE, numbers
-        said = capsys.readouterr().err
-        assert said.count("\n") == 1
-        assert flag.strip("-") in said or {"-V": "--speed", "-d": "--creep"}[flag] in said
-        assert not list(tmp_path.iterdir())
-
-
 # --------------------------------------------------------------------------------------------------------- errors
 
 
@@ -187,22 +171,6 @@ def test_an_error_is_one_line_that_says_what_to_do(
     assert said.count("\n") == 1
     assert all(word in said for word in words), said
     assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize(
-    ("typed", "meant"),
-    [
-        ("equilibrium", "equilibria"), ("Sweep", "sweep"), ("simulat", "simulate"), ("equilibria --mu_0 1", "--mu0"),
-        ("equilibria --mu 1", "--mu0"), ("equilibria --θ0 1", "--theta0"), ("equilibria --θ₀=1", "--theta0"),
-        ("equilibria --theta_0 1", "--theta0"), ("equilibria --theta0_deg 1", "--theta0"), ("equilibria -theta0 1", "--theta0"),
-        ("equilibria --kapa 1", "--kappa"), ("simulate --t_end 1", "--t-end"), ("sweep --worker 1", "--workers"),
-        ("fates --V 0.3", "-V"), ("bifurcation --jsn", "--json"),
-    ],
-)  # fmt: skip
-def test_a_typo_gets_the_name_that_was_meant(typed: str, meant: str, run: Run) -> None:
-    said = run(*typed.split(), code=USAGE)
-    assert f"did you mean {meant}?" in said
-    assert said.count("\n") == 1
 
 
 @pytest.mark.parametrize(

@@ -110,23 +110,3 @@ def test_what_has_jumped_has_two_witnesses() -> None:
     assert have_jumped(q).tolist() == (ss.jump_value(q.replace(mu0=0.0)) <= q.mu0).tolist()
     with pytest.raises(ss.ParameterError, match="stribeck has no mu0"):
         have_jumped(a_set("stribeck"))
-
-
-def test_basins_and_sensitivity_are_those_of_the_model() -> None:
-    p = ss.load("stick_slip").Parameters()
-    found = ss.basin(p, x=[0.0, 1.0], vx=[0.0], t_end=200.0)
-    assert np.array_equal(found.sweep.rms, ss.rms_sweep(p, x0=[[0.0], [1.0]], vx0=[0.0], t_end=200.0).rms)
-    rod = ss.load("sprag_rod").Parameters(theta0=0.8)
-    found = ss.basin(rod, vphi=[0.0, 0.2], phi=[0.1], t_end=50.0)
-    assert np.array_equal(found.sweep.rms, ss.rms_sweep(rod, phi0=0.1, vphi0=[[0.0], [0.2]], t_end=50.0).rms)
-    assert (found.plane, found.vphi.tolist(), found.attractor.shape) == (("vphi", "phi"), [0.0, 0.2], (2, 1))
-    assert "phi_deg" in str(found)
-    with pytest.raises(ss.ParameterTypeError, match=r"two axes of phi, vphi.*given: x, vx"):
-        ss.basin(rod, x=[0.0], vx=[0.0])
-    with pytest.raises(ss.ModelError, match="stick_slip has no theta0, along which sensitivity looks"):
-        ss.sensitivity(p)
-    angles, options = np.radians([38.0, 42.0, 46.0]), dict(t_end=200.0, refine=1)
-    undamped = ss.load("damped").Parameters(theta0=angles, zeta_x=0.0, zeta_y=0.0, zeta_s=0.0)
-    theirs, ours = ss.sensitivity(undamped, **options), ss.sensitivity(ss.Parameters(theta0=angles), **options)
-    assert theirs.theta0 == pytest.approx(ours.theta0, abs=1e-12)
-    assert theirs.sweep.rms == pytest.approx(ours.sweep.rms, rel=1e-6)

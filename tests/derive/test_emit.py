@@ -150,20 +150,6 @@ def test_an_interrupted_write_leaves_the_old_files(
     assert untouched(target)
 
 
-def test_a_failed_exchange_brings_the_old_files_back(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    replace = os.replace
-
-    def failing(one: Path, other: Path) -> None:
-        if Path(other).name == "files.json":
-            raise OSError("no")
-        replace(one, other)
-
-    monkeypatch.setattr(os, "replace", failing)
-    with pytest.raises(OSError, match="no"):
-        write.write(NEW, target)
-    assert untouched(target)
-
-
 def test_a_write_replaces_what_was_written_and_nothing_else(target: Path) -> None:
     (target / "notes.txt").write_text("mine")
     (target / "new.py").write_text("mine")

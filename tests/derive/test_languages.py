@@ -124,14 +124,3 @@ def test_generated_c_comes_out_formatted() -> None:
         call = [formatter, f"--style=file:{ROOT / '.clang-format'}", f"--assume-filename={name}"]
         done = subprocess.run(call, input=text, capture_output=True, text=True, timeout=60, check=True)
         assert done.stdout == text, name
-
-
-def test_the_same_file_from_two_targets_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("sympy")
-    from spragsym.derive.emit import targets
-
-    made = targets.Target("one", "One", "same", lambda material: {"a.txt": ""})
-    monkeypatch.setattr(targets, "targets", lambda: (made, made))
-    material = targets.Material((), None, {}, {}, (), {}, (), False, "", "")  # type: ignore[arg-type]  # no kernel is read
-    with pytest.raises(ArithmeticError, match=r"One: another target writes same/a\.txt too"):
-        targets.render(material)

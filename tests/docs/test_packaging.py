@@ -50,15 +50,6 @@ def test_packages_are_those_of_the_tree() -> None:
     assert len(listed) == len(set(listed))
 
 
-def test_the_folders_are_reached_through_the_package() -> None:
-    for folder in ("derive", "generated"):
-        link = ROOT / "spragsym" / folder
-        if link.is_file() and link.read_text(encoding="utf-8") == f"../{folder}":
-            pytest.skip("a checkout without symbolic links")
-        assert link.is_symlink()
-        assert os.readlink(link) == f"../{folder}"
-
-
 def test_version_stands_in_one_place() -> None:
     assert "version" not in PROJECT["project"]
     holders = [
@@ -251,34 +242,3 @@ def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str
     assert done.stderr.startswith("spragsym: ")
     assert done.stderr.count("\n") == 1
     assert f"pip install '.[{extra}]'" in done.stderr
-
-
-# --------------------------------------------------------------------------------------------------- a clone in use
-
-
-def make_installs(copy: Path, out: Path) -> Path:
-    """The wheel by which `make` puts a tree into its environment: a path, or a finder, to the tree."""
-    ((name, value),) = re.findall(r"--config-settings (\w+)=(\w+)", (copy / "Makefile").read_text(encoding="utf-8")) or [("", "")]
-    program = "import setuptools.build_meta as build, sys; build.build_editable(sys.argv[1], {sys.argv[2]: sys.argv[3]})"
-    done = subprocess.run(
-        [sys.executable, "-c", program, str(out), name, value],
-        env=os.environ | {"CC": "/bin/false"}, cwd=copy, capture_output=True, text=True,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    (wheel,) = out.glob("*.whl")
-    return wheel
-
-
-@pytest.mark.thorough
-def test_a_script_beside_the_clone_finds_the_package(tmp_path: Path) -> None:
-    """The clone's own folder is named as the package is, and Python looks beside the script first."""
-    folder = tmp_path / "work"
-    folder.mkdir()
-    copy = clone(folder)
-    assert not (copy / "__init__.py").exists()
-    interpreter = environment(tmp_path / "env", make_installs(copy, tmp_path))
-    script = folder / "mine.py"
-    script.write_text("import spragsym as ss\nprint(ss.equilibria(ss.Parameters.article(theta0=0.5)).count)\n", encoding="utf-8")
-    for place in (folder, tmp_path):
-        done = subprocess.run([interpreter, script], cwd=place, env=NO_ENVIRONMENT, capture_output=True, text=True, timeout=120)
-        assert (done.stdout, done.stderr) == ("3\n", "")

@@ -15,12 +15,11 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.cli import cli
 from spragsym.cli.explore import explore
 from spragsym.explorer import explorer_page
 from spragsym.parameters import NAMES
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
-from tests.support import ROOT, derived
+from tests.support import ROOT
 
 ASSETS = ROOT / "spragsym" / "explorer" / "assets"
 SOURCES = ROOT / "explorer"
@@ -49,13 +48,6 @@ def test_the_page_is_whole_and_the_same_every_time() -> None:
         assert (ROOT / "generated/javascript" / module).read_text(encoding="utf-8").strip() in page
 
 
-def test_the_module_of_a_page_has_what_the_explorer_calls() -> None:
-    export = pytest.importorskip("spragsym.derive.export", exc_type=ImportError)
-    sources = "".join(path.read_text(encoding="utf-8") for path in (SOURCES / "src").glob("*.js"))
-    called = re.findall(r'\balgebra(?:\?\.|\.)(\w+)|\bcall\("(\w+)"', sources)
-    assert {one or other for one, other in called} == export.EXPLORED
-
-
 @pytest.mark.thorough
 def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     """The dimensionless numbers by hand from those of the example file, and a model that the page can't compute refused."""
@@ -82,59 +74,6 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     other.write_text(data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8")
     problem = CliRunner().invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"]).exception
     assert isinstance(problem, ss.SpragsymError)
-
-
-#: Too few for a plane.
-ONE_PARAMETER = '''r"""A mass in two wells."""
-from spragsym.derive.model import Page
-page = Page("A mass in two wells.")
-m, k, l = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness"), page.unit("l", "m", "length")
-b = page.parameter("b", "1", "hardening", "> 0", 1.0)
-x = page.coordinate("x", "m", "displacement")
-page.kinetic(m * page.rate(x) ** 2 / 2)
-page.potential(k * (b * x**4 / (4 * l**2) - x**2 / 2))
-'''
-
-
-@pytest.mark.validate
-def test_a_page_with_the_map_of_stability(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    for options in ([], ["--model", "stick_slip"]):
-        texts = []
-        for more in (["--onsets"], ["--onsets"], []):
-            out = tmp_path / f"{len(texts)}{len(options)}.html"
-            assert CliRunner().invoke(explore, ["--out", str(out), "--no-open", *options, *more]).exit_code == 0
-            texts.append(out.read_text(encoding="utf-8"))
-        assert texts[0] == texts[1]
-        assert texts[0].count("<svg") == texts[2].count("<svg") + 1
-        assert "Where oscillation sets in" not in texts[2]
-        (command,) = re.findall(r"spragsym (onsets [^<]*)</pre>", texts[0])
-        told = json.loads(CliRunner().invoke(cli, command.split()).stdout)
-        assert told["curves"]
-    where = derived(ONE_PARAMETER, "one_parameter")
-    problem = CliRunner().invoke(explore, ["--model", str(where), "--onsets", "--out", str(out), "--force"]).exception
-    assert "leave it out" in str(problem)
-
-
-def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    opened: list[str] = []
-    monkeypatch.setattr("spragsym.cli.explore.webbrowser.open", opened.append)
-    out = tmp_path / "new" / "page.html"
-    run = CliRunner().invoke(explore, ["--out", str(out), "--no-open"])
-    assert (run.exit_code, run.stdout.strip(), opened) == (0, str(out), [])
-    assert out.read_text(encoding="utf-8") == explorer_page()
-    monkeypatch.setenv("DISPLAY", ":1")
-    assert CliRunner().invoke(explore, ["--out", str(out)]).exit_code == 0  # the same bytes are not in the way
-    assert opened == [out.resolve().as_uri()]
-    for given, made in ((tmp_path / "new", "new/explorer.html"), (tmp_path / "bare", "bare.html")):
-        assert CliRunner().invoke(explore, ["--out", str(given), "--no-open"]).stdout.strip() == str(tmp_path / made)
-    out.write_text("mine", encoding="utf-8")
-    assert isinstance(CliRunner().invoke(explore, ["--out", str(out)]).exception, ss.SpragsymError)
-    assert out.read_text(encoding="utf-8") == "mine"
-    problem = CliRunner().invoke(explore, ["--out", str(out), "--model", "nobody"]).exception
-    assert isinstance(problem, ss.ParameterError)
-    assert "no shipped model" in str(problem)
-    assert "explore" in cli.list_commands(None)  # type: ignore[arg-type]  # the list does not depend on the context
 
 
 # ------------------------------------------------------------------------------------------------- in a browser

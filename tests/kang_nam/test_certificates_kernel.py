@@ -290,67 +290,6 @@ def _true_code(rows: Array, state: dict[str, Array], nbar: int) -> Array:
 # ------------------------------------------------------------------------------------------ factors and their means
 
 
-def _monic(line: tuple[float, ...]) -> list[mpmath.mpf]:
-    e0, e1, e2, e3, e4 = kernel.t_quartic(*map(mpmath.mpf, line))
-    return [value / e4 for value in (e0, e1, e2, e3)]
-
-
-def _lines(rng: np.random.Generator, n: int) -> list[tuple[float, ...]]:
-    """a, b, d, m of random points, and of such next to a fold."""
-    rows = _random(rng, n)
-    a, b, d, m = (np.broadcast_to(value, n) for value in _true_line(rows, 1)[:4])
-    theta = rng.uniform(0.2, 2.9, n)
-    s, c = np.sin(theta), np.cos(theta)
-    fold = rng.random(n) < 0.5
-    gap = 10.0 ** rng.uniform(-14, -2, n)
-    b = np.where(fold & (a * s**3 + m * s * s * c > 0), -(a * s**3 + m * s * s * c) * (1 + gap), b)
-    d = np.where(b == b, np.where(fold, -a * c**3 + m * s * (1 + c * c), d), d)
-    return [tuple(map(float, row)) for row in zip(a, b, d, m, strict=True)]
-
-
-def test_the_factors_multiply_to_the_quartic() -> None:
-    """To a few roundings of its coefficients and roots, next to folds as elsewhere."""
-    worst = 0.0
-    with mpmath.workdps(60):
-        for line in _lines(np.random.default_rng(10), 600):
-            p1, q1, p2, q2 = (mpmath.mpf(float(value)) for value in _factors(*map(np.float64, line)))
-            assert q1 < 0 < q2
-            A0, A1, A2, A3 = _monic(line)
-            sizes = (abs(q1 * q2), abs(p1 * q2) + abs(p2 * q1), abs(q1) + abs(q2) + abs(p1 * p2), abs(p1) + abs(p2))
-            gaps = (q1 * q2 - A0, p1 * q2 + p2 * q1 - A1, q1 + q2 + p1 * p2 - A2, p1 + p2 - A3)
-            worst = max(worst, *(float(abs(gap) / size) * 2.0**53 for gap, size in zip(gaps, sizes, strict=True)))
-    assert worst < 6
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("nbar", [1, 0])
-def test_guesses_are_the_roots_that_may_be_equilibria(nbar: int) -> None:
-    """Against companion matrices: ascending, infinity beyond the count, in contact positive ones only."""
-    rng = np.random.default_rng([32, nbar])
-    point = _point(_random(rng, 3000), nbar, np.float64)
-    point = Point(*np.broadcast_arrays(*point))
-    line, u = Balance(*np.broadcast_arrays(*kernel.balance(point))), 2.0**-53
-    got = kernel.guesses(point, line, u)
-    D, one = _the_discriminant(line, u), _has_one_positive(line, u)
-    seen = set()
-    for row in range(3000):
-        found = np.roots([value[row] for value in kernel.t_quartic(*np.broadcast_arrays(*line[:4]))][::-1])
-        roots = np.sort(found.real[np.abs(found.imag) < 1e-9 * np.abs(found)])
-        if np.min(np.abs(np.diff(roots)) / np.abs(roots[:-1]), initial=1.0) < 1e-5 or abs(D.value[row]) <= D.error[row]:
-            continue
-        spared = D.value[row] > 0 or (nbar and bool(one[row]))
-        if nbar:
-            roots = roots[-1:] if spared else roots[roots > 0] if (roots > 0).sum() == 3 else roots[-3:]
-        t = np.array([value[row] for value in got[:4]])
-        count = int(got.count[row])
-        seen.add((count, bool(spared)))
-        assert count == roots.size
-        assert bool(got.certain[row])
-        np.testing.assert_allclose(t[:count], roots, rtol=1e-6)
-        assert np.isinf(t[count:]).all()
-    assert seen == ({(1, True), (3, False)} if nbar else {(2, True), (4, False)})
-
-
 def test_apart_means_apart() -> None:
     """Intervals around 2 atan t, whose gap is about the sum of their radii, for t of any size and sign, 0 among them."""
     rng = np.random.default_rng(14)
@@ -567,13 +506,6 @@ def test_stability_is_told_how_far_cosine_sine_and_length_may_be_off(
 # -------------------------------------------------------------------------------------------------- one or three
 
 
-def _with_derivatives(d1: Any, d2: Any, d3: Any, e4: Any, c: Any) -> tuple[Any, Any, Any, Any]:
-    """e1 … e4 of the quartic with these derivatives at c, over factorials."""
-    e3 = d3 - 4 * e4 * c
-    e2 = d2 - 3 * e3 * c - 6 * e4 * c**2
-    return d1 - 2 * e2 * c - 3 * e3 * c**2 - 4 * e4 * c**3, e2, e3, e4
-
-
 @pytest.mark.thorough
 def test_roots_above_a_number_are_counted() -> None:
     """Three positive roots and a negative one, and c between them: all of the three are above, or one."""
@@ -586,15 +518,6 @@ def test_roots_above_a_number_are_counted() -> None:
         assert (bool(found.all), bool(found.one)) == (c < positive[0], c > positive[0])
         seen.add(bool(found.all))
     assert seen == {False, True}
-
-
-def test_derivatives_within_the_margin_may_have_either_sign() -> None:
-    """Certain is what holds for either sign of what is within the margin, or at it."""
-    for *derivatives, c in itertools.product(*[(-2.0, -1.0, 0.5, 1.0, 2.0)] * 3, (0.0, 0.5)):
-        either = [(1, -1) if abs(d) <= 1 else (np.sign(d),) for d in derivatives]
-        changes = {sum(np.diff([-1, *signs, 1]) != 0) for signs in itertools.product(*either)}
-        found = kernel.above(*_with_derivatives(*derivatives, 1.0, c), c, 1.0)
-        assert (bool(found.all), bool(found.one)) == (changes == {3}, changes == {1})
 
 
 @pytest.mark.parametrize("seed", [1, 2])

@@ -188,11 +188,6 @@ def test_a_fold_counts_twice() -> None:
 # ------------------------------------------------------------------------------ each part of a step is needed
 
 
-@pytest.mark.parametrize(("signs", "number"), [((-1, 0, 0, 1), 1), ((1, 0, 1), 0), ((-1, 1, -1, 0, 1), 3), ((), 0), ((0, -1), 0)])
-def test_changes_of_sign(signs: tuple[int, ...], number: int) -> None:
-    assert theorem._changes(signs) == number
-
-
 PARTS = [theorem._quartic, theorem._threshold_below_zero, theorem._threshold_above_zero, theorem._middle]
 PARTS += [theorem.smallest_without_friction]
 
@@ -208,27 +203,6 @@ def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[tup
     monkeypatch.setattr(theorem, "manifestly_positive", remember)
     part()
     return asked
-
-
-def test_the_claim_about_the_ends_is_the_difference_of_the_squares(monkeypatch: pytest.MonkeyPatch) -> None:
-    """P² cos² θ* − α² cos² θ₀ at rational sines, −P = α + λ, s₀ = s* + e."""
-    polynomial, symbols = _asked(theorem._threshold_above_zero, monkeypatch)[-1]
-    for given in ((1, 2, "1/3", "1/5"), (3, "1/7", "2/9", "1/2")):
-        alpha, surplus, threshold, excess = map(sp.Rational, given)
-        level = 1 - (threshold + excess) ** 2
-        here = polynomial.subs(dict(zip(symbols, (alpha, surplus, level, threshold, excess), strict=True)))
-        assert here == (alpha + surplus) ** 2 * (1 - threshold**2) - alpha**2 * level
-
-
-def test_the_sign_at_the_ends_is_that_of_the_difference_of_squares(monkeypatch: pytest.MonkeyPatch) -> None:
-    """s*² (P² cos² θ* − α² cos² θ₀) with P = σ − p L and L = s₀/s*, at rational sines."""
-    polynomial, symbols = _asked(lambda: theorem._signs_at_the_ends(elimination.f_form), monkeypatch)[-1]
-    for given in (("1/2", 3, 1, "1/3", "1/5"), (2, "1/7", 0, "2/9", "1/2")):
-        sigma, alpha, beta, threshold, excess = map(sp.Rational, given)
-        level = 1 - (threshold + excess) ** 2
-        here = polynomial.subs(dict(zip(symbols, (sigma, alpha, beta, threshold, excess, level), strict=True)))
-        push = sigma * threshold - (sigma + alpha) * (threshold + excess)
-        assert here == push**2 * (1 - threshold**2) - (alpha * threshold) ** 2 * level
 
 
 def test_the_slope_without_friction_is_that_of_the_force(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import itertools
 import math
 from typing import Any
@@ -12,12 +11,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact import ball_functions
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.interval_functions import atan2
-from spragsym.exact.polynomials import Undecided
-from spragsym.models.mechanics.balance import Balance
-from spragsym.models.mechanics.precise_balance import ball
 from tests.support import ROOT, model_of
 
 pytest.importorskip("sympy")
@@ -93,21 +88,6 @@ def test_forces_and_stiffness_are_derivatives_of_the_energy(model: Any, place: t
             assert abs(by_angle[row][0] - mpmath.diff(energy, at, (*order[:2], 1))) < 1e-12
         stored = model.algebra.energy(x, y, 0, 0, *moving, pushing, xp=mpmath)
         assert abs(stored - energy(*at)) < 1e-40
-
-
-def test_turning_of_statics_and_of_motion_is_the_least(model: Any) -> None:
-    """Cosine and sine of the turning; and accelerations on either way are those of the least turning where that is on the way."""
-    for x, y, theta0 in PLACES:
-        with mpmath.workdps(50):
-            taken, moving = state(model, *map(mpmath.mpf, (x, y, theta0)))
-            ((cosine, sine),) = model.algebra.turnings(*taken[:5], *taken[6:], xp=mpmath)
-            assert abs(mpmath.atan2(sine, cosine) - taken[5]) < 1e-45
-            rows = [model.algebra.regime_rhs(taken[0], taken[1], 0.1, 0.2, *moving, 1, 1, 1, way, xp=mpmath) for way in (1, -1)]
-            static = model.algebra.forces(*taken, 0, 1, xp=mpmath)
-            assert abs(rows[0 if sine > 0 else 1][1] + static[1]) < 1e-45
-            other = (taken[5] - mpmath.sign(sine) * 2 * mpmath.pi) if cosine < 0 else taken[5]
-            turned = model.algebra.forces(*taken[:5], other, *taken[6:], 0, 1, xp=mpmath)
-            assert abs(rows[1 if sine > 0 else 0][1] + turned[1]) < 1e-45
 
 
 def behind(p: Any, off: float, speed: float) -> list[float]:
@@ -215,50 +195,3 @@ def test_angles_of_rectangles_hold_all_and_jump_nowhere() -> None:
             if not meets[i]:
                 corners = [mpmath.atan2(y, x) for x in (cosine.low[i], cosine.high[i]) for y in (sine.low[i], sine.high[i])]
                 assert plain.width[i] <= max(corners) - min(corners) + 2e-14
-
-
-def test_balls_that_meet_the_ray_are_unknown() -> None:
-    with pytest.raises(Undecided):
-        ball_functions.XP.atan2(ball(0.0, 160), ball(-1.0, 160))
-
-
-def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model: Any) -> None:
-    """The mean value theorem does not hold there, so slopes are unknown; the forces on either side show that none is inside."""
-    balance = Balance(model, contact=False)
-    p = model.Parameters(tau=0.3)
-    given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
-    place = np.array(behind(p, 0.0, 0.0)[:2])[:, None]
-    with np.errstate(all="ignore"):
-        parameters = balance.prepared(Intervals.point(given))
-        around = Intervals.between(np.full((2, 1), -0.01), np.full((2, 1), 0.01))
-        across, beside = around + place, around + np.add(place, [[0.1], [-0.1]])
-        assert np.isnan(balance.jacobian(across, parameters).ends).any()
-        assert np.isfinite(balance.jacobian(beside, parameters).ends).all()
-        assert balance.hopeless(across, parameters).all()
-        assert balance.residuals(across, parameters).holds_zero().all()
-
-
-# ---------------------------------------------------------------------------------------------- other languages, older folders
-
-
-def test_a_cycle_behind_the_anchor_is_refused(model: Any) -> None:
-    """Derivatives of an orbit are not carried across a jump of the field."""
-    from spragsym.dynamics import variations_scipy
-    from spragsym.models.field import exact_field, field_of
-
-    p = model.Parameters(tau=0.02, mu0=0.3)
-    field = field_of(model, 40.0)
-    constants = field.constants(list(map(float, p.scalars(*model.parameters))))
-    none = np.zeros((2, len(model.parameters)))
-    start = np.array(behind(p, -0.1, 0.5))
-    flights = [variations_scipy.flight(field).fly]
-    if importlib.util.find_spec("heyoka"):
-        from spragsym.dynamics import variations_heyoka
-
-        flights.append(variations_heyoka.compiled(field).fly)
-    for fly in flights:
-        with pytest.raises(ss.ConvergenceError, match="passes behind the end of a torsion spring"):
-            fly(start, constants, 3.0, none)
-        assert fly(start, constants, 0.1, none).state[0] != start[0]
-    with pytest.raises(ss.ParameterError, match="arc tangent"):
-        exact_field(model.where)

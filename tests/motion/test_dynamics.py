@@ -12,7 +12,6 @@ import spragsym as ss
 from spragsym.dynamics import (
     Event,
     Trajectory,
-    flows,
     integrators,
     simulate,
     with_compiled,
@@ -23,9 +22,6 @@ from spragsym.generated import stability
 from spragsym.kang_nam.statics.solver import equilibria
 from spragsym.models.problems import prepare
 from tests.support import few
-
-#: The article's model, as cycles take it.
-SPRAG = ss.load("kang_nam").field
 
 BACKENDS = [
     "scipy",
@@ -240,46 +236,3 @@ def test_measures_of_a_known_wave(omega: float, centre: float) -> None:
         assert course.moments(row) == pytest.approx((centre + whole, np.sqrt(wave - whole**2)), abs=1e-13)
     times = np.linspace(0, end, 501)
     np.testing.assert_allclose(tr(times)[0], centre + np.cos(omega * times), atol=1e-13)
-
-
-@pytest.mark.thorough
-def test_a_cycle_that_scipy_closes_closes_in_all_digits(monkeypatch: pytest.MonkeyPatch) -> None:
-    """However roughly Newton's method began: what is told of the cycle stands on its last steps."""
-    p = ss.Parameters(
-        theta0=2.7812867375530876, mu0=0.4634621203921272, kappa=0.01839, alpha=0.0076022, sigma=0.2678068, beta=0.0
-    )
-    belt = {"V": 0.15216712083347134, "d": 5.41751330401023}
-    problem = prepare(p.model, p.replace(**belt), start=(0, 0, 0, 0), t_end=60.0, rtol=1e-10)
-    near = np.array([0.0294, 0.7032, 0.0, 0.0])
-    found = flows.onward(problem, "scipy").closed(near, 2, 20.673, 0.1)
-    run = {"rtol": 1e-13, "backend": "scipy"}
-    starts = [found.state, *(found.state + off * np.eye(4)[i] for i in (0, 1, 3) for off in (1e-6, -1e-6))]
-    back = [
-        simulate(p, **belt, **dict(zip(("x0", "y0", "vx0", "vy0"), q.tolist(), strict=True)), t_end=25.0, **run) for q in starts
-    ]
-    assert np.abs(back[0](found.period) - found.state).max() < 2e-11
-    # The slope, by differences of the returns to where x is largest.
-    returns = np.array([_highest_near(tr, found.period) for tr in back])
-    np.testing.assert_allclose(found.slope, (returns[1::2] - returns[2::2]).T / 2e-6, atol=1e-4)
-    monkeypatch.setattr(flows, "LOOSE", 1e-6)
-    again = flows.onward(problem, "scipy").closed(near, 2, 20.673, 0.1)
-    assert np.abs(again.state - found.state).max() < 1e-11
-    assert again.period == pytest.approx(found.period, abs=1e-11)
-
-
-def _highest_near(tr: Trajectory, t: float) -> np.ndarray:
-    """x, y, y' at the maximum of x nearest to a time."""
-    course = tr.course()
-    return np.delete(course.maxima[np.argmin(np.abs(course.maxima_t - t))], 2)
-
-
-def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
-    """Or cycles near a state at rest along the belt are found by one integrator and not by the other."""
-    none = np.zeros((2, 8))
-    constants = prepare(BASE.model, BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
-    for name in set(_installed()) & set(integrators.OF_ANY_MODEL):
-        passage = flows.flow(SPRAG, name, derivatives=False).fly(np.array([1.7, 0.34, 0.0, 0.06]), constants, 30.0, none)
-        turns = [turn for turn in passage.turns if turn.border == -1]
-        assert turns[0].t == 0
-        assert [turn.direction for turn in turns] == [(-1) ** (i + 1) for i in range(len(turns))]
-        assert len(turns) > 3

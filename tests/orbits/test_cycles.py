@@ -9,7 +9,6 @@ import math
 import types
 from fractions import Fraction
 from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -19,8 +18,7 @@ import pytest
 import spragsym as ss
 from benchmarks import bench_auto
 from spragsym.cycles import attractors, finding, growth_rates, saddles
-from spragsym.cycles.orbit import cycle_of
-from spragsym.dynamics import bifurcation_functions, multipliers, shooting
+from spragsym.dynamics import bifurcation_functions, multipliers
 from spragsym.dynamics.field import Border, Field
 from spragsym.dynamics.flows import carrier
 from spragsym.exact.decimals import exactly
@@ -109,17 +107,6 @@ def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> Non
     assert one.crossings
     for name in ("state", "by_state", "by_parameters"):
         assert np.abs(getattr(one, name) - getattr(other, name)).max() < 1e-9
-
-
-@pytest.mark.thorough
-def test_a_state_and_a_motion_lead_to_the_same_cycle(slow: ss.Cycle) -> None:
-    tr = ss.simulate(at(42.0), **BELT, t_end=1000.0)
-    found = ss.cycle(at(42.0), **BELT, near=tr)
-    assert found.period == pytest.approx(slow.period, abs=1e-10)
-    twice = shooting.Guess(slow.state[None], 2 * slow.period, slow.values)
-    fly, name = carrier(SPRAG, None)
-    loop = shooting.looped(SPRAG, fly, twice)
-    assert cycle_of(loop, fly, name).period == pytest.approx(slow.period, abs=1e-9)  # never twice round
 
 
 # ----------------------------------------------------------------------------------------- other models, closed forms
@@ -432,17 +419,6 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
 # --------------------------------------------------------------------------------------------- fates and exponents
 
 
-@pytest.mark.thorough
-def test_one_cycle_at_both_ends_is_one_fate() -> None:
-    """Its period grows from 32.19 to 33.79 between: rounded, they differ."""
-    with pytest.raises(
-        ss.ParameterError, match=r"32\.1898 at one end and to a cycle of period 33\.7\d+ at the other, which is one"
-    ):
-        ss.fate_boundary(
-            ss.Parameters.article(), vary="theta0", bracket=tuple(np.radians([20.0, 38.0])), start=(2.7, 3.1, 0, 0.42), **BELT
-        )
-
-
 def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     """The arguments of a random call of the campaign."""
     given = random_motions.fate_of(number)
@@ -482,40 +458,6 @@ def test_chaos_is_proved_by_exponents() -> None:
     short = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0, t_end=4000.0)
     assert short.kind == "undecided"
     assert "not told from 0" in short.why
-
-
-@pytest.mark.thorough
-def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Path) -> None:
-    p, store, asked = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 42.0]), mu0=0.5), tmp_path / "map.csv", []
-    options: dict[str, Any] = {**BELT, "t_end": 10_000.0, "store": store}
-
-    def counted(function: Any, tasks: Any) -> Any:
-        asked.extend(tasks)
-        return map(function, asked)
-
-    with pytest.raises(ss.SpragsymError, match="1 of 3 points are kept"):
-        ss.fate_map(p, **options, workers=lambda function, tasks: map(function, list(tasks)[:1]))
-    found = ss.fate_map(p, **options, workers=counted)
-    assert len(asked) == 2
-    assert found.kind.tolist() == [1, 1, 2]
-    assert found.period[2] == pytest.approx(34.26737, abs=1e-5)
-    assert ss.fate_map(p, **options).exponent.tolist() == found.exponent.tolist()
-    for other in ({"t_end": 9000.0}, {"start": (1.0, 0.0, 0.0, 0.0)}):
-        with pytest.raises(ss.ParameterError, match="holds something else"):
-            ss.fate_map(p, **options | other)
-    text = store.read_text(encoding="utf-8")
-    assert all(f"# {line}\n" in text for line in ("model: kang_nam", "x0: 0.0", "vy0: 0.0", "t_end: 10000.0"))
-
-
-@pytest.mark.parametrize("name", few(["damped", "kang_nam"], "damped"))
-def test_the_time_scale_is_that_on_which_motions_die_out(name: str) -> None:
-    p = ss.load(name).Parameters(theta0=np.radians(30.0), d=2.0)
-    found = ss.fate(p)
-    assert found.kind == "rest"
-    late = 8 * found.time_scale + np.linspace(0, 2 * found.time_scale, 2000)
-    rates = ss.simulate(p, t_end=late[-1], rtol=1e-12)(late)[2:]
-    sizes = np.log(np.hypot(*rates)).reshape(2, -1).max(axis=1)  # largest of either half
-    assert sizes[0] - sizes[1] == pytest.approx(1.0, rel=0.05)
 
 
 def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:

@@ -13,8 +13,6 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.design.design_space import PHYSICAL, dimensionless
-from spragsym.kang_nam.design.events import have_jumped
 from spragsym.studies import jump_verdicts, pages, redesigns, tolerances
 from spragsym.studies.jump_verdicts import certificate
 from tests.conftest import Run
@@ -260,41 +258,6 @@ def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
     assert 57000 * tr.spring_force().min() == pytest.approx(lives.spring_force_N[0], rel=1e-2)
 
 
-def test_commands_take_the_file(path: Path, tmp_path: Path, run: Run) -> None:
-    def answer(command: str, *more: str) -> Any:
-        return json.loads(run(command, *more, "--data", str(path), "--json"))
-
-    p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
-    rows = answer("folds", "--vary", "k_x")["points"]
-    assert [row["k_x_N/mm"] for row in rows] == pytest.approx((1500 * ss.folds(p, "alpha").alpha).tolist(), rel=1e-9)
-    frictions, lowest = answer("critical"), ss.critical_friction(p)
-    for name, value in (
-        ("mu0_jump", ss.jump_value(p)), ("mu0_cusp", ss.cusp_friction(p)), ("mu0_lowest", lowest),
-        ("theta0_lowest_deg", math.degrees(lowest.theta0)), ("mu_cr", ss.linear_critical_friction(p)),
-    ):  # fmt: skip
-        assert frictions[name] == pytest.approx(float(value), rel=1e-12)
-    assert frictions["kind_lowest"] == lowest.kind
-    assert frictions["jumps"][0]["mu0"] == frictions["mu0_jump"]
-    jumps = answer("path", "--vary", "mu0=0:1:3")["jumps"]
-    assert jumps[0]["mu0"] == pytest.approx(ss.jump_value(p), rel=1e-12)
-    assert answer("equilibria")["equilibria"][0]["x_mm"] == pytest.approx(38 * ss.equilibria(p).x[0], rel=1e-9)
-    points = answer("equilibria", "--mu0", "0.1:0.5:3")["points"]
-    assert [len([row for row in one["equilibria"] if row["state"] == "contact"]) for one in points] == [3, 3, 1]
-    set_ = answer("bifurcation")
-    assert [row["x_mm"] for row in set_["folds"]["points"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
-    for point, k_x in zip(answer("equilibria", "--vary", "k_x=5:20:2")["points"], (5.0, 20.0), strict=True):
-        assert point["parameters"]["k_x_N/mm"] == pytest.approx(k_x, rel=1e-12)
-        eq = ss.equilibria(p.replace(alpha=k_x / 1500))
-        there = [row["x_mm"] for row in point["equilibria"] if row["state"] == "contact"]
-        assert there == pytest.approx((38 * eq.x[: eq.count]).tolist(), rel=1e-9)
-    moving = ("--theta0", "45", "--t-end", "0.04", "-q", "-o", str(tmp_path / "rms.csv"))
-    assert "lengths are in units of 38 mm, times in 0.000483046 s" in run("sweep", "--data", str(path), *moving)
-    half = answer("simulate", "--t-end", "0.02", "--x0", "3.8")
-    tr = ss.simulate(brake(mu0=0.45).dimensionless(), **brake().belt(), t_end=0.02 / 0.000483045891, x0=0.1)
-    assert half["rms_mm"] == pytest.approx(38 * tr.rms(0.75 * tr.t[-1]), rel=1e-6)
-    assert "add V" in run("simulate", "--data", str(written(tmp_path, {"V": None, "d": None})), code=2)
-
-
 @pytest.mark.parametrize(
     ("friction", "outcome"), [(0.38, "refuted"), pytest.param(0.3, "proved", marks=pytest.mark.thorough), (0.0, "proved")]
 )
@@ -303,22 +266,6 @@ def test_with_another_model_the_brake_as_drawn_is_looked_at_first(tmp_path: Path
     found = certificate(studied(tmp_path, EXACT | CUBIC | {"mu0": f"[0, {friction}]" if friction else "0"}))
     assert found.outcome == outcome
     assert (found.counterexample or {}).get("mu0") == (friction if outcome == "refuted" else None)
-
-
-@pytest.mark.validate
-def test_with_another_model_the_same_brakes_jump(tmp_path: Path) -> None:
-    """At the same corners and points of the tolerances as by closed forms, with the belt's speed among them."""
-    other = studied(tmp_path, CUBIC | {"mu0": "[0.3, 0.4]", "V": "[0.1, 0.4] m/s"})
-    shares = tolerances.samples(other, 4096)
-    values = tolerances.values_at(other, shares)
-    friction = ss.sliding_friction(values["mu0"], values["V"], values["d"])
-    named = {name: values[name] for name in PHYSICAL if name != "mu0"}
-    jumps = have_jumped(ss.Parameters(**dimensionless(named | {"mu0": friction}))) == 1
-    assert np.array_equal(jump_verdicts.jumping(other, shares[:256]) == 1, jumps[:256])
-    assert 0.05 < jumps.mean() < 0.95
-    odds = jump_verdicts.chance(other, 512)
-    assert odds is not None
-    assert odds.low < jumps.mean() < odds.high
 
 
 @pytest.mark.thorough
@@ -359,29 +306,6 @@ def test_bounds_of_the_probability_hold_what_closed_forms_give(tmp_path: Path, r
     assert low < right < high
     varies = study.quantities["V"].high > study.quantities["V"].low
     assert high - low < (0.5 if varies else 0.02)
-
-
-@pytest.mark.validate
-def test_another_model_is_told_what_to_change(tmp_path: Path) -> None:
-    """Tubes and closed forms propose the same changes, nearly."""
-    rows = {"k_c": "1500 N/mm", "k_x": "9 N/mm", "mu0": "[0.3, 0.35]"}
-    right = studied(tmp_path, rows).report(probability=False, oscillation=False)
-    other = studied(tmp_path, rows | CUBIC)
-    found = other.report(oscillation=False, probability=False)
-    assert found.redesign is not None
-    assert [len(change.after) for change in found.redesign] == [1, 1, 1, 1, 2]
-    for one, want in zip(found.redesign, [*right.redesign[:4], right.redesign[-1]], strict=True):
-        assert one.after.keys() == want.after.keys()
-        assert one.distance == pytest.approx(want.distance, rel=0.02)
-        assert one.outcome == want.outcome == "proved"
-        values = {name: quantity.value for name, quantity in other.changed(one.after).quantities.items() if name != "k_3"}
-        closed = float(ss.jump_value(ss.PhysicalParameters(**values).dimensionless(), "mu0"))
-        assert not closed < found.target
-        assert one.jump_at == pytest.approx(closed, rel=1e-9, nan_ok=True)
-    assert found.text().count("  then it") == len(found.redesign)
-    told = found.to_dict()["redesign"][0]
-    assert told["target"] == pytest.approx(1.2 * other.friction[2])
-    assert f"to {other.shown('F_L', found.redesign[0].after['F_L'])}" in found.text()
 
 
 @pytest.mark.thorough

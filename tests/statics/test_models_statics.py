@@ -85,37 +85,6 @@ def test_states_are_those_of_the_closed_forms(name, given, more, contact):
         assert "alpha" not in given or (known.stability == ss.Stability.FLUTTER).any()
 
 
-def test_shapes_and_one_point():
-    eq = ss.equilibria(model("two_springs").Parameters(theta0=1.0))
-    assert eq.count.shape == ()
-    assert eq.x.shape == eq.stability.shape == (1,)
-    assert eq.eigenvalues.shape == (1, 4)
-    assert eq.region.shape == (2, 2)
-    p = model("two_springs").Parameters(theta0=np.linspace(0.5, 1, 3)[:, None], mu0=[0.1, 0.9])
-    eq = ss.equilibria(p)
-    assert eq.count.shape == (3, 2)
-    assert eq.region.shape == (3, 2, 2, 2)
-    assert eq.complete
-    with pytest.raises(AttributeError, match="theta_1, L_1, theta_2, L_2, x, y"):
-        _ = eq.z
-    eq = ss.equilibria(model("kang_nam").Parameters(theta0=np.ones((0, 3))))
-    assert eq.count.shape == (0, 3)
-    assert eq.complete
-
-
-@pytest.mark.parametrize(("ask", "name", "words", "options", "named"), [
-    ("equilibria", "mode_coupling", (), {"contact": False}, "never opens"), ("folds", "kang_nam", ("theta",), {}, "theta"),
-    ("cusps", "kang_nam", (("mu0", "mu0"),), {}, "two different"),
-    ("folds", "kang_nam", ("mu0",), {"between": {"theta0": (0, 1)}}, "theta0"),
-    ("folds", "kang_nam", ("mu0",), {"between": {"mu0": (1, 0)}}, "mu0"),
-    ("quasi_static_path", "kang_nam", ("theta0", [0.1, 0.3, 0.2]), {}, "one way"),
-    ("quasi_static_path", "kang_nam", ("theta0", [1.2, 1.3]), {"start": "middle"}, "middle.*'small'"),
-])  # fmt: skip
-def test_what_can_not_be_asked_is_named(ask, name, words, options, named):
-    with pytest.raises(ss.ParameterError, match=named):
-        getattr(ss, ask)(model(name).Parameters(**({} if name == "mode_coupling" else {"theta0": 1.0})), *words, **options)
-
-
 # ------------------------------------------------------------------------------- other pages, by other formulations
 
 
@@ -141,18 +110,6 @@ def test_linear_models_in_closed_form():
     assert onset.decided
     assert np.allclose(onset.mu0, sigma / 2 + (K[0, 0] - K[1, 1]) ** 2 / (2 * sigma), atol=1e-12)
     assert onset.kind.tolist() == ["flutter"]
-
-
-def test_hopf_points_of_a_falling_friction_law():
-    """ζ and the slope of 2 μ_s v_s V/(V² + v_s²) by hand: 0 is a quadratic polynomial in V²."""
-    p = model("stick_slip").Parameters()
-    onsets = ss.flutter_onsets(p, "V")
-    assert onsets.decided
-    assert onsets.kind.tolist() == ["hopf"] * len(onsets)
-    mu_s, v_s, zeta = (float(getattr(p, name)) for name in ("mu_s", "v_s", "zeta"))
-    squares = np.roots([zeta, 2 * zeta * v_s**2 - 2 * mu_s * v_s, zeta * v_s**4 + 2 * mu_s * v_s**3])
-    assert np.allclose(onsets.V, np.sqrt(np.sort(squares)), atol=1e-12)
-    assert np.allclose(onsets.omega, 1)
 
 
 # ----------------------------------------------------------------------------------------- folds, cusps, flutter
@@ -281,24 +238,6 @@ def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, n
     crossed = [growth_beside(name, p, vary, found, row) for row in range(number) if getattr(found, vary)[row] > 1e-3]
     # One of the pairs crosses; where another grows already, the largest growth says nothing.
     assert number == 0 or any(before * behind < 0 for before, behind in crossed)
-
-
-def test_where_the_friction_law_turns_every_mode_crosses():
-    p = model("stribeck").Parameters(theta0=0.8)
-    found = ss.flutter_onsets(p, "mu_k")
-    assert found.decided
-    assert len(found) == 2
-    assert found.mu_k[0] == found.mu_k[1]
-    # dμ/dV = 0 there: by differences of the law itself.
-    law, names = model("stribeck").algebra.friction_at_rest, model("stribeck").about["arguments"]["motion"]
-    angle = {"cos0": np.cos(0.8), "sin0": np.sin(0.8)}
-    ends = []
-    for V in (float(p.V) - 1e-5, float(p.V) + 1e-5):
-        values = {**angle, **{key: float(getattr(p, key)) for key in names if key not in angle}, "V": V, "mu_k": found.mu_k[0]}
-        ends.append(law(*(values[key] for key in names)))
-    assert abs(ends[1] - ends[0]) / 2e-5 < 1e-8
-    at = ss.equilibria(p.replace(mu_k=found.mu_k[0]))
-    assert np.allclose(np.sort(np.abs(at.eigenvalues[0].imag))[1::2], found.omega, atol=1e-9)
 
 
 def test_a_range_that_ends_where_a_parameter_divides():

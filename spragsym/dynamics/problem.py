@@ -97,7 +97,9 @@ def too_many_steps(problem: Problem, t: float) -> ConvergenceError:
 
 def out_of_range() -> ConvergenceError:
     """The error of a motion whose numbers overflow."""
-    return ConvergenceError("the motion left the range of numbers; give values of a more common size")
+    return ConvergenceError(
+        "the motion grows beyond all bounds: it left the range of numbers; give a smaller t_end, or values of a more common size"
+    )
 
 
 # ------------------------------------------------------------------------------------------------------ modes

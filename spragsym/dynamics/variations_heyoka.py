@@ -13,6 +13,7 @@ from ..parameters import FloatArray
 from .field import JUMPED, Field, Mode
 from .heyoka_library import XP, Functions, library
 from .lobatto import unit_points
+from .problem import out_of_range
 from .segment import Crossing, Passage, Turn
 from .with_heyoka import Approach, put, watched
 
@@ -136,7 +137,9 @@ class Compiled:
         if self.jumped:
             raise ConvergenceError(JUMPED)
         end, by_state, by_parameters = self._split(solver.state)
-        if outcome != hy.taylor_outcome.time_limit or not np.isfinite(end).all():
+        if outcome == hy.taylor_outcome.err_nf_state or not np.isfinite(end).all():
+            raise out_of_range()
+        if outcome != hy.taylor_outcome.time_limit:
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}")
         if not self.field.is_inside(end, constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {duration:.6g}; use backend='scipy'")

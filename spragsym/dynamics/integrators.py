@@ -18,7 +18,7 @@ from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
 from .measures import Course, Courses, Ends, course_of
 from .motions import Measured, Motions
 from .problem import Event, Problem
-from .solution import Solution
+from .solution import Solution, without_chatter
 
 #: In the order in which they are preferred.
 BACKENDS = ("heyoka", "compiled", "scipy")
@@ -61,8 +61,7 @@ def version(backend: str) -> str:
 
 def integrate(problem: Problem, backend: str) -> Solution:
     """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``."""
-    solution: Solution = _INTEGRATORS[backend].integrate(problem)
-    return solution
+    return without_chatter(_INTEGRATORS[backend].integrate(problem), problem)
 
 
 def measure(motions: Motions, backend: str) -> Measured:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..parameters import FloatArray
 from .lobatto import PiecewisePolynomial
-from .problem import Event
+from .problem import Event, Problem, event_at
 
 
 class Crossing(NamedTuple):
@@ -29,6 +29,30 @@ class Solution:
     event_t: FloatArray
     event_states: FloatArray
     event_kinds: NDArray[np.intp]
+
+
+def without_chatter(solution: Solution, problem: Problem) -> Solution:
+    """Without crossings of a border after which the motion does not leave it by more than the error of a step.
+
+    A motion that comes to rest on a border is on either side of it by that error, and passes it no further.
+    """
+    states, kept = solution.samples.states, np.ones(len(solution.event_t), dtype=bool)
+    least = 10 * problem.rtol * float(np.abs(states).max())
+    for border in problem.field.borders:
+        kinds = [event_at(border, upward=upward) for upward in (False, True)]
+        own = np.flatnonzero(np.isin(solution.event_kinds, [kind for kind in kinds if kind is not None]))
+        if not len(own):
+            continue
+        level = np.asarray(border.level(states, problem.constants, problem.field.modes[0]))
+        sure = np.flatnonzero(np.abs(level) > least)
+        stretch = np.searchsorted(solution.event_t[own], solution.samples.t[sure])
+        side = np.zeros(len(own) + 1)
+        side[stretch] = np.sign(level[sure])
+        before = side[0] or (-1.0 if solution.event_kinds[own[0]] == kinds[1] else 1.0)
+        for place, after in zip(own, side[1:], strict=True):
+            kept[place] = after != 0 and after != before
+            before = after or before
+    return Solution(solution.samples, solution.event_t[kept], solution.event_states[kept], solution.event_kinds[kept])
 
 
 def assembled(t: FloatArray, states: FloatArray, crossings: list[Crossing], t_record: float) -> Solution:

@@ -1,0 +1,22 @@
+"""A block that friction brings to rest on a belt that stands still: its speed decays to 0 from above, and is never reversed."""
+
+import pytest
+
+import spragsym as ss
+from tests.support import model_of, shipped_page
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+def test_coming_to_rest_is_no_reversal(backend: str) -> None:
+    pytest.importorskip(backend)
+    page = shipped_page(
+        "stick_slip",
+        ("page.spring(k, along=x)", "page.spring(k * s, along=x)"),
+        ("V = page", 's = page.parameter("s", "1", "share", ">= 0", 0.0)\nV = page'),
+    )
+    block = model_of(page, "block").Parameters(V=0.0, zeta=0.0, s=0.0)
+    assert len(ss.simulate(block, start=(0.0, 1.0), t_end=100.0, backend=backend).events) == 0
+    # A swing that dies out turns back once for each half of a period, however small it is.
+    swing = ss.simulate(block.replace(s=1.0, mu_s=0.02), start=(0.0, 1.0), t_end=30.0, backend=backend)
+    assert len(swing.events) == 10

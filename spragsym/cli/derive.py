@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from ..errors import MissingExtraError, ParameterError
+from ..errors import MissingExtraError, ParameterError, StoreError
 from .commands import command
 from .targets import force, refuse
 
@@ -40,6 +40,8 @@ def derive(page: Path, out: Path, force: bool) -> None:
         raise click.ClickException(f"{error}; nothing was written") from error
     except FileExistsError as error:
         raise ParameterError(str(error)) from error
+    except OSError as error:
+        raise StoreError(f"{out} cannot be written: {error.strerror}; make room, or give another path") from error
     click.echo(f"wrote {count} files to {out}/", err=True)
     for name in sorted(path.name for path in out.iterdir() if path.is_file()):
         click.echo(out / name)

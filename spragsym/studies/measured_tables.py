@@ -25,7 +25,8 @@ SPEED = frozenset(
 )  # fmt: skip
 FRICTION = frozenset(
     (
-        "mu", "mue", "friction", "friction coefficient", "coefficient of friction", "friction coeff", "coefficient", "cof",
+        "mu", "mu k", "muk", "mue",
+        "friction", "friction coefficient", "coefficient of friction", "friction coeff", "coefficient", "cof",
         "reibwert", "reibzahl", "reibungszahl", "reibungskoeffizient", "reibkoeffizient", "frottement",
         "coefficient de frottement",
     )
@@ -33,17 +34,22 @@ FRICTION = frozenset(
 #: Characters between columns; blanks last.
 _BETWEEN = (";", "\t", ",", "|", " ")
 _COMMENT = ("#", "%", "//")
-#: Name and unit: v [m/s], v (m/s), v in m/s, v / (m/s), v/m/s.
-_HEAD = re.compile(r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)|/\s*(?P<d>\S+))?")
+#: Name and unit: v [m/s], v (m/s), v in m/s, v / (m/s), v/m/s, v_m/s, and v, m/s.
+_HEAD = re.compile(
+    r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)|/\s*(?P<d>\S+)"
+    r"|[_\s,]\s*(?P<e>[cdkmµμ]?m/(?:s|min|h)))?"
+)
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
+#: A number with marks that stand before thousands only.
+_GROUPED = re.compile(r"[+-]?\d{1,3}(?:['’\u202f\u00a0]\d{3})+(?:[.,]\d*)?")
 #: A number whose mark may stand before thousands.
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
 #: A coefficient that is larger is in percent, or none.
 _LARGEST = 2.0
 #: A sliding speed in m/s that is smaller is none.
 _SLOWEST = 1e-15
-#: Lines of a file.
-_LINES = 20_000
+#: Lines of a file, and those among which its head is.
+_LINES, _ABOVE = 20_000, 100
 #: What a head looks like.
 EXAMPLE = "v [m/s],mu"
 
@@ -77,9 +83,10 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         raise ParameterError(f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so")
     found: dict[tuple[tuple[float, float], ...], str] = {}
     failures: list[_RefusedError] = []
-    for between in _BETWEEN:
+    said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
+    for between in (said[1],) if said else _BETWEEN:
         try:
-            found[tuple(_rows(lines, between))] = between
+            found[tuple(_rows(lines[1:] if said else lines, between))] = between
         except _RefusedError as error:
             failures.append(error)
     if len(found) > 1:
@@ -110,6 +117,10 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[floa
     if not lines:
         raise _RefusedError(f"the file is empty; begin with a line of names and units such as {EXAMPLE}")
     cells = [(number, _cells(line, between)) for number, line in lines]
+    # Above the head may stand what a test rig says of itself.
+    words = [{_word(name) for name in row} for _, row in cells[:_ABOVE]]
+    begin = next((at for at, row in enumerate(words) if row & SPEED and row & FRICTION), 0)
+    lines, cells = lines[begin:], cells[begin:]
     names = cells[0][1]
     if any(_NUMBER.fullmatch(name) for name in names):
         said = f"{lines[0][1]!r} is no head: it does not say which column is which, and in what unit"
@@ -129,12 +140,28 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[floa
 def _cells(line: str, between: str) -> list[str]:
     if between != " ":
         try:
-            return [cell.strip(" \t\"'") for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))]
+            return [_number(cell.strip(" \t\"'")) for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))]
         except csv.Error as error:
             raise _RefusedError(f"a line of {len(line)} characters is too long ({error}); write one a line") from error
     # Blanks in a row are one: patterns go back over each of them.
     together = re.sub(r" in (\S+)", r"[\1]", re.sub(r" (?=[\[(])", "", " ".join(line.split())))
-    return [cell.strip("\"'") for cell in together.split()]
+    return [_number(cell.strip("\"'")) for cell in together.split()]
+
+
+def _word(name: str) -> str:
+    """What a column is called: small letters, without its unit and without a symbol behind its name."""
+    parts = _HEAD.fullmatch(" ".join(name.split()))
+    word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
+    word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
+    first, _, last = word.rpartition(" ")
+    return first if any({first, last} <= known for known in (SPEED, FRICTION)) else word
+
+
+def _number(cell: str) -> str:
+    """A cell; of a number with a minus of print, groups of thousands or Fortran's exponent, as Python writes it."""
+    text = cell.replace("\N{MINUS SIGN}", "-")
+    text = re.sub(r"['’\u202f\u00a0]", "", text) if _GROUPED.fullmatch(text) else text
+    return re.sub(r"^([+-]?[\d.,]+)[dD]([+-]?\d+)$", r"\1e\2", text)
 
 
 def _column(
@@ -145,10 +172,8 @@ def _column(
     found = []
     for i, (name, below) in enumerate(zip(names, units, strict=True)):
         parts = _HEAD.fullmatch(" ".join(name.split()))
-        word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
-        word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
-        if word in known:
-            given = next((part for part in parts.group("a", "b", "c", "d") if part is not None), "") if parts else ""
+        if _word(name) in known:
+            given = next((part for part in parts.group("a", "b", "c", "d", "e") if part is not None), "") if parts else ""
             if given and below:
                 raise _RefusedError(f"{name!r} has a unit, and the line below gives {below!r}; give one of them", head[0], 2)
             found.append((i, name, (given or below).strip()))

@@ -40,9 +40,9 @@ _RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
 #: What pint knows by another meaning than many a writer's, and what says each of the two.
 _TWO_MEANINGS = {
-    "grad": "deg or gon", "Grad": "deg or gon", "gr": "g or grain",
-    "ton": "t (1000 kg) or short_ton", "tons": "t (1000 kg) or short_ton",
-    "mil": "mm or thou", "mils": "mm or thou",
+    "grad": "deg and gon", "Grad": "deg and gon", "gr": "g and grain",
+    "ton": "t (1000 kg) and short_ton", "tons": "t (1000 kg) and short_ton",
+    "mil": "mm and thou", "mils": "mm and thou",
 }  # fmt: skip
 _TORQUE = [("[length]", 2.0), ("[mass]", 1.0), ("[time]", -2.0)]
 _PERCENT = {"percent": "%", "per cent": "%", "pct": "%"}
@@ -122,7 +122,7 @@ def parsed(unit: str) -> pint.Unit:
         raise ParameterError(f"the unit {unit!r} can't be read")
     for word in re.findall(r"[^\W\d]+", unit):
         if word in _TWO_MEANINGS:
-            raise ParameterError(f"the unit {word!r} has two meanings; write {_TWO_MEANINGS[word]}")
+            raise ParameterError(f"the unit {word!r} has two meanings, {_TWO_MEANINGS[word]}")
     try:
         found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
         bare = [name for name in found._units if not any(power for _, power in dimension(registry().Unit(name)))]

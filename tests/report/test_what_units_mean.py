@@ -15,7 +15,7 @@ from spragsym.studies.units import read
 
 
 @pytest.mark.parametrize(("text", "si", "words"), [
-    ("350 gr", "kg", "two meanings; write g or grain"), ("0.35 ton", "kg", "two meanings"),
+    ("350 gr", "kg", "two meanings, g and grain"), ("0.35 ton", "kg", "two meanings"),
     ("180 B N/mm", "N/m", "byte .* no unit"),
     ("180 % N/mm", "N/m", "percent .* no unit"), ("180 ppm N/mm", "N/m", "ppm .* no unit"), ("9 N rad", "N", "does not measure"),
 ])  # fmt: skip

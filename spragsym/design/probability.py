@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import math
-import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..display import Result, Table
-from ..errors import ParameterError, TargetError
-from ..files import storage
-from ..files.journal import Record
-from ..files.stored import stored
+from ..errors import ParameterError
 from ..parameters import FloatArray, Parameters, PhysicalParameters, Range, as_number
 from ..progress import advance
 from ..sweeps import workers as processes
@@ -92,7 +86,6 @@ def estimated(
     variables: Mapping[str, Any],
     event: Event,
     *,
-    of: str = "",
     correlation: Correlation | None,
     n: int,
     rng: int | np.random.Generator | None,
@@ -101,9 +94,8 @@ def estimated(
     replicates: int,
     workers: Workers,
     progress: bool,
-    store: str | os.PathLike[str] | None,
 ) -> JumpProbability:
-    """The probability of any event, 1 or 0 of many points or NaN; ``of`` says in a store what else the event depends on."""
+    """The probability of any event, 1 or 0 of many points or NaN."""
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
     if not varied:
         raise ParameterError("no quantity of distribution varies; give a range or a distribution for one, or use jump_value")
@@ -111,14 +103,16 @@ def estimated(
     _check(n, replicates, confidence)
     if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
         raise ParameterError(f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out")
-    if store is not None and not isinstance(rng, int | np.integer):
-        raise ParameterError("store needs rng = an integer, so that the same call has the same points")
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
     tasks = sampling.chunks(n, replicates, seeds)
     work = partial(sampling.sums, partial(_at_points, variables, together, event), together.groups, sobol)
-    settings = _settings(variables, together, sobol, tasks) | ({"of": of} if of else {})
-    records = _records(work, tasks, workers, progress, store, settings)
-    found = sampling.estimate(records, [task.replicate for task in tasks], confidence, True)
+    done: dict[int, list[float]] = {}
+    results = processes.results(workers, work, dict(enumerate(tasks)), _told)
+    with advance(progress, len(tasks), 0) as step, closing(results):
+        for i, sums in results:
+            done[i] = sums
+            step()
+    found = sampling.estimate([done[i] for i in range(len(tasks))], [task.replicate for task in tasks], confidence, True)
     first, total, first_error, total_error = (
         dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {}
         for part in (found.first, found.total, found.first_error, found.total_error)
@@ -206,64 +200,5 @@ def _at_points(variables: Mapping[str, Any], together: Dependence, event: Event,
     return event(values)
 
 
-# --------------------------------------------------------------------------------------------------------- chunks
-
-
-def _settings(variables: Mapping[str, Any], together: Dependence, sobol: bool, tasks: list[sampling.Chunk]) -> dict[str, Any]:
-    """All that the sums depend on, in words."""
-    shares = np.linspace(0.01, 0.99, 9)
-    told = {
-        name: one if isinstance(one, float) else [float(value) for value in np.asarray(one.ppf(shares))]
-        for name, one in variables.items()
-    }
-    pairs = zip(together.titles, together.factors, strict=True)
-    factors = {title: factor.tolist() for title, factor in pairs if len(factor) > 1}
-    return {
-        "jump_probability": told,
-        "together": factors,
-        "sobol": sobol,
-        "chunks": len(tasks),
-        "first": list(tasks[0]),
-        "last": list(tasks[-1]),
-    }
-
-
-def _records(
-    work: Any, tasks: list[sampling.Chunk], workers: Workers, progress: bool, store: Any, settings: dict[str, Any]
-) -> list[list[float]]:
-    points = dict(enumerate(tasks))
-    if store is None:
-        return _computed(work, points, workers, progress, {}, None)
-    key = storage.fingerprint({}, settings)
-
-    def save(records: list[list[float]], path: Path) -> None:
-        storage.write_text(path, json.dumps({"fingerprint": key, **storage.provenance(), "sums": records}) + "\n")
-
-    def compute(done: dict[int, Record], keep: Any) -> list[list[float]]:
-        return _computed(work, points, workers, progress, done, keep)
-
-    return stored(store, key, len(points), 100 * len(points), lambda path: _loaded(path, key), compute, save, table=False)
-
-
-def _computed(
-    work: Any, points: dict[int, sampling.Chunk], workers: Workers, progress: bool, done: dict[int, Record], keep: Any
-) -> list[list[float]]:
-    keep = done.__setitem__ if keep is None else keep
-    missing = {i: chunk for i, chunk in points.items() if i not in done}
-    found = processes.results(workers, work, missing, _told)
-    with advance(progress, len(points), len(done)) as step, closing(found):
-        for i, values in found:
-            keep(i, (values, ""))
-            step()
-    return [done[i][0] for i in range(len(points))]
-
-
 def _told(chunk: sampling.Chunk) -> str:
     return f"points {chunk.begin} to {chunk.begin + chunk.size} of replicate {chunk.replicate}"
-
-
-def _loaded(target: Path, key: str) -> list[list[float]]:
-    content = json.loads(storage.read_text(target))
-    if content.get("fingerprint") != key:
-        raise TargetError(f"{target} exists and holds something else; remove it, or give another path")
-    return [list(map(float, row)) for row in content["sums"]]

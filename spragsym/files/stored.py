@@ -11,7 +11,7 @@ from typing import TypeVar
 
 from .journal import Record, clear, journal
 from .storage import check_target
-from .writing import probe, resolved
+from .writing import resolved
 
 T = TypeVar("T")
 
@@ -30,12 +30,11 @@ def overwriting(asked: bool = True) -> Iterator[None]:
 
 def stored(
     store: str | os.PathLike[str], key: str, total: int, bytes_needed: int, load: Callable[[Path], T],
-    compute: Callable[[dict[int, Record], Callable[[int, Record], None]], T], save: Callable[[T, Path], None], *,
-    table: bool = True,
+    compute: Callable[[dict[int, Record], Callable[[int, Record], None]], T], save: Callable[[T, Path], None],
 ) -> T:  # fmt: skip
     """What ``compute`` gives of points that are done and of a function that keeps one more; saved, or loaded if it was.
 
-    ``key`` is a fingerprint of all that the result depends on, and ``table`` says that the file's ending is its kind.
+    ``key`` is a fingerprint of all that the result depends on.
     """
     target = resolved(store)
     known = target.is_file() and not _OVERWRITING.get()
@@ -43,7 +42,7 @@ def stored(
         result = load(target)
         clear(target, key, total)
         return result
-    (check_target if table else probe)(target, bytes_needed)
+    check_target(target, bytes_needed)
     with journal(target, key, total) as (done, keep):
         if target.is_file() and not _OVERWRITING.get():  # another process has finished it in the meantime
             return load(target)

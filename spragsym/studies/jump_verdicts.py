@@ -106,7 +106,7 @@ def chance(study: Study, n: int) -> Chance | None:
     variables = {**study.values, **moving}
     found = estimated(
         variables, lambda values: ending(study, values), correlation=correlated(study), n=n, rng=0, confidence=0.95, sobol=True,
-        replicates=8, workers=1, progress=False, store=None,
+        replicates=8, workers=1, progress=False,
     )  # fmt: skip
     indices = {
         name: (found.first[name], found.total[name], found.total_error[name])

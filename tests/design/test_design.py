@@ -424,7 +424,6 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: ss.jump_probability(TOLERANCES, n=1), "n = 1"),
     (lambda: ss.jump_probability(TOLERANCES, confidence=1.0), r"confidence = 1\.0"),
     (lambda: ss.jump_probability(TOLERANCES, replicates=1), "replicates = 1"),
-    (lambda: ss.jump_probability(TOLERANCES, store="x.json"), "store needs rng"),
     (lambda: ss.jump_probability(TOLERANCES, n=16, rng=-1), "rng = -1"),
     (lambda: with_correlation({("sigma", "beta"): 0.5}), "beta.*two of the quantities that vary"),
     (lambda: with_correlation({("sigma", "mu0"): 1.5}), "is not in"),

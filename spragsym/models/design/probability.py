@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -50,7 +49,6 @@ def jump_probability(
     replicates: int = 16,
     workers: Workers = 1,
     progress: bool = False,
-    store: str | os.PathLike[str] | None = None,
     method: Method = "auto",
 ) -> JumpProbability:
     """The probability that the followed state ends, by quasi-Monte Carlo, with an interval and Sobol' indices, and proved bounds.
@@ -85,9 +83,6 @@ def jump_probability(
         Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask client's. The result is the same.
     progress : bool
         Show a bar on stderr.
-    store : path, optional
-        Finished chunks go to ``<store>.partial``; the same call goes on from there after a kill, and reads the file when it is
-        done. Needs an int as ``rng``.
     method : {"auto", "closed", "search"}
         Whether what is asked of each point may be answered by closed forms.
 
@@ -131,8 +126,8 @@ def jump_probability(
     vary, begin = asked.rising(vary, begin)
     event = partial(_ended, asked.Parameters, _is_physical(asked, distribution), vary, begin, method)
     found = estimated(
-        variables, event, of=f"{asked.name}, {vary} from {begin!r}", correlation=correlation, n=n, rng=rng, confidence=confidence,
-        sobol=sobol, replicates=replicates, workers=workers, progress=progress, store=store,
+        variables, event, correlation=correlation, n=n, rng=rng, confidence=confidence, sobol=sobol, replicates=replicates,
+        workers=workers, progress=progress,
     )  # fmt: skip
     if not max_boxes:
         return found

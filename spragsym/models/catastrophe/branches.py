@@ -202,9 +202,11 @@ def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: 
     The outer two and the one that is left on the other side agree in the sign of det K. Where that is positive none ends, and of
     three that begin the upper goes on. Where it is negative it is the middle one that is stable: it ends, and begins.
     """
-    turned = along.balance.coordinates.index(along.balance.model.about["mirror"]["turned"][0])
     one = [k for k in range(begin.q.shape[1]) if k not in pairs]
     two = [k for k in range(end.q.shape[1]) if k not in pairs.values()]
+    # In order by the coordinate in which they lie apart most: one that the mirror turns.
+    three = begin.q[:, one] if len(one) > len(two) else end.q[:, two]
+    turned = int(np.ptp(three, axis=1).argmax()) if three.size else 0
     one.sort(key=lambda k: float(begin.q[turned, k]))
     two.sort(key=lambda k: float(end.q[turned, k]))
     if not {len(one), len(two)} <= {1, 3}:

@@ -13,9 +13,11 @@ forces and det K have no regular root, so that a search over boxes stays undecid
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -31,6 +33,7 @@ from ...exact.polynomials import Undecided
 from ...exact.reduction import third_derivative
 from ..mechanics.balance import NOTHING, Balance, matrix
 from ..mechanics.border import on_side
+from ..mechanics.parity import follows
 from ..mechanics.precise_balance import PreciseBalance, clusters
 from ..statics.regions import region
 from .bifurcation_conditions import Fold
@@ -66,11 +69,38 @@ def turned(balance: Balance, given: FloatArray, span: FloatArray) -> list[int]:
     return [balance.coordinates.index(name) for name in about["turned"]]
 
 
+@dataclass(frozen=True)
+class _Mirror:
+    """Coordinates that a mirror turns, the image of a state, and lines that are upright on the mirror."""
+
+    odd: list[int]
+    image: Callable[[Sequence[Any], Mapping[str, Any]], Sequence[Any]]
+    upright: Sequence[int] = ()
+
+
+def _mirrors(balance: Balance, given: FloatArray, span: FloatArray) -> list[_Mirror]:
+    """The page's mirror, and those that change signs of coordinates only, as of two springs that do not feel each other."""
+    odd = turned(balance, given, span)
+    found = [_Mirror(odd, balance.mirrored, balance.model.about["mirror"]["upright"])] if odd else []
+    low, high = (np.where(np.isnan(given), end, given) for end in span)
+    with np.errstate(all="ignore"):
+        values = balance.arguments(balance.prepared(Intervals.between(low, high)))
+    for size in range(1, balance.n + 1):
+        for some in itertools.combinations(range(balance.n), size):
+            if list(some) != odd and follows(balance, values, some):
+                found.append(_Mirror(list(some), partial(_with_signs, some)))
+    return found
+
+
+def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Mapping[str, Any]) -> list[Any]:
+    return [-part if i in odd else part for i, part in enumerate(q)]
+
+
 class _OnMirror(boxes.Plain):
     """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
 
-    def __init__(self, balance: Balance, vary: str, odd: Sequence[int]) -> None:
-        self.balance, self.vary, self.odd = balance, vary, list(odd)
+    def __init__(self, balance: Balance, vary: str, mirror: _Mirror) -> None:
+        self.balance, self.vary, self.mirror, self.odd = balance, vary, mirror, mirror.odd
         self.even = [i for i in range(balance.n) if i not in self.odd]
         self.n = len(self.even) + 1
 
@@ -84,10 +114,10 @@ class _OnMirror(boxes.Plain):
         q: list[Any] = [0] * self.balance.n
         for place, i in enumerate(self.even):
             q[i] = unknowns[place]
-        image = self.balance.mirrored(q, values)
+        image = self.mirror.image(q, values)
         for i in self.odd:
             q[i] = image[i] * 0.5 if not isinstance(image[i], int) else image[i] / 2
-        return State(self.balance, q, values, shape, self.balance.model.about["mirror"]["upright"])
+        return State(self.balance, q, values, shape, self.mirror.upright)
 
     def _equations(self, at: State) -> list[Any]:
         forces, K = at.forces(), at.slopes()
@@ -115,9 +145,9 @@ class _OnMirror(boxes.Plain):
         return self.balance.beyond_border(at.q, at.values, shape)
 
 
-def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, odd: Sequence[int]) -> Pitchforks:
+def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, mirror: _Mirror) -> Pitchforks:
     """All pitchforks on the mirror along one parameter."""
-    system = _OnMirror(balance, vary, odd)
+    system = _OnMirror(balance, vary, mirror)
     place = balance.parameters.index(vary)
     low, high, fixed = given.copy(), given.copy(), given.copy()
     low[place], high[place], fixed[place] = *span, span[0]
@@ -142,10 +172,19 @@ def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatA
 
     Also their number.
     """
-    odd = turned(balance, given, span) if 0 < found.roots.left.shape[2] <= MANY else []
-    if not odd:
-        return found, 0
-    known = pitchforks(balance, vary, given, span, odd)
+    number = 0
+    for mirror in _mirrors(balance, given, span) if 0 < found.roots.left.shape[2] <= MANY else ():
+        if found.roots.left.shape[2]:
+            found, more = _with_pitchforks(balance, vary, given, span, found, mirror)
+            number += more
+    return found, number
+
+
+def _with_pitchforks(
+    balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found, mirror: _Mirror
+) -> tuple[Found, int]:
+    """The same for one mirror."""
+    known = pitchforks(balance, vary, given, span, mirror)
     inside, beyond = _on_side(balance, vary, given, known.ends)
     left = found.roots.left
     open_boxes = np.ones(left.shape[2], dtype=np.bool_)
@@ -154,7 +193,7 @@ def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatA
         here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
         alone = contractors.apart(known.left, hull[:, :, None]).all()
         sure = alone and here.size == 1 and (inside | beyond)[here[0]]
-        if sure and only_fold(balance, vary, given, hull, odd):
+        if sure and only_fold(balance, vary, given, hull, mirror):
             decided += [int(here[0])] if inside[here[0]] else []
             open_boxes &= ~contractors.within(left, hull[:, :, None])
     roots, point = found.roots, np.zeros(len(decided), dtype=np.int64)
@@ -174,7 +213,7 @@ def _on_side(balance: Balance, vary: str, given: FloatArray, ends: FloatArray) -
     return on_side(system, system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), ends.shape[2], axis=1))), ends)
 
 
-def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, odd: Sequence[int]) -> bool:
+def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, mirror: _Mirror) -> bool:
     """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
     place, n = balance.parameters.index(vary), balance.n
     low, high = given.copy(), given.copy()
@@ -182,7 +221,7 @@ def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, o
     with np.errstate(all="ignore"):
         parameters = balance.prepared(Intervals.between(low, high))
         sides = Intervals(box[:, :n, None])
-        image = stacked(balance.mirrored(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
+        image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
         wide = np.maximum(box[:, :n], image)
         wide = wide + 0.25 * (wide[0] + wide[1]) + 1e-9
         slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
@@ -191,6 +230,6 @@ def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, o
     precise = PreciseBalance(balance, given[:, 0], BITS, {vary: (Fraction(-float(box[0, -1])), Fraction(float(box[1, -1])))})
     whole = [(Fraction(-float(wide[0, i])), Fraction(float(wide[1, i]))) for i in range(n)]
     try:
-        return bool(Balls().sign(third_derivative(precise.values, whole, slopes, BITS, odd)))
+        return bool(Balls().sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
     except Undecided:
         return False

@@ -1,0 +1,49 @@
+"""Pitchforks of a model with two mirrors, Augusti's column: P = 1 in the first coordinate, P = κ in the second."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import spragsym as ss
+from tests.support import model_of
+
+pytest.importorskip("sympy")
+
+#: U = a²/2 + κ b²/2 + P cos a cos b: with b = 0 states a = P sin a.
+COLUMN = r'''r"""Augusti's column: rigid, on two springs that turn."""
+from spragsym.derive.model import Page, cos
+
+page = Page("A rigid column on two springs that turn.")
+m, l, k = page.unit("m", "kg", "mass"), page.unit("l", "m", "length"), page.unit("k1", "N m", "first spring")
+P = page.parameter("P", "N", "load", ">= 0", 0.5, becomes="P")
+k2 = page.parameter("k2", "N m", "second spring", "> 0", 2.0, becomes="kappa")
+a, b = page.coordinate("a", "rad", "first tilt"), page.coordinate("b", "rad", "second tilt")
+page.kinetic(m * l**2 * (page.rate(a) ** 2 + page.rate(b) ** 2) / 2)
+page.potential(k * a**2 / 2 + k2 * b**2 / 2 + P * l * cos(a) * cos(b))
+'''
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("kappa", [2.0, 0.5])
+def test_all_loads_of_a_column_on_two_springs(kappa: float) -> None:
+    """With κ < 1 two states a ≠ 0 become stable in b where P cos a = κ, beside P = 1 and P = κ."""
+    p = model_of(COLUMN, "column").Parameters(kappa=kappa)
+    found = ss.folds(p, "P", between={"P": (0.1, 2.4)})
+    later = brentq(lambda angle: np.cos(angle) * angle - kappa * np.sin(angle), 0.5, 3.0) if kappa < 1 else 0.0
+    tilts = [0.0, 0.0, *([-later, later] if kappa < 1 else [])]
+    assert (found.complete, set(found.kind)) == (True, {"pitchfork"})
+    np.testing.assert_allclose(found.P, sorted([1.0, kappa]) + [angle / np.sin(angle) for angle in tilts[2:]], atol=1e-12)
+    np.testing.assert_allclose([found.a, found.b], [tilts, np.zeros(len(tilts))], atol=1e-12)
+
+
+@pytest.mark.validate
+@pytest.mark.parametrize("kappa", [2.0, 0.5])
+def test_a_path_leans_to_the_weaker_side(kappa: float) -> None:
+    p = model_of(COLUMN, "column").Parameters(kappa=kappa)
+    load = 1.2 * min(1.0, kappa)
+    path = ss.quasi_static_path(p, "P", [0.3, load])
+    tilt = brentq(lambda angle: angle * min(1.0, kappa) - load * np.sin(angle), 0.5, 3.0)
+    assert [path.a[-1], path.b[-1]] == pytest.approx([tilt, 0.0] if kappa > 1 else [0.0, tilt], abs=1e-9)
+    assert not path.jumps

@@ -21,7 +21,8 @@ class Limit:
 
 SECOND_CONTACT = Limit(
     "a second contact or a second friction",
-    "keep the one that jams; a support that neither lifts off nor rubs is a spring, as page.spring(k, along=y)",
+    "keep the one that jams; a support that neither lifts off nor rubs is a spring, as page.spring(k, along=y), and one that rubs "
+    "at a constant coefficient a force beside it, as page.force(mu0*k_2*y, along=x)",
 )
 CONTACT_DAMPING = Limit(
     "damping in the contact",
@@ -43,10 +44,15 @@ FRICTION_STATE = Limit(
     "friction with a state of its own",
     "write its steady value as a law of the sliding speed; a bristle may be a light mass that slides, on a spring and a damper",
 )
+GYROSCOPIC = Limit(
+    "a gyroscopic term, a kinetic energy linear in the rates",
+    "leave it out where the speed of rotation is far below the frequencies; a part without rates, as of a centrifugal force, is "
+    "page.potential(…) with the other sign",
+)
 FIFTH_COORDINATE = Limit(
     "more than four coordinates",
     "hold still what is stiffest, or join what moves together",
 )
 
 #: All of them, in the order of the guide.
-LIMITS = (SECOND_CONTACT, CONTACT_DAMPING, NONLINEAR_DAMPER, STICKING, FORCING, FRICTION_STATE, FIFTH_COORDINATE)
+LIMITS = (SECOND_CONTACT, CONTACT_DAMPING, NONLINEAR_DAMPER, STICKING, FORCING, FRICTION_STATE, GYROSCOPIC, FIFTH_COORDINATE)

@@ -161,7 +161,11 @@ def expression_of(value: object) -> sp.Expr:
     if value is None or isinstance(value, str):
         said = "nothing" if value is None else f"{value!r}, a text"
         raise PageError(_line(), f"here is {said}; give a quantity of the page, without quotation marks, or a number")
-    expression = sp.sympify(value)
+    try:
+        expression = sp.sympify(value)
+    except sp.SympifyError as error:
+        said = "a function" if callable(value) else repr(value)
+        raise PageError(_line(), f"here is {said}; give an expression of parameters and coordinates, or a number") from error
     if expression.has(sinh, cosh):
         for function in (sinh, cosh):
             expression = expression.replace(function, lambda u, whole=function: whole(u).rewrite(exp))

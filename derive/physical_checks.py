@@ -163,7 +163,8 @@ def _measure(page: Page, datum: Datum, dimension: Dimension, measures: tuple[Dim
         )
     if datum.becomes != str(datum.symbol) and dimension == units.NONE:
         raise PageError(
-            datum.line, f"{datum.symbol} is a number already and becomes nothing else; leave out becomes={datum.becomes!r}"
+            datum.line,
+            f"{datum.symbol} has no unit to be rid of and keeps its name; leave out becomes={datum.becomes!r}, or name it so",
         )
     return _product(page, exponents)
 
@@ -190,8 +191,10 @@ def check_forces(model: Mechanics) -> None:
     third = [sp.diff(model.kinetic, one, two, three) for one in model.rates for two in model.rates for three in model.rates]
     rest = model.kinetic.subs(dict.fromkeys(model.rates, 0))
     linear = [sp.diff(model.kinetic, rate).subs(dict.fromkeys(model.rates, 0)) for rate in model.rates]
-    if any(value != 0 for value in (rest, *linear, *third)) or model.mass.det() == 0:
-        line = model.page.inertia[1] if model.page.inertia else 0
+    line = model.page.inertia[1] if model.page.inertia else 0
+    if any(value != 0 for value in (rest, *linear)):
+        raise PageError(line, f"the kinetic energy has parts that are not quadratic in the rates: {limits.GYROSCOPIC}")
+    if any(value != 0 for value in third) or model.mass.det() == 0:
         raise PageError(
             line, "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″"
         )

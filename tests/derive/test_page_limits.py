@@ -84,6 +84,7 @@ BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
     "time as a symbol": (limits.FORCING, DAMPER, "page.force(F_L * cos(sp.Symbol('t')), along=y)", "sp.Symbol"),
     "friction of a place": (limits.FRICTION_STATE, LAW, "lambda v: mu0 * tanh(d * v) * (1 + y / L_0)", "page.friction("),
     "friction of a state": (limits.FRICTION_STATE, LAW, "lambda v, z: mu0 * tanh(d * v) * z", "page.friction("),
+    "a gyroscopic term": (limits.GYROSCOPIC, "page.kinetic(", "page.kinetic(c * x * page.rate(y) + ", "page.kinetic("),
     "five coordinates": (limits.FIFTH_COORDINATE, "more = []",
                          "more = [m * page.rate(page.coordinate(f'z{i}', 'm', 'z'))**2 for i in range(3)]",
                          "more = ["),

@@ -78,6 +78,8 @@ REFUSED = {
     "an energy of speed": ("page.spring(k_y, along=y)", "page.potential(m * page.rate(x) ** 2)", "potential(", "holds a speed"),
     "two contacts": ("page.spring(k_y, along=y)", "page.contact(y, lambda depth: k_y * depth)", "lambda depth: k_c", "already"),
     "a name of generated code": ('becomes="beta"', 'becomes="_one"', "k_y = page.parameter(", "begins with a letter"),
+    "a function as coefficient": ("page.spring(k_y, along=y)", "page.damper(lambda v: k_c / V, along=y)", "page.damper(",
+                                  "here is a function; give an expression"),
     "a name of two words": ('page.parameter("k_y"', 'page.parameter("k y"', "k_y = page.parameter(", "no name; give .* 'k_y'"),
     "a meaning of two lines": ('"preload', '"pre\\nload', "F_L = page", r"U\+000A, which is not printed"),
     "a name of an acceleration": ('becomes="beta"', 'becomes="ay"', "k_y = page.parameter(", "the acceleration of y"),

@@ -54,6 +54,7 @@ def read(path: Path, name: str = "") -> Model:
     try:
         if not path.is_file() or path.stat().st_size > _LARGEST:
             raise PageError(0, f"the page is no file, or has more than {_LARGEST} bytes; give a file of Python")
+        vocabulary.check_characters("the name of the page", name or path.stem, 0)
         return _model(path, path.read_text(encoding="utf-8-sig"), name or path.stem)
     except UnicodeDecodeError as error:
         raise PageError(0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name) from error
@@ -64,6 +65,7 @@ def read(path: Path, name: str = "") -> Model:
 @cache
 def _model(path: Path, text: str, name: str) -> Model:
     page, docstring = _run(path, text)
+    vocabulary.check_characters("the docstring", docstring, 1, "\n\t")
     statement_checks.check(page, docstring)
     physical_checks.check_units(page)
     physical_checks.groups(page)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from importlib import resources
 from pathlib import Path
@@ -38,7 +39,7 @@ def example(model: Model) -> str:
         )
     lines = [f"{name} = {text}  # {meaning}" for name, text, meaning in rows]
     where = model.where if model.where == model.name else Path(model.where).as_posix()
-    return "\n".join([f"# {about['summary']}", "[brake]", f'model = "{where}"', *lines]) + "\n"
+    return "\n".join([f"# {about['summary']}", "[brake]", f"model = {json.dumps(where, ensure_ascii=False)}", *lines]) + "\n"
 
 
 def _written(value: float, unit: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from pathlib import Path
 
@@ -11,7 +12,7 @@ import pytest
 pytest.importorskip("sympy")
 
 import spragsym as ss
-from spragsym.derive import export, folder
+from spragsym.derive import export, folder, pages
 from tests.oracles.languages import NODE, OCTAVE
 from validation import names
 
@@ -45,3 +46,16 @@ def test_names_of_languages_are_computed_with_as_in_python(name: str, tmp_path: 
     path = page(tmp_path, name)
     folder.write_page(path, tmp_path / "model")
     assert names.compare(ss.load(tmp_path / "model"), tmp_path, np.random.default_rng(55), list(TAKEN)) == []
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("language", ["python", "c", "javascript"])
+def test_a_text_ends_no_comment_and_no_docstring(language: str, tmp_path: Path) -> None:
+    said = 'ends */ alert(1) /* """ \\N{x} \\'
+    text = names.PAGE.format(*TAKEN).replace('Page("A block on a belt.")', f"Page({said!r})").replace('"friction"', repr(said))
+    path = page(tmp_path, "mine", text)
+    if language == "python":
+        assert said in (ast.get_docstring(ast.parse(folder.render(pages.read(path), "Generated.")["algebra.py"])) or "")
+        return
+    for name, whole in export.export(path, "mine", language).items():
+        assert "alert" not in re.sub(r"/\*.*?\*/|(?m:^ *// .*$)", "", whole, flags=re.DOTALL), name

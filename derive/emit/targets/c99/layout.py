@@ -20,7 +20,7 @@ _UNBREAKABLE = re.compile(r" (\?|[<>]=?|==|!=) ")
 _SPELLED = {
     "n̄": "nbar", "√": "sqrt ", "≠": "!=", "≤": "<=", "≥": ">=", "−": "-", "′": "'", "″": "''", "ℓ": "l", "×": "*", "·": "*", "±": "+-",
     "``": "`", "–": "-", "—": "-", "∂": "d", "…": "...", "°": " degrees", "∞": "infinity", "\u0303": "~", "λ": "lambda", "Λ": "Lambda",
-    "*/": "* /", "/*": "/ *",
+    "*/": "* /", "/*": "/ *", "??": "? ?",
 }  # fmt: skip
 _SUPERSCRIPTS = str.maketrans({power: f"^{number}" for number, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")})
 

@@ -44,7 +44,7 @@ def _words(material: Material) -> dict[str, str]:
     functions = material.algebra
     return {
         "library": material.library,
-        "summary": textwrap.fill(material.summary, 121, subsequent_indent=" * "),
+        "summary": textwrap.fill(material.summary.replace("*/", "* /"), 121, subsequent_indent=" * "),
         "names_and_errors": textwrap.fill(_OF_A_PAGE if material.of_a_page else _OF_A_SOLVER, 127, subsequent_indent=" * "),
         "header": material.header.replace("``", "`"),
         "source": material.digest[:16],

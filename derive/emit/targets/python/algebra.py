@@ -147,8 +147,9 @@ def head(module: Module, meanings: Mapping[str, str], header: str, imports: str)
     """All above the functions: what the module is, what its symbols are, imports and names."""
     symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
     table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ") for name in symbols)
+    summary, table = (text.replace("\\", r"\\").replace('""', r'"\"') for text in (module.summary, table))
     return "\n\n".join([
-        f'"""{module.summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""',
+        f'"""{summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""',
         imports,
         listed("__all__ = [", [f'"{function.name}"' for function in module.functions], "]"),
     ])  # fmt: skip

@@ -17,8 +17,9 @@ from ..parameters import FloatArray
 from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
 from .measures import Course, Courses, Ends, course_of
 from .motions import Measured, Motions
-from .problem import Event, Problem
+from .problem import Event, Problem, StiffError
 from .solution import Solution, without_chatter
+from .variations_scipy import implicit_motion
 
 #: In the order in which they are preferred.
 BACKENDS = ("heyoka", "compiled", "scipy")
@@ -61,7 +62,11 @@ def version(backend: str) -> str:
 
 def integrate(problem: Problem, backend: str) -> Solution:
     """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``."""
-    return without_chatter(_INTEGRATORS[backend].integrate(problem), problem)
+    try:
+        solution: Solution = _INTEGRATORS[backend].integrate(problem)
+    except StiffError:
+        solution = implicit_motion(problem)
+    return without_chatter(solution, problem)
 
 
 def measure(motions: Motions, backend: str) -> Measured:

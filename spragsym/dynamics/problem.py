@@ -32,6 +32,9 @@ RELATIVE_TOLERANCE = Range(
 #: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
+#: An implicit method takes over where so many steps would follow, and a step times the fastest decay is more than the second.
+MOST, STABLE = 1e6, 0.5
+
 
 class Event(IntEnum):
     """What happens at an event."""
@@ -93,6 +96,21 @@ def too_many_steps(problem: Problem, t: float) -> ConvergenceError:
         f"max_steps = {problem.max_steps} steps were made by t = {t:.6g} of {problem.t_end:g}; give a larger max_steps, a "
         f"smaller t_end or a larger rtol than {problem.rtol:g}, or a less steep friction law: creep is stiff where it is steep"
     )
+
+
+class StiffError(ConvergenceError):
+    """The steps of an explicit method have collapsed."""
+
+
+def check_stiffness(field: Field, state: Any, constants: Any, step: float, left: float) -> None:
+    """Raise where steps of a mean length are bounded by stability, and too many of them would be left."""
+    if not left > MOST * step:
+        return
+    n, values = len(field.coordinates), [float(value) for value in state]
+    lower = field.jacobian(values, constants, field.initial_mode(values, constants), math)
+    matrix = np.vstack([np.eye(n, 2 * n, n), np.array(lower, dtype=float)])
+    if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
+        raise StiffError(f"the motion is stiff: steps of {step:.2g} are bounded by stability, with {left:.6g} to go")
 
 
 def out_of_range() -> ConvergenceError:

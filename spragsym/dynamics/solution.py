@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +29,8 @@ class Solution:
     event_t: FloatArray
     event_states: FloatArray
     event_kinds: NDArray[np.intp]
+    #: Whether an implicit method carried it, as explicit steps collapsed.
+    implicit: bool = False
 
 
 def without_chatter(solution: Solution, problem: Problem) -> Solution:
@@ -52,7 +54,9 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
         for place, after in zip(own, side[1:], strict=True):
             kept[place] = after != 0 and after != before
             before = after or before
-    return Solution(solution.samples, solution.event_t[kept], solution.event_states[kept], solution.event_kinds[kept])
+    return replace(
+        solution, event_t=solution.event_t[kept], event_states=solution.event_states[kept], event_kinds=solution.event_kinds[kept]
+    )
 
 
 def assembled(t: FloatArray, states: FloatArray, crossings: list[Crossing], t_record: float) -> Solution:

@@ -56,6 +56,8 @@ class Trajectory(Recorded):
         Which integrator ran.
     error : ndarray, shape (k,), or None
         Largest of the 2 n |differences| to a second run at a tighter tolerance; None when not asked for.
+    implicit : bool
+        Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend`` collapsed.
     """
 
     model: Any
@@ -66,6 +68,7 @@ class Trajectory(Recorded):
     rtol: float
     backend: str
     error: FloatArray | None = None
+    implicit: bool = False
 
     @property
     def components(self) -> tuple[str, ...]:
@@ -94,7 +97,12 @@ class Trajectory(Recorded):
             (said.heading(key), *(said.cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
             for key, values in zip(self.components, self.state, strict=True)
         ]
-        known: dict[str, Any] = {"model": self.model.name, "p": self.p, "rtol": self.rtol, "backend": self.backend}
+        known: dict[str, Any] = {
+            "model": self.model.name,
+            "p": self.p,
+            "rtol": self.rtol,
+            "backend": "SciPy's Radau" if self.implicit else self.backend,
+        }
         known |= {} if self.events is None else {"events": len(self.events)}
         title = caption(said, f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}", known, f"{len(t)} samples")
         return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
@@ -333,4 +341,6 @@ def state_of(model: Any, start: ArrayLike | None) -> FloatArray:
 def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
     solution = integrators.integrate(problem, backend)
     events = Events(solution.event_t, solution.event_states, solution.event_kinds, (*model.coordinates, *model.rates))
-    return Trajectory(model, p, solution.samples.t, solution.samples.states, events, problem.rtol, backend)
+    return Trajectory(
+        model, p, solution.samples.t, solution.samples.states, events, problem.rtol, backend, implicit=solution.implicit
+    )

@@ -13,8 +13,9 @@ from ..parameters import FloatArray
 from .field import JUMPED, Field, Mode
 from .heyoka_library import XP, Functions, library
 from .lobatto import unit_points
-from .problem import out_of_range
+from .problem import StiffError, check_stiffness, out_of_range
 from .segment import Crossing, Passage, Turn
+from .variations_scipy import IMPLICIT, Flight
 from .with_heyoka import Approach, put, watched
 
 #: Tolerances with derivatives and of the plain flow, whose other steps make it a witness of the first; heyoka's error is
@@ -124,7 +125,14 @@ class Compiled:
         solver.reset_cooldowns()
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
-        """Carry a state on for a while."""
+        """Carry a state on for a while; by an implicit method where steps collapse."""
+        try:
+            return self._fly(state, constants, duration, directions)
+        except StiffError:
+            implicit = Flight(self.field, self.derivatives, self.directions, IMPLICIT, stiff=True)
+            return implicit.fly(state, constants, duration, directions)
+
+    def _fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
         hy = library()
         self._begin(state, constants, directions)
         solver = self.solver
@@ -132,8 +140,12 @@ class Compiled:
         while outcome == hy.taylor_outcome.step_limit:
             if steps >= MAX_STEPS:
                 raise ConvergenceError(f"{MAX_STEPS} steps were made by t = {solver.time:.6g} of {duration:.6g}: too stiff")
+            begun = solver.time
             outcome, _, _, made, *_ = solver.propagate_until(duration, max_steps=CHUNK)
             steps += made
+            if outcome == hy.taylor_outcome.step_limit:
+                step, left = (solver.time - begun) / CHUNK, duration - solver.time
+                check_stiffness(self.field, solver.state[: self.m], constants, step, left)
         if self.jumped:
             raise ConvergenceError(JUMPED)
         end, by_state, by_parameters = self._split(solver.state)

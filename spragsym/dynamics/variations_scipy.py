@@ -11,13 +11,19 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import JUMPED, Field, Mode
+from .field import GAP, JUMPED, Field, Mode
 from .lobatto import unit_points
+from .problem import Problem, event_at
 from .segment import Crossing, Passage, Turn
-from .with_scipy import ARRAYS, FLOATS, first_crossing
+from .solution import Crossing as Reached
+from .solution import Solution, assembled
+from .with_scipy import ARRAYS, FLOATS, clearances, first_crossing
 
 #: As tight as DOP853 goes.
 RTOL, ATOL = 2.3e-14, 1e-15
+
+#: Tolerance of Radau, whose order is five.
+IMPLICIT = 1e-12
 
 MAX_STEPS = 200_000
 
@@ -27,12 +33,16 @@ _SEARCH = np.linspace(0.0, 1.0, 13)
 
 @dataclass(frozen=True)
 class Flight:
-    """A field, carried on by DOP853 with or without derivatives; those by parameters are 0 where there are no directions."""
+    """A field, carried on with or without derivatives; those by parameters are 0 where there are no directions.
+
+    By DOP853, or where it is ``stiff`` by Radau.
+    """
 
     field: Field
     derivatives: bool = True
     directions: int = 2
     rtol: float = RTOL
+    stiff: bool = False
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
         """Carry a state on for a while."""
@@ -75,23 +85,26 @@ class Flight:
 
     def _pieces(self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Any:
         """Steps, none of which leaves its mode; a step that would is cut at the border."""
-        from scipy.integrate import DOP853
-
         m, clock, first = self.field.size, 0.0, None
         mode = self.field.initial_mode(whole[:m], constants)
-        options = {"rtol": self.rtol, "atol": ATOL * (self.rtol / RTOL)}
+        options: dict[str, Any] = {"rtol": self.rtol, "atol": ATOL * (self.rtol / RTOL)}
         steps = 0
         while clock < duration:
             rates = self._rates(constants, mode, directions)
             bound = duration - clock
-            solver = DOP853(rates, 0.0, whole, bound, first_step=None if first is None else min(first, bound), **options)
+            if self.stiff:
+                options["jac"] = self._matrix(constants, mode)
+            method = _method(self.stiff)
+            solver = method(rates, 0.0, whole, bound, first_step=None if first is None else min(first, bound), **options)
             found = None
             while solver.status == "running" and found is None:
                 before = solver.y.copy()
                 message = solver.step()
                 steps += 1
                 if solver.status == "failed" or steps > MAX_STEPS:
-                    raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message or 'too many steps'}")
+                    raise ConvergenceError(
+                        f"SciPy's {method.__name__} stopped at t = {clock + solver.t:.6g}: {message or 'too many steps'}"
+                    )
                 dense, begin, end = solver.dense_output(), solver.t_old, solver.t
                 found = first_crossing(self.field, constants, mode, partial(_part, dense, m), begin, end)
                 if found is None:
@@ -103,7 +116,12 @@ class Flight:
             # The state at the border by a step of its own: the interpolant is of lower order than the method.
             at, border = found
             jumps = self.field.borders[border].jumps
-            first, whole = solver.step_size, _stepped(rates, begin, before, at, options)
+            first, whole = solver.step_size, _stepped(method, rates, begin, before, at, options)
+            for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
+                clear, rate = clearances(self.field, constants, mode, whole[:m])[border].tolist()
+                if abs(clear) > GAP / 10 and rate:
+                    at = max(at - clear / rate, begin)
+                    whole = _stepped(method, rates, begin, before, at, options)
             if self.derivatives and jumps is not None and jumps(whole[:m].tolist(), constants):
                 raise ConvergenceError(JUMPED)
             after = self.field.borders[border].beyond(mode)
@@ -127,6 +145,22 @@ class Flight:
             return np.concatenate([own, columns[n:].ravel(), lower.ravel()])
 
         return rates
+
+    def _matrix(self, constants: tuple[float, ...], mode: Mode) -> Callable[[float, FloatArray], FloatArray]:
+        """The Jacobian of the field; of all columns that are carried in blocks, without its own derivatives."""
+        field, m, n = self.field, self.field.size, len(self.field.coordinates)
+        columns = m + self.directions
+
+        def matrix(_: float, whole: FloatArray) -> FloatArray:
+            lower = np.array(field.jacobian(whole[:m].tolist(), constants, mode, FLOATS), dtype=float)
+            own = np.vstack([np.eye(n, m, n), lower])
+            if not self.derivatives:
+                return own
+            full = np.zeros((len(whole), len(whole)))
+            full[:m, :m], full[m:, m:] = own, np.kron(own, np.eye(columns))
+            return full
+
+        return matrix
 
     def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
         """Zeros of the rates within a step."""
@@ -186,17 +220,42 @@ def _zero(function: Callable[[float], float], begin: float, end: float) -> float
     return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
 
 
-def _stepped(rates: Any, begin: float, state: FloatArray, end: float, options: dict[str, float]) -> FloatArray:
-    """A state carried on to the end of a part of a step."""
-    from scipy.integrate import DOP853
+def _method(stiff: bool) -> Any:
+    from scipy.integrate import DOP853, Radau
 
+    return Radau if stiff else DOP853
+
+
+def _stepped(method: Any, rates: Any, begin: float, state: FloatArray, end: float, options: dict[str, Any]) -> FloatArray:
+    """A state carried on to the end of a part of a step."""
     if end <= begin:
         return state
-    solver = DOP853(rates, begin, state, end, first_step=end - begin, **options)
+    solver = method(rates, begin, state, end, first_step=end - begin, **options)
     while solver.status == "running":
         solver.step()
     reached: FloatArray = solver.y
     return reached
+
+
+def implicit_motion(problem: Problem) -> Solution:
+    """The motion by Radau, from 0 to ``t_end``; kept is what follows ``t_record``."""
+    field, unit, none = problem.field, unit_points(), np.zeros((2, len(problem.field.parameters)))
+    flight = Flight(field, derivatives=False, rtol=max(problem.rtol / 100, IMPLICIT), stiff=True)
+    times, states, crossings = [], [], []
+    for piece in flight._pieces(np.array(problem.start), problem.constants, problem.t_end, none):
+        begin = max(piece.begin, problem.t_record)
+        if piece.end <= begin:
+            continue
+        times.append(begin + unit * (piece.end - begin))
+        times[-1][-1] = piece.end
+        states.append(piece.dense(times[-1]))
+        states[-1][:, -1] = piece.state
+        if piece.border is not None:
+            border = field.borders[piece.border]
+            kind = event_at(border, upward=border.sign(piece.mode) < 0)
+            if kind is not None:
+                crossings.append(Reached(piece.end, tuple(piece.state.tolist()), kind))
+    return replace(assembled(np.array(times), np.array(states), crossings, problem.t_record), implicit=True)
 
 
 @cache

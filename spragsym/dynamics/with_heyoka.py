@@ -15,7 +15,7 @@ from ..parameters import FloatArray
 from .field import GAP, Border, Field, Mode
 from .heyoka_library import Functions, library
 from .lobatto import unit_points
-from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
+from .problem import Problem, check_stiffness, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
@@ -186,8 +186,14 @@ class Compiled:
         while outcome == hy.taylor_outcome.step_limit:
             if steps >= problem.max_steps:
                 raise too_many_steps(problem, solver.time)
+            begun = solver.time
             result = solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, problem.max_steps - steps))
             outcome, steps = result[0], steps + result[3]
+            if outcome == hy.taylor_outcome.step_limit and result[3] == CHUNK:
+                step = (solver.time - begun) / CHUNK
+                check_stiffness(
+                    problem.field, self.state[: problem.field.size], problem.constants, step, problem.t_end - solver.time
+                )
             if result[4] is not None:
                 pieces.append(_sampled(result[4]))
             if self.stray is not None:

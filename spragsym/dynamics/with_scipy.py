@@ -115,7 +115,7 @@ def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], tuple[
     return field
 
 
-def _clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
+def clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
     """Distance from the borders of a mode, negative beyond them, and its rate: shape (borders, 2, …)."""
     accelerations = field.acceleration(states, constants, mode, ARRAYS)
     found = np.empty((len(field.borders), 2, *states.shape[1:]))
@@ -142,12 +142,12 @@ def first_crossing(
 
     def border(row: int, t: Any) -> FloatArray:
         """Distance from one of the borders, and its rate."""
-        distance_and_rate: FloatArray = _clearances(field, constants, mode, dense(np.asarray(t)))[row]
+        distance_and_rate: FloatArray = clearances(field, constants, mode, dense(np.asarray(t)))[row]
         return distance_and_rate
 
     grid = _grid(begin, end)
     found = []
-    for row, (distance, rate) in enumerate(_clearances(field, constants, mode, dense(grid) if searched is None else searched)):
+    for row, (distance, rate) in enumerate(clearances(field, constants, mode, dense(grid) if searched is None else searched)):
         at = partial(border, row)
         bracket = _bracket(grid, distance, rate, at)
         if bracket is not None:

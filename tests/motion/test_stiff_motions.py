@@ -1,0 +1,44 @@
+"""A light mass between a spring with a damper and a steep friction law: the steps of explicit methods collapse."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import spragsym as ss
+from tests.support import model_of
+
+BRISTLE = """r'''A mass that drags a light mass over a belt.'''
+from spragsym.derive.model import Page, tanh
+page = Page("A mass that drags a light mass over a belt.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+N_0 = page.unit("N_0", "N", "normal force")
+d = page.parameter("d", "s/m", "steepness", "> 0", 1e4)
+m_b = page.parameter("m_b", "kg", "light mass", "> 0", 1e-4, becomes="eps")
+k_b = page.parameter("k_b", "N/m", "its spring", "> 0", 100.0, becomes="stiff")
+c_b = page.parameter("c_b", "N s/m", "its damper", ">= 0", 10.0, becomes="damped")
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.2)
+x = page.coordinate("x", "m", "displacement")
+b = page.coordinate("b", "m", "displacement of the light mass")
+page.kinetic((m * page.rate(x) ** 2 + m_b * page.rate(b) ** 2) / 2)
+page.spring(k, along=x)
+page.spring(k_b, along=x - b)
+page.damper(c_b, along=x - b)
+page.normal_force(N_0)
+page.friction(b, V, lambda v: tanh(d * v))
+"""
+
+
+@pytest.mark.thorough
+def test_an_implicit_method_takes_over_where_steps_collapse() -> None:
+    p = model_of(BRISTLE, "bristle").Parameters()
+    motion = ss.simulate(p, start=(0.5, 0.5, 0.0, 0.0), t_end=3.0)
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        pull = 100 * (y[0] - y[1]) + 10 * (y[2] - y[3])
+        return [y[2], y[3], -y[0] - pull, (pull + np.tanh(1e4 * (0.2 - y[3]))) / 1e-4]
+
+    found = solve_ivp(rates, (0, 3.0), [0.5, 0.5, 0.0, 0.0], method="BDF", rtol=1e-9, atol=1e-12)
+    assert motion.state[:, -1] == pytest.approx(found.y[:, -1], abs=1e-6)
+    assert motion.implicit
+    assert not ss.simulate(p.replace(d=10.0, eps=0.1), start=(0.5, 0.5, 0.0, 0.0), t_end=3.0).implicit

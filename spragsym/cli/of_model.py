@@ -122,6 +122,10 @@ class OfModel(click.Command):
         if study is not None:
             if study.model != name:
                 raise ParameterError(f"--model {name}: --data is about {study.model}; leave one of the two out")
+            from ..studies.cautions import of_data
+
+            for said in of_data(study):
+                click.echo(f"spragsym: warning: {said}", err=True)
             extra |= {"default_map": self._defaults(study), "obj": study}
         about = self if name == self.model.where else self.of_model(load(name))
         return super(OfModel, about).make_context(info_name, args, parent, **extra)

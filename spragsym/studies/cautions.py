@@ -21,6 +21,8 @@ POOR = 0.1
 #: d times the slowest measured speed from which on no measurement is on the rising part of the friction law, and d times the
 #: fastest one up to which none is on its level part.
 STEEP, FULL_AT = 8.0, 0.1
+#: A friction coefficient that no brake has.
+FRICTION = 2.0
 #: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
@@ -34,7 +36,7 @@ def cautions(study: Study, found: Sequence[State], jumped: bool) -> tuple[str, .
         *(() if jumped else _far(study, found)),
         *_stiffness(study),
         *_friction(study),
-        *_units(study),
+        *of_data(study),
         *_damping(study, found),
     )
 
@@ -118,8 +120,6 @@ def _friction(study: Study) -> Iterator[str]:
             f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
             f"of {study.values['mu0']:.4g}, {since}"
         )
-    if study.quantities["mu0"].high > 2:
-        yield f"mu0 = {study.quantities['mu0'].high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
 
 
 def _fit(study: Study) -> Iterator[str]:
@@ -145,7 +145,11 @@ def _fit(study: Study) -> Iterator[str]:
         )
 
 
-def _units(study: Study) -> Iterator[str]:
+def of_data(study: Study) -> Iterator[str]:
+    """What the numbers alone say, whatever is asked of them: a unit that was probably meant otherwise."""
+    friction = study.quantities.get("mu0")
+    if friction is not None and friction.high > FRICTION:
+        yield f"mu0 = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
     belt = study.belt
     if belt is not None and _has(study, belt) and abs(speed := study.values[belt]) > FAST:
         yield f"{study.shown_speed(speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"

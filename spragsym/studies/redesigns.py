@@ -77,7 +77,9 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     search = _Search(study, target)
     found = sorted(search.singles(), key=lambda one: one.distance)
     together = search.joint()
-    return tuple(found if together is None else [*found, together])
+    if together is None or any(one.after.keys() == together.after.keys() for one in found):
+        return tuple(found)
+    return (*found, together)
 
 
 def distance(study: Study) -> float:

@@ -118,7 +118,8 @@ class OfModel(click.Command):
     ) -> click.Context:
         """With the options of the model that the arguments name."""
         study = _study(_value_of(args, "--data"), "--trust" in args or _value_of(args, "--model") or False)
-        name = _value_of(args, "--model") or (study.model if study else USUAL)
+        name = _value_of(args, "--model")
+        name = name if name is not None else study.model if study else USUAL
         if study is not None:
             if study.model != name:
                 raise ParameterError(f"--model {name}: --data is about {study.model}; leave one of the two out")
@@ -128,6 +129,10 @@ class OfModel(click.Command):
                 click.echo(f"spragsym: warning: {said}", err=True)
             extra |= {"default_map": self._defaults(study), "obj": study}
         about = self if name == self.model.where else self.of_model(load(name))
+        for option in about.params:
+            typed = [word for word in args if word.partition("=")[0] in option.opts and word.startswith("--")]
+            if len(typed) > 1 and isinstance(option, click.Option) and not (option.multiple or option.is_flag):
+                raise ParameterError(f"{typed[0].partition('=')[0]} is given {len(typed)} times; give it once")
         return super(OfModel, about).make_context(info_name, args, parent, **extra)
 
     def invoke(self, ctx: click.Context) -> Any:

@@ -134,6 +134,8 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["equilibria"], USAGE, ["--theta0", "spragsym equilibria --help"]),
         (["equilibria", "--theta0", "x"], USAGE, ["--theta0", "'x'"]),
         (["equilibria", "--theta0", "49", "--nonsense"], USAGE, ["--nonsense"]),
+        (["equilibria", "--theta0", "30", "--theta0=40"], USAGE, ["--theta0", "2 times"]),
+        (["equilibria", "--theta0", "30", "--model", ""], USAGE, ["no shipped model"]),
         (["equilibria", "--theta0", "0"], USAGE, ["--theta0 = 0", "(0, 180)"]),
         (["equilibria", "--theta0", "nan"], USAGE, ["--theta0 = nan"]),
         (["equilibria", "--theta0", "49", "--sigma", "0"], USAGE, ["sigma = 0", "(0, inf)"]),

@@ -53,7 +53,7 @@ def material(model: pages.Model, header: str | None = None, only: Collection[str
                                                   if _has_result(function) and (only is None or function.name in only)))
         for module in folder.modules(it)
     )  # fmt: skip
-    meanings = folder.meanings(it) | {
+    meanings = dict(folder.meanings(it)) | {
         datum.becomes: f"{datum.meaning}, radians" for datum in it.parameters if datum.unit == "rad"
     }
     given = {datum.becomes: Quantity(number(datum), "", meanings[datum.becomes], domain=datum.domain) for datum in it.parameters}

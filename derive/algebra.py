@@ -15,6 +15,13 @@ import sympy as sp
 Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 
 
+def expanded(expression: sp.Expr) -> sp.Expr:
+    """Products and powers written out, but for denominators: 1/(1 − x)² keeps its sign over an interval, 1/(1 − 2x + x²) does not."""
+    below = [node for node in expression.atoms(sp.Pow) if node.exp.is_Integer and node.exp.is_negative and node.base.is_Add]
+    kept = {node: sp.Dummy() for node in below}
+    return sp.expand(expression.xreplace(kept)).xreplace({dummy: node for node, dummy in kept.items()})
+
+
 def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² on each unit circle."""
     polynomial = sp.expand(polynomial)

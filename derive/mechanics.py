@@ -20,7 +20,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from .algebra import fewest_terms
+from .algebra import expanded, fewest_terms
 from .model import Datum, Page, PageError, Point, Torsion, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
@@ -188,7 +188,7 @@ class Mechanics:
         # Kept whole: expanded, they may overflow, or become sums of logarithms.
         nodes = sorted(expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression), key=sp.default_sort_key)
         kept = {1 / line.l: sp.Dummy() for line in self.lines} | {node: sp.Dummy() for node in nodes}
-        shortest = sp.expand(sp.expand(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)).subs(SIDE**2, 1)
+        shortest = expanded(expanded(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)).subs(SIDE**2, 1)
         turned = {node: sp.Dummy(real=True) for pair in waves(shortest) for node in pair}
         shortest = shortest.xreplace(turned)
         kept |= turned
@@ -256,7 +256,7 @@ class Mechanics:
         """The same without the springs along lines, each of which adds its tension times (c ∂dx + s ∂dy), and without torsion springs."""
         springs = [elastic(line, stiffness) for line, stiffness in zip(self.lines, self.stiffnesses, strict=True)]
         springs += [torsion.energy for torsion in self.torsions]
-        return self._residuals(sp.expand(self.potential - sum(springs, sp.S.Zero)))
+        return self._residuals(expanded(self.potential - sum(springs, sp.S.Zero)))
 
     def _residuals(self, potential: sp.Expr) -> tuple[sp.Expr, ...]:
         rows = []
@@ -266,7 +266,7 @@ class Mechanics:
                 row -= self.normal * sp.diff(self.gap, symbol)
             if self.slide is not None:
                 row -= MU * self.normal * sp.diff(self.slide, symbol)
-            rows.append(sp.collect(sp.expand(row), (*self.coordinates, *self.directions)))
+            rows.append(sp.collect(expanded(row), (*self.coordinates, *self.directions)))
         return tuple(rows)
 
     @cached_property
@@ -313,7 +313,7 @@ def of(page: Page, units: bool = False) -> Mechanics:
         lines=lines,
         torsions=torsions,
         kinetic=scaled(page.inertia[0]),
-        potential=sp.expand(potential),
+        potential=expanded(potential),
         stiffnesses=stiffnesses,
         applied=_applied(page, scaled, coordinates),
         dissipation=sp.expand(dissipation),
@@ -433,7 +433,7 @@ def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) ->
         for component, where in zip(force.components, place, strict=True):
             for row, symbol in enumerate(coordinates):
                 forces[row] += scaled(component) * sp.diff(scaled(where), symbol)
-    return tuple(map(sp.expand, forces))
+    return tuple(map(expanded, forces))
 
 
 def _contact(page: Page, scaled: _Scaled) -> tuple[sp.Expr | None, sp.Expr]:

@@ -147,7 +147,9 @@ class Motion:
         it = self.model
         total = sp.S.Zero
         for symbol, force in zip(it.coordinates, it.applied, strict=True):
-            total += sp.integrate(sp.expand(force - sp.diff(total, symbol)), symbol)
+            integral = sp.integrate(sp.expand(force - sp.diff(total, symbol)), symbol)
+            # What has none in one form for all parameters, as sin(η b) for η = 0 too, is power.
+            total += sp.S.Zero if integral.has(sp.Piecewise, sp.Integral) else integral
         return sp.expand(total)
 
     @cached_property

@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "bb802ec2f396a304"
+#define SPRAGSYM_SOURCE "5b594e344f12873d"
 
 /** What became of a call. */
 typedef enum {

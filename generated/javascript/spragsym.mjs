@@ -14,7 +14,7 @@
  */
 
 /** Head of the SHA-256 of what was emitted together. */
-export const SOURCE = "bb802ec2f396a304";
+export const SOURCE = "5b594e344f12873d";
 
 /** Names of the parameters, in the order in which the algebra takes them. */
 export const NAMES = Object.freeze(["theta0", "mu0", "kappa", "alpha", "sigma", "beta"]);

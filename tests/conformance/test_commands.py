@@ -151,7 +151,15 @@ CRITICAL = [name for name in MODELS if name != "soft_brake"]
 
 
 @pytest.mark.by_hand(
-    "hertz_contact", "two_springs", "cubic_contact", "trolley", "damped", "inclined_belt", "pad_on_disc", "soft_brake"
+    "hertz_contact",
+    "two_springs",
+    "cubic_contact",
+    "trolley",
+    "damped",
+    "inclined_belt",
+    "pad_on_disc",
+    "soft_brake",
+    "sprag_rod",
 )
 @pytest.mark.parametrize("name", few(CRITICAL, "kang_nam", "stick_slip"))
 def test_critical_values_have_the_same_keys(name: str, run: Run) -> None:

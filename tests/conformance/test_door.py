@@ -90,7 +90,7 @@ def test_two_ways_to_one_answer() -> None:
         ss.equilibria(p, method="guess")
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_what_has_jumped_has_two_witnesses() -> None:
     """By the signs of one polynomial, and by tubes; both are what jump values say."""
     rng, shape = np.random.default_rng(3), (20, 10)

@@ -113,7 +113,7 @@ def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> Non
     explorer.page.close()
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_search_finds_what_the_solver_of_closed_forms_proves(browser: Any, tmp_path: Path) -> None:
     """The article's page without its closed forms is that of any model, and follows over the same fold."""
     model = ss.load("kang_nam").search

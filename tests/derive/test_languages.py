@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import re
 import shutil
 import subprocess
@@ -14,69 +13,11 @@ import pytest
 from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
-#: Modules of spragsym that every room may use.
-SERVANTS = {"assumed", "_version", "display", "questions", "errors", "names", "progress"}
 
 
 def section(title: str) -> str:
     """One section of CONTRIBUTING."""
     return PAGE.read_text(encoding="utf-8").split(f"\n## {title}\n")[1].split("\n## ")[0]
-
-
-def imported(path: Path, root: Path) -> set[tuple[str, ...]]:
-    """Modules below ``root`` that a file imports, by relative names or by ``import_module``, as parts of their paths."""
-    package = path.relative_to(root).parts[:-1]
-    found = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom) and node.level:
-            start = package[: len(package) - node.level + 1]
-            module = (*start, *(node.module.split(".") if node.module else ()))
-            found |= {(*module, alias.name) for alias in node.names}
-        elif isinstance(node, ast.Call) and "import_module" in ast.unparse(node.func) and isinstance(node.args[0], ast.Constant):
-            name = str(node.args[0].value)
-            found |= {tuple(name.split(".")[1:])} if name.startswith(f"{root.name}.") else set()
-    return found
-
-
-# ------------------------------------------------------------------------------------------------------ the rooms
-
-
-def arrows(indent: int = 4) -> dict[str, set[str]]:
-    """Rooms of spragsym in the picture, or with a deeper indent those of its models, and the rooms that each may import from."""
-    drawn = re.findall(rf"^ {{{indent}}}(\w+) .*<- (.*)$", section("The house"), re.MULTILINE)
-    rooms: dict[str, set[str]] = {}
-    for name, text in drawn:
-        before = {*rooms, "generated"}
-        if text.startswith("all above"):
-            left_out = set(re.findall(r"\w+", text.partition(" but ")[2])) - {"and"}
-            assert left_out <= before
-            rooms[name] = before - left_out
-        else:
-            rooms[name] = set() if text == "nothing" else set(text.split(", "))
-        assert rooms[name] <= before, f"{name} stands on what comes after it"
-    return rooms
-
-
-@pytest.mark.thorough
-def test_the_picture_shows_every_room_and_every_import() -> None:
-    spragsym, rooms = ROOT / "spragsym", arrows()
-    folders = {path.parent.name for path in spragsym.glob("*/__init__.py") if not path.parent.is_symlink()}
-    assert folders <= set(rooms)
-    for name, below in rooms.items():
-        files = sorted((spragsym / name).rglob("*.py")) or [spragsym / f"{name}.py"]
-        for path in files:
-            used = {parts[0] for parts in imported(path, spragsym)} - SERVANTS - {name}
-            if name == "cli":
-                used -= {"derive"}  # loaded when a command asks for it
-            if name == "parameters":
-                used -= {"models"}  # a set loads its model when it is asked for
-            assert used <= below, f"{path.relative_to(ROOT)} imports from {sorted(used - below)}"
-    inner = arrows(indent=6)
-    assert {path.parent.name for path in spragsym.glob("models/*/__init__.py")} == set(inner)
-    for name, below in inner.items():
-        for path in sorted((spragsym / "models" / name).glob("*.py")):
-            used = {parts[1] for parts in imported(path, spragsym) if parts[0] == "models"} - {name, "model"}
-            assert used <= below, f"{path.relative_to(ROOT)} imports from {sorted(used - below)}"
 
 
 # ------------------------------------------------------------------------------------------------- a new language

@@ -40,7 +40,7 @@ def edit(path: Path, diff: str) -> None:
     path.write_text(text, encoding="utf-8")
 
 
-@pytest.mark.by_hand("Add a viscous")
+@pytest.mark.by_hand("Add a viscous", "Change")
 @pytest.mark.thorough
 @pytest.mark.parametrize("title", ["Add a viscous damper along the belt", "Change the friction law"])
 def test_the_page_does_what_it_says(title: str, tmp_path: Path) -> None:

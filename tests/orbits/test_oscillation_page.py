@@ -18,7 +18,12 @@ MARKED = [pytest.param(row, marks=() if page.is_quick(row) else pytest.mark.thor
 
 
 @pytest.mark.by_hand(
-    "exponents of an irregular motion", "fate of rest, and x of the saddle", "those of its multipliers", "its Lyapunov"
+    "exponents of an irregular motion",
+    "fate of rest, and x of the saddle",
+    "those of its multipliers",
+    "its Lyapunov",
+    "fold of the branch",
+    "over friction",
 )
 @pytest.mark.parametrize("row", MARKED, ids=[row.what for row in ROWS])
 def test_numbers_are_those_of_the_command(row: page.Row) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import sys
 from typing import Any
 
@@ -13,8 +12,6 @@ import pytest
 
 import spragsym as ss
 from spragsym import precise
-from spragsym.cli import cli as command_line
-from spragsym.kang_nam.statics import compiled
 from tests.oracles.families import cusp_wedge
 from tests.oracles.true_errors import points, worst_shares
 
@@ -91,55 +88,3 @@ def test_results_do_not_depend_on_the_callers_precisions() -> None:
             assert (flint.ctx.prec, mpmath.iv.prec, mpmath.mp.dps) == (11, 11, 7)
     finally:
         flint.ctx.prec, mpmath.iv.prec = before
-
-
-# -------------------------------------------------------------------------------------- points without an answer
-
-
-#: κ = σ and α = β = 0: in lift-off L = 0 at θ = −90° exactly, whatever θ₀ and μ₀.
-AT_ANCHOR = {"theta0": 1.0, "mu0": 0.5, "kappa": 0.1, "alpha": 0.0, "sigma": 0.1, "beta": 0.0}
-
-
-@pytest.mark.parametrize("backend", ["numpy", "compiled"])
-def test_one_hopeless_point_leaves_the_others(backend: str) -> None:
-    if backend == "compiled" and not compiled.available():
-        pytest.skip("the compiled solver was not built: no C compiler")
-    kappa = np.array([[0.1, 0.2], [0.05, 0.1]])
-    ss.set_backend(backend)
-    try:
-        eq = ss.equilibria(ss.Parameters(**{**AT_ANCHOR, "kappa": kappa}), contact=False)
-        others = ss.equilibria(ss.Parameters(**{**AT_ANCHOR, "kappa": np.array([0.2, 0.05])}), contact=False)
-        with pytest.raises(ss.ConvergenceError, match="L or y holds 0"):
-            ss.equilibria(ss.Parameters(**AT_ANCHOR), contact=False)
-    finally:
-        ss.set_backend("auto")
-    assert eq.decided.tolist() == [[False, True], [True, False]]
-    assert eq.count[~eq.decided].tolist() == [0, 0]
-    assert np.isnan(eq.theta[~eq.decided]).all()
-    assert np.isnan(eq.error[~eq.decided]).all()
-    assert not eq.stability[~eq.decided].any()
-    assert "L or y holds 0" in eq.reason(0, 0)
-    assert "kappa=0.1," in eq.reason(1, 1) == eq.reason(-1, -1)
-    assert eq.reason(0, 1) == ""
-    assert [box.index for box in eq.undecided] == [(0, 0), (1, 1)]
-    assert not eq.complete
-    assert eq.remarks[0].startswith("2 of 4 points have no answer; the first: ")
-    np.testing.assert_array_equal(eq.theta[eq.decided], others.theta)
-    assert np.isnan(eq.eigenvalues[0, 0]).all()
-    assert others.require_decided() is others
-    with pytest.raises(ss.ConvergenceError, match="L or y holds 0"):
-        eq.require_decided()
-
-
-def test_the_command_prints_the_reason_and_the_rest(capsys: pytest.CaptureFixture[str]) -> None:
-    args = ["equilibria", "--theta0", "50", "--kappa", "0.1", "--alpha", "0", "--sigma", "0.1", "--beta", "0"]
-    command_line(args, standalone_mode=False)
-    shown = capsys.readouterr().out
-    assert "contact" in shown
-    assert "lift-off, undecided: " in shown
-    assert "L or y holds 0" in shown
-    command_line([*args, "--json"], standalone_mode=False)
-    found = json.loads(capsys.readouterr().out)
-    assert {row["state"] for row in found["equilibria"]} == {"contact"}
-    assert [one["state"] for one in found["undecided"]] == ["lift-off"]
-    assert found["complete"] is False

@@ -75,8 +75,7 @@ def in_node(name: str, folder: Path) -> list[float]:
     program += "console.log(JSON.stringify(calls.map(([called, given]) => algebra[called](...given)).flat(9)));\n"
     (folder / "calls.mjs").write_text(program, encoding="utf-8")
     done = subprocess.run([str(NODE), "calls.mjs"], cwd=folder, capture_output=True, text=True, timeout=120, check=True)
-    found: list[float] = json.loads(done.stdout)
-    return found
+    return [float(number) for number in json.loads(done.stdout)]  # JSON writes a large float as an integer
 
 
 def in_octave(name: str, folder: Path) -> list[float]:

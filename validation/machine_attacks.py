@@ -24,7 +24,7 @@ import numpy as np
 from spragsym.errors import StoreError
 from spragsym.files.journal import path_of
 from spragsym.sweeps import rms_sweep
-from tests.oracles.sweep_attacks import SHORT, P, Recorded, named, same
+from tests.oracles.sweep_attacks import SHORT, P, Recorded, children, named, same
 
 
 @contextmanager
@@ -71,18 +71,6 @@ def attack_disks(rng: np.random.Generator, count: int) -> Counter[str]:
             assert same(rms_sweep(P, **SHORT, store=path, workers=recorded), expected)  # as loaded
             assert [file.name for file in folder.iterdir()] == [path.name]
     return outcomes
-
-
-def children(pid: int) -> list[int]:
-    """Processes that one has started, on Linux."""
-    try:
-        return [
-            int(number)
-            for file in Path(f"/proc/{pid}/task").glob("*/children")
-            for number in file.read_text(encoding="utf-8").split()
-        ]
-    except OSError:  # it has just ended
-        return []
 
 
 def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counter[str]:

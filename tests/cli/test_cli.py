@@ -113,7 +113,7 @@ def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, caps
 
 @pytest.mark.by_hand("report")
 @pytest.mark.thorough
-@pytest.mark.parametrize("command", WRITING)
+@pytest.mark.parametrize("command", [name for name in WRITING if name != "derive"])  # which replaces only what it wrote itself
 @pytest.mark.usefixtures("checked")
 def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")

@@ -104,7 +104,7 @@ def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: p
     print_wrongly(monkeypatch)
     monkeypatch.setattr(emission, "render", lambda outcome: {"new.py": "new\n"})
     assert command.main(["--out", str(target), "--variant"]) == 0
-    assert files_of(target) == {"new.py": b"new\n"}
+    assert files_of(target) == {"new.py": b"new\n", "files.json": b'["files.json", "new.py"]\n'}
 
 
 #: What is not proved: a function, what it says then, and in which words that is told.

@@ -150,3 +150,15 @@ def attack_files(rng: np.random.Generator, folder: Path, count: int) -> Counter[
         assert same(found, expected), kind
         outcomes[f"{path.suffix}: as it was"] += 1
     return outcomes
+
+
+def children(pid: int) -> list[int]:
+    """Processes that one has started, on Linux."""
+    try:
+        return [
+            int(number)
+            for file in Path(f"/proc/{pid}/task").glob("*/children")
+            for number in file.read_text(encoding="utf-8").split()
+        ]
+    except OSError:  # it has just ended
+        return []

@@ -605,8 +605,7 @@ def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamesp
     wide = [flint.arb(0.1, 0.1), flint.arb(0.2, 0.03)]  # sticking: x' = V
     constants = list(field.constants([flint.arb(value) for value in (0.5, 0.1, 0.05, 0.2)], Functions))
     (slopes,) = ball_flow.slopes_at(field, wide, constants, (1, 1))
-    assert abs(slopes[1]) < 20
-    assert not abs(field.jacobian(wide, constants, (1, 1), Functions)[0][1]) < 1e3
+    assert abs(slopes[1]) < 20 < abs(field.jacobian(wide, constants, (1, 1), Functions)[0][1]).upper()  # written out it is wider
 
 
 @pytest.mark.validate

@@ -9,13 +9,13 @@ import shutil
 import sys
 import sysconfig
 
-from spragsym.dynamics import with_compiled
-from spragsym.kang_nam.statics import compiled
+from spragsym.kang_nam.quartic import compiled
+from spragsym.motion import with_compiled
 
 #: Source file, whether its module is there, and what serves without it.
 EXTENSIONS = (
-    ("spragsym/kang_nam/statics/_compiled.c", compiled.available, "equilibria are solved by NumPy"),
-    ("spragsym/dynamics/_carried.c", with_compiled.available, "motion is integrated by heyoka or SciPy"),
+    ("spragsym/kang_nam/quartic/_compiled.c", compiled.available, "equilibria are solved by NumPy"),
+    ("spragsym/motion/_carried.c", with_compiled.available, "motion is integrated by heyoka or SciPy"),
 )
 
 

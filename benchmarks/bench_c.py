@@ -21,7 +21,7 @@ import numpy as np
 import spragsym as ss
 from benchmarks import rivals
 from benchmarks.timing import best_in_turn, on_backend
-from spragsym.kang_nam.statics import compiled
+from spragsym.kang_nam.quartic import compiled
 from tests.oracles import c_target
 from tests.oracles.families import FAMILIES, random
 

@@ -17,14 +17,14 @@ import numpy as np
 from scipy.integrate import simpson, solve_ivp
 
 import spragsym as ss
-from spragsym.dynamics import flows, integrators, simulate
-from spragsym.dynamics.classify import classify
-from spragsym.dynamics.motions import Motions
-from spragsym.dynamics.problem import Problem
-from spragsym.dynamics.with_heyoka import compiled_for
-from spragsym.models.problems import prepare
-from spragsym.sweeps import rms_sweep, sensitivity
-from spragsym.sweeps.workers import pool
+from spragsym.motion import flows, integrators, simulate
+from spragsym.motion.classify import classify
+from spragsym.motion.motions import Motions
+from spragsym.motion.problem import Problem
+from spragsym.motion.sweeps import rms_sweep, sensitivity
+from spragsym.motion.sweeps.problems import prepare
+from spragsym.motion.sweeps.workers import pool
+from spragsym.motion.with_heyoka import compiled_for
 
 V, D = 0.5, 10.0  # the article states neither: our assumption
 ANGLES = np.radians(np.linspace(1.0, 179.0, 181))

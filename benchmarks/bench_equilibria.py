@@ -20,9 +20,9 @@ import numpy as np
 import spragsym as ss
 from benchmarks import rivals
 from benchmarks.timing import best_in_turn, in_process, on_backend, seconds
-from spragsym.kang_nam.statics import compiled, kernel
-from spragsym.kang_nam.statics.solver import BLOCK
-from spragsym.parameters import NAMES
+from spragsym.kang_nam.quartic import compiled, kernel
+from spragsym.kang_nam.quartic.solver import BLOCK
+from spragsym.models.parameters import NAMES
 from tests.oracles import c_target
 from tests.oracles.families import random
 
@@ -95,7 +95,7 @@ def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     count = np.empty(theta0.size, dtype=np.int8)
     roots = np.empty((4, theta0.size))
     u = np.float64(2.0**-53)
-    np.empty(1 << 21)  # see spragsym.kang_nam.statics.solver: glibc then keeps the memory of the blocks
+    np.empty(1 << 21)  # see spragsym.kang_nam.quartic.solver: glibc then keeps the memory of the blocks
     with np.errstate(all="ignore"):
         for begin in range(0, theta0.size, BLOCK):
             rows = slice(begin, begin + BLOCK)

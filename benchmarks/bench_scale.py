@@ -13,7 +13,7 @@ import numpy as np
 
 import spragsym as ss
 from benchmarks.timing import best, in_process, on_backend, seconds
-from spragsym.kang_nam.statics import compiled
+from spragsym.kang_nam.quartic import compiled
 from tests.oracles.families import random
 
 _POINT = "import resource, numpy as np, spragsym as ss; rng = np.random.default_rng(0); n = {n}\n"

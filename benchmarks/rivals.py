@@ -11,7 +11,6 @@ import scipy.optimize
 from numpy.typing import NDArray
 
 import spragsym as ss
-from spragsym.exact.companion_roots import eigenvalues
 from spragsym.generated.equilibrium import (
     contact_matrix,
     contact_quartic,
@@ -21,7 +20,8 @@ from spragsym.generated.equilibrium import (
     state,
     t_quartic,
 )
-from spragsym.parameters import NAMES
+from spragsym.models.parameters import NAMES
+from spragsym.numerics.companion_roots import eigenvalues
 
 Array: TypeAlias = NDArray[np.float64]
 

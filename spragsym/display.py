@@ -182,7 +182,7 @@ class Words:
         if not isinstance(value, float):
             return str(value)
         if key == "error":
-            from .exact.decimals import upward
+            from .numerics.decimals import upward
 
             return upward(value)
         return f"{math.degrees(value) if self.is_angle(key.partition(' ')[0]) else value:.10g}"

@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import mpmath
 
 from .errors import ParameterError, ParameterTypeError
-from .exact.decimals import exactly
-from .exact.intervals import Arithmetic, Interval
 from .models.load import USUAL, load
+from .models.parameters import ParameterSet, Range
 from .names import hint
-from .parameters import ParameterSet, Range
+from .numerics.decimals import exactly
+from .numerics.intervals import Arithmetic, Interval
 from .questions import Method, model_of
 from .results.precise_states import CuspProof, PreciseEquilibria
 
@@ -101,7 +101,7 @@ def equilibria(
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic for closed forms, another than :class:`spragsym.exact.intervals.Balls`.
+        Interval arithmetic for closed forms, another than :class:`spragsym.numerics.intervals.Balls`.
     method : {"auto", "closed", "search"}
         Closed forms where the model has them, or the search over boxes as a second witness.
     **exact : int, str, Fraction, mpf or float
@@ -136,7 +136,7 @@ def equilibria(
     """
     model = _model(p)
     given = _exactly(model, p, exact)
-    from .models.digits import precise_equilibria
+    from .bifurcation.digits import precise_equilibria
 
     return precise_equilibria(model.Parameters(), given, contact, as_digits(dps), arith, method=method)
 
@@ -159,7 +159,7 @@ def cusps(
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic for closed forms, another than :class:`spragsym.exact.intervals.Balls`.
+        Interval arithmetic for closed forms, another than :class:`spragsym.numerics.intervals.Balls`.
     method : {"auto", "closed", "search"}
         The polynomial where the model has it, for θ₀ and μ₀, or the search over boxes as a second witness.
     **exact : int, str, Fraction, mpf or float
@@ -199,7 +199,7 @@ def cusps(
     vary = model.two(vary)
     vary = model.axes if set(vary) == set(model.axes) else vary  # one plane, in either order
     given = _exactly(model, p, exact, unasked=vary)
-    from .models.digits import precise_cusps
+    from .bifurcation.digits import precise_cusps
 
     return precise_cusps(model.Parameters(), given, vary, as_digits(dps), arith, between=between, method=method)
 
@@ -253,7 +253,7 @@ def _exactly(
 
 
 def prove_cycle(cycle: Any, **options: Any) -> Any:
-    """Prove that a cycle exists, is the only one near, and is stable or not: see :func:`spragsym.cycles.proofs.prove_cycle`."""
-    from .cycles import proofs
+    """Prove that a cycle exists, is the only one near, and is stable or not: see :func:`spragsym.orbits.proofs.prove_cycle`."""
+    from .orbits import proofs
 
     return proofs.prove_cycle(cycle, **options)

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeAlias, TypeVar
 
 from .errors import ModelError, ParameterError, ParameterTypeError
-from .parameters import Parameters, ParameterSet
+from .models.parameters import Parameters, ParameterSet
 
 if TYPE_CHECKING:
     from .models.model import Model

@@ -17,7 +17,7 @@ from filelock import FileLock
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 
-from spragsym.exact.intervals import Arithmetic, Balls
+from spragsym.numerics.intervals import Arithmetic, Balls
 
 Once: TypeAlias = Callable[[str, Callable[[], Any]], Any]
 Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]

@@ -23,9 +23,9 @@ from filelock import FileLock
 
 import spragsym as ss
 import spragsym.generated as generated_package
-from spragsym.dynamics import integrators
-from spragsym.exact import intervals
-from spragsym.kang_nam.catastrophe import flutter_proofs
+from spragsym.kang_nam.folds import flutter_proofs
+from spragsym.motion import integrators
+from spragsym.numerics import intervals
 from tests.oracles.families import random_fixed
 
 ROOT = Path(__file__).parents[1]

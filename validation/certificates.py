@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.models.catastrophe.paths import ModelEnd, first_end
+from spragsym.bifurcation.paths import ModelEnd, first_end
 
 CASES = 180
 MODELS = ("kang_nam", "two_springs", "inclined_belt", "cubic_contact", "damped")

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.sweeps import Regime, rms_sweep
+from spragsym.motion.sweeps import Regime, rms_sweep
 from validation.__main__ import store_of
 
 BELT = {"V": 0.5, "d": 10.0}

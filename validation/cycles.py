@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.dynamics.regimes import Regime, same_limit
-from spragsym.sweeps import rms_sweep
+from spragsym.motion.regimes import Regime, same_limit
+from spragsym.motion.sweeps import rms_sweep
 from tests.oracles.second_driver import differences
 
 #: Kind, inclination in degrees, and a state near it.

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.design.events import have_jumped
-from spragsym.models.catastrophe.paths import first_end
-from spragsym.parameters import NAMES
+from spragsym.bifurcation.paths import first_end
+from spragsym.kang_nam.jumps.events import have_jumped
+from spragsym.models.parameters import NAMES
 from tests.oracles import families
 
 CASES = 120

@@ -23,7 +23,7 @@ import numpy as np
 
 from spragsym.errors import StoreError
 from spragsym.files.journal import path_of
-from spragsym.sweeps import rms_sweep
+from spragsym.motion.sweeps import rms_sweep
 from tests.oracles.sweep_attacks import SHORT, P, Recorded, children, named, same
 
 

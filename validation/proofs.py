@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.cycles import proofs
-from spragsym.exact.decimals import exactly
+from spragsym.numerics.decimals import exactly
+from spragsym.orbits import proofs
 
 #: Digits of the proofs.
 DIGITS = (10, 25, 60, 200)

@@ -24,7 +24,7 @@ WIDELY = (
     ("at_root", ("Wide", "Point", "Balance", "Real")), ("apart", ("Wide", "Real", "Wide", "Real")),
 )  # fmt: skip
 
-#: What spragsym/kang_nam/statics/_compiled.c calls of the kernel besides.
+#: What spragsym/kang_nam/quartic/_compiled.c calls of the kernel besides.
 ASKED = ("one_or_three",)
 
 SUMMARY = "Equilibria, stability and motion of the sprag-slip oscillator, for real-time use."

@@ -65,7 +65,7 @@ def check(
     if model_name is not None:
         _check_model(model_name, json_output, only)
     elif report is not None:
-        from ..claims.report import page
+        from ..article.report import page
 
         text = page()
         if holds(report, text):
@@ -93,7 +93,7 @@ def _chosen(only: tuple[str, ...], known: Sequence[str], what: str) -> list[str]
 
 
 def _check_claims(json_output: bool, only: tuple[str, ...]) -> None:
-    from ..claims import STATEMENTS, drifted, recorded, run
+    from ..article import STATEMENTS, drifted, recorded, run
 
     chosen = _chosen(only, [statement.id for statement in STATEMENTS], "the claims")
     with show_progress("computing what the article states"):

@@ -11,9 +11,9 @@ import numpy as np
 
 import spragsym as ss
 
+from ..bifurcation.paths import first_end
+from ..bifurcation.points import ranges
 from ..errors import ParameterError, SpragsymError
-from ..models.catastrophe.paths import first_end
-from ..models.catastrophe.points import ranges
 from ..progress import show_progress
 from .of_model import Case, followed, following, method, of_model
 from .options import as_json

@@ -19,8 +19,8 @@ from .tables import print_json, print_table
 from .targets import force, refuse
 
 if TYPE_CHECKING:
-    from ..cycles import Cycle, CycleBranch
-    from ..parameters import ParameterSet
+    from ..models.parameters import ParameterSet
+    from ..orbits import Cycle, CycleBranch
 
 
 @of_model()
@@ -77,7 +77,7 @@ def cycles(
         with show_progress("proving it"):
             summary |= _proof(found, {} if digits is None else {"digits": digits})
     if along is not None:
-        from ..cycles import cycle_branch
+        from ..orbits import cycle_branch
 
         title = along.title
         with show_progress(f"following cycles along {along.name}"):
@@ -100,7 +100,7 @@ def _tell_diagram(
     case: Case, p: ParameterSet, along: Span, starts: list[Any], points: int, plot: Path | None, json_output: bool
 ) -> None:
     """Equilibria and cycles over a parameter: the labelled points, and the figure."""
-    from ..models.diagram import diagram
+    from ..orbits.diagram import diagram
 
     unit, title = along.unit, along.title
     with show_progress(f"equilibria and cycles along {along.name}"):

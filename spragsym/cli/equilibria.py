@@ -14,7 +14,7 @@ import numpy as np
 import spragsym as ss
 
 from ..errors import ConvergenceError
-from ..exact.decimals import upward
+from ..numerics.decimals import upward
 from ..progress import show_progress
 from .drawings import drawable, written
 from .of_model import Case, method, of_model

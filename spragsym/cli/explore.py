@@ -25,8 +25,8 @@ from .targets import force, holds, refuse
 
 if TYPE_CHECKING:
     from ..models import Model
-    from ..parameters import ParameterSet
-    from ..studies import Study
+    from ..models.parameters import ParameterSet
+    from ..report import Study
 
 #: Lines of either parameter on which onsets are sought.
 _LINES = 20
@@ -114,7 +114,7 @@ def _page_name(out: Path) -> Path:
 
 def _study(path: Path, model: str | None, trust: bool) -> Study:
     """The user's data, for the model that the command names if it names one."""
-    from ..studies import Study
+    from ..report import Study
 
     study = Study.from_file(path, trust=trust or model or False)
     if model not in (None, study.model):
@@ -127,7 +127,7 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     if study is None:
         _, first = model.cases()[0]
         return explorer_page(model, derived=_derived(model), onsets=_map(model, first, None, onsets))
-    from ..studies.brake_quantities import dimensionless
+    from ..report.brake_quantities import dimensionless
 
     point, _ = dimensionless(study.model, study.values)
     preset = Preset.of(f"Your data: {study.source}", point)
@@ -154,7 +154,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
         return "", ""
     from ..figures.labels import window
     from ..figures.planes import draw_onset_curves
-    from ..studies.pages import picture
+    from ..report.pages import picture
 
     if len(model.plane) != 2:
         raise ParameterError(f"--onsets: {model.name} has no two parameters of its equilibria; leave it out")
@@ -170,8 +170,8 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
 def _units(study: Study) -> Units:
     """The units of the user's file."""
     from ..models import load
-    from ..studies.brake_quantities import scale_of
-    from ..studies.units import factor
+    from ..report.brake_quantities import scale_of
+    from ..report.units import factor
 
     about = load(study.model).about
     bases = {entry["name"]: (study.quantities[entry["name"]].value, entry["unit"]) for entry in about["units"]}

@@ -38,7 +38,7 @@ def fates(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    from ..cycles import fate_map
+    from ..orbits import fate_map
 
     case.require()
     varied = [name for name, values in case.values.items() if np.size(values) > 1]

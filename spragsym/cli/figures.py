@@ -13,8 +13,8 @@ from typing import Any
 import click
 
 from ..errors import ParameterError
+from ..motion.sweeps.workers import Map, pool
 from ..names import hint
-from ..sweeps.workers import Map, pool
 from .commands import command
 from .options import workers
 from .targets import force, refuse

@@ -14,7 +14,7 @@ import numpy as np
 import spragsym as ss
 
 from ..errors import ParameterError
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 from .drawings import drawable, written
 from .of_model import Case, of_model
 from .options import Axis, as_json, window, workers
@@ -22,7 +22,7 @@ from .tables import print_json
 from .targets import force, refuse, resumed
 
 if TYPE_CHECKING:
-    from ..dynamics import Trajectory
+    from ..motion import Trajectory
 
 #: Where a value came from that was typed.
 COMMANDLINE = click.core.ParameterSource.COMMANDLINE
@@ -112,7 +112,7 @@ def refuse_targets(output: Path | None, plot: Path | None, force: bool) -> None:
 
 def summary_of(tr: Any, transient: float) -> dict[str, Any]:
     """What is said of a motion."""
-    from ..dynamics import Event
+    from ..motion import Event
 
     late = tr.after(transient)
     summary: dict[str, Any] = {
@@ -189,7 +189,7 @@ def grid_of(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 
 def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:
     """Run a sweep to its file, and say what its motions came to."""
-    from ..sweeps import Regime
+    from ..motion.sweeps import Regime
 
     with resumed(force), warnings.catch_warnings():
         warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)

@@ -16,16 +16,16 @@ from click.core import ParameterSource
 from ..errors import ParameterError
 from ..models import load
 from ..models.load import USUAL
-from ..models.parameters import options_of
-from ..parameters import Range, degrees
+from ..models.parameter_class import options_of
+from ..models.parameters import Range, degrees
 from .commands import command
 from .options import Number
 from .units import Units
 
 if TYPE_CHECKING:
     from ..models import Model
-    from ..parameters import ParameterSet
-    from ..studies import Study
+    from ..models.parameters import ParameterSet
+    from ..report import Study
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -123,7 +123,7 @@ class OfModel(click.Command):
         if study is not None:
             if study.model != name:
                 raise ParameterError(f"--model {name}: --data is about {study.model}; leave one of the two out")
-            from ..studies.cautions import of_data
+            from ..report.cautions import of_data
 
             for said in of_data(study):
                 click.echo(f"spragsym: warning: {said}", err=True)
@@ -188,7 +188,7 @@ class OfModel(click.Command):
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them."""
-        from ..studies import brake_quantities
+        from ..report import brake_quantities
 
         model, moves = load(study.model), study.moves
         p, _ = brake_quantities.dimensionless(study.model, study.values)
@@ -256,6 +256,6 @@ def _value_of(args: Sequence[str], flag: str) -> str | None:
 def _study(path: str | None, trust: bool | str) -> Study | None:
     if path is None:
         return None
-    from ..studies import Study
+    from ..report import Study
 
     return Study.from_file(path, trust=trust)

@@ -23,7 +23,7 @@ from .tables import print_json, print_table
 from .targets import force
 
 if TYPE_CHECKING:
-    from ..models.catastrophe.hopf_curves import OnsetCurve, OnsetCurves
+    from ..bifurcation.hopf_curves import OnsetCurve, OnsetCurves
 
 
 @of_model(statics=True)

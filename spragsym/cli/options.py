@@ -9,7 +9,7 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers
+from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers
 
 F = TypeVar("F", bound=Callable[..., Any])
 

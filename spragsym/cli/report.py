@@ -15,7 +15,7 @@ from .tables import print_json
 from .targets import force, refuse
 
 if TYPE_CHECKING:
-    from ..studies import Report
+    from ..report import Report
 
 
 @command()
@@ -48,7 +48,7 @@ def report(
     if example:
         from ..models import load
         from ..models.load import USUAL
-        from ..studies.examples import example as text_of
+        from ..report.examples import example as text_of
 
         click.echo(text_of(load(model or USUAL)), nl=False)
         return
@@ -57,7 +57,7 @@ def report(
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([] if html is None else [html], force)
-    from ..studies import Study
+    from ..report import Study
 
     study = Study.from_file(file, trust=trust or model or False)
     if model not in (None, study.model):

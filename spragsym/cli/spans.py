@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import FloatArray, shown
+from ..models.parameters import FloatArray, shown
 
 if TYPE_CHECKING:
     from .of_model import Case

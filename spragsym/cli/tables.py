@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..exact.decimals import upward
+from ..numerics.decimals import upward
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

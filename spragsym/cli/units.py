@@ -15,7 +15,7 @@ from ..names import hint
 
 if TYPE_CHECKING:
     from ..models import Model
-    from ..studies import Study
+    from ..report import Study
 
 #: Of a motion what is measured in the unit of its first component, and what is a force.
 MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error"), ("spring_force", "contact_force")
@@ -71,7 +71,7 @@ class Units:
         """
         if self.study is None or self.model.is_angle(name):
             return None
-        from ..dynamics.pictures import symbol
+        from ..motion.pictures import symbol
 
         entries = {entry["name"]: (entry["quantity"], entry["quantity_unit"]) for entry in self.model.about["parameters"]}
         quantity, si = entries.get(name, (name, "m"))

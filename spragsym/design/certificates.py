@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from ..display import Result
 from ..errors import ParameterError, ParameterTypeError
-from ..parameters import Parameters
+from ..models.parameters import Parameters
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import FloatArray, Range, as_number
+from ..models.parameters import FloatArray, Range, as_number
 
 #: Pairs of quantities → how they are correlated, from −1 to 1.
 Correlation: TypeAlias = Mapping[tuple[str, str], float]

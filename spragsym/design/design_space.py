@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..generated import scales as _scales
-from ..parameters import (
+from ..models.parameters import (
     NAMES,
     POSITIVE,
     RANGES,

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..display import Result, Table
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 from .design_space import Space
 from .gradients import JumpGradient
 

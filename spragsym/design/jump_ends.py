@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 from ..progress import doing
 
 Member = Callable[[FloatArray], NDArray[np.bool_]]

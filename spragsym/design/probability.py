@@ -13,10 +13,10 @@ import numpy as np
 
 from ..display import Result, Table
 from ..errors import ParameterError
-from ..parameters import FloatArray, Parameters, PhysicalParameters, Range, as_number
+from ..models.parameters import FloatArray, Parameters, PhysicalParameters, Range, as_number
+from ..motion.sweeps import workers as processes
+from ..motion.sweeps.workers import Workers
 from ..progress import advance
-from ..sweeps import workers as processes
-from ..sweeps.workers import Workers
 from . import sampling
 from .dependence import Correlation, Dependence, dependence
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..parameters import FloatArray, ParameterSet, PhysicalParameters
+from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters
 from .design_space import Space
 from .jump_boundary import Gradient, on_border
 from .nearest import RAYS, nearest

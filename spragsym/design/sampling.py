@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 
 #: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has none.
 Function = Callable[[FloatArray], FloatArray]

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Protocol, TypeVar
 
 from ..errors import ConvergenceError, UndecidedWarning
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 
 #: Where θ₀ begins to rise; folds below it are looked for exactly.
 FIRST_ANGLE = 2.0**-40

@@ -7,7 +7,7 @@ import shlex
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..models.parameters import options_of
+from ..models.parameter_class import options_of
 from .presets import Preset
 
 if TYPE_CHECKING:

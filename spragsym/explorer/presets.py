@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import ParameterSet
+from ..models.parameters import ParameterSet
 
 
 @dataclass(frozen=True)

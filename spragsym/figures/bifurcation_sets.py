@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 import spragsym as ss
 
 from ..assumed import MU0_RANGE
-from ..parameters import FloatArray, Parameters, ParameterSet
+from ..models.parameters import FloatArray, Parameters, ParameterSet
 from ..results.equilibria import Stability
 from . import surfaces
 from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT

@@ -12,9 +12,9 @@ from matplotlib.patches import Rectangle
 
 import spragsym as ss
 
+from ..bifurcation.points import ranges
 from ..errors import ConvergenceError
-from ..models.catastrophe.points import ranges
-from ..parameters import ParameterSet
+from ..models.parameters import ParameterSet
 from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
 from .labels import as_drawn, with_unit

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..models.load import USUAL, load
-from ..parameters import ARTICLE
+from ..models.parameters import ARTICLE
 
 #: The article's model.
 MODEL = load(USUAL)

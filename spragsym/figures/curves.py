@@ -14,10 +14,10 @@ from matplotlib.lines import Line2D
 
 import spragsym as ss
 
+from ..bifurcation.branches import linked
 from ..errors import ParameterError, SpragsymError
 from ..models import Model
-from ..models.catastrophe.branches import linked
-from ..parameters import FloatArray, ParameterSet
+from ..models.parameters import FloatArray, ParameterSet
 from ..results.equilibria import Equilibria, Stability, columns_of
 from ..results.paths import Path
 from ..results.points import Points
@@ -84,7 +84,7 @@ def branches(
     Notes
     -----
     Folds and onsets are solved for; between them equilibria are solved for at each point, and belong together where a tube joins
-    them, see :func:`spragsym.models.catastrophe.branches.links`. Where a curve leaves the contact it ends at the last of these
+    them, see :func:`spragsym.bifurcation.branches.links`. Where a curve leaves the contact it ends at the last of these
     points.
     """
     model = p.model

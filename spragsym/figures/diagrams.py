@@ -11,7 +11,7 @@ from .oscillation import COLOURS, draw_cycles, draw_stretches
 from .style import BLACK, DOUBLE, GREY, Sheet, Table, panels, say
 
 if TYPE_CHECKING:
-    from ..models.diagram import Diagram, Label
+    from ..orbits.diagram import Diagram, Label
 
 #: Of labels; those that are not here are left to the table.
 MARKERS = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}

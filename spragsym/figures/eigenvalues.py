@@ -10,10 +10,10 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from ..dynamics.pictures import in_letters
 from ..errors import ConvergenceError
 from ..models import Model
-from ..parameters import FloatArray, ParameterSet
+from ..models.parameters import FloatArray, ParameterSet
+from ..motion.pictures import in_letters
 from .curves import chains_between, folds_between, range_of
 from .labels import as_drawn, label
 from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, panels, styled

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
-from ..parameters import Parameters
+from ..models.parameters import Parameters
 from .captions import BASE_TEXT, LETTERS, LINES_TEXT, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, joined, mark_folds, table_of
 from .linear import draw_linear

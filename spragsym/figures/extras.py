@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 import spragsym as ss
 
 from ..assumed import MU0_RANGE, D, V
-from ..exact.companion_roots import eigenvalues
 from ..generated import equilibrium as _equilibrium
-from ..parameters import ARTICLE, FloatArray, Parameters
-from ..sweeps import Workers, rms_sweep, sensitivity
+from ..models.parameters import ARTICLE, FloatArray, Parameters
+from ..motion.sweeps import Workers, rms_sweep, sensitivity
+from ..numerics.companion_roots import eigenvalues
 from .captions import BASE_TEXT
 from .style import (
     BLACK,

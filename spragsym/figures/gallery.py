@@ -9,9 +9,9 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+from ..bifurcation.hopf_curves import onset_curves
 from ..files.writing import put
 from ..models import Model, load
-from ..models.catastrophe.hopf_curves import onset_curves
 from ..models.load import shipped
 from .files import picture
 from .labels import Between

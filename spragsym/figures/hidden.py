@@ -11,7 +11,7 @@ import numpy as np
 from mpl_toolkits.mplot3d import proj3d
 from numpy.typing import NDArray
 
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 
 #: A surface hides what lies deeper by more than this share of the box's depth. Lines lie on the surface itself, whose
 #: polygons are flat and miss it by less.

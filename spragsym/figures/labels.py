@@ -10,9 +10,9 @@ import numpy as np
 from matplotlib.axis import Axis
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from ..dynamics.field import Field
-from ..dynamics.pictures import in_letters, symbol
 from ..models import Model
+from ..motion.field import Field
+from ..motion.pictures import in_letters, symbol
 from ..results.points import Points
 
 #: Range of a parameter, by its name.

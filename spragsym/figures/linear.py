@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
-from ..parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters
 from .style import BLUE, Table
 
 

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..dynamics import Trajectory
-from ..dynamics.pictures import axis_label, course_over_time, in_letters
 from ..errors import ParameterError
+from ..motion import Trajectory
+from ..motion.pictures import axis_label, course_over_time, in_letters
 from .labels import label
 from .style import BLUE, DOUBLE, GREY, Sheet, Table, own_axes, panels, styled
 

@@ -7,10 +7,10 @@ import numpy as np
 import spragsym as ss
 
 from ..assumed import D, V
-from ..dynamics import simulate
 from ..generated import laws
-from ..parameters import Parameters
-from ..sweeps import Workers, rms_sweep
+from ..models.parameters import Parameters
+from ..motion import simulate
+from ..motion.sweeps import Workers, rms_sweep
 from .captions import BASE_TEXT, MODEL
 from .style import BLACK, DOUBLE, GREY, VERMILION, Sheet, angle_axis, panels, styled, write_along
 

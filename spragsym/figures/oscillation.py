@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 import spragsym as ss
 
 from ..assumed import D, V
-from ..cycles import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
-from ..cycles.maps import Kind
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters
+from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
+from ..orbits.maps import Kind
 from ..results.bifurcation_sets import BifurcationSet
 from ..results.equilibria import Stability
 from .captions import BASE_TEXT, MODEL

@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 
 import spragsym as ss
 
+from ..bifurcation.hopf_curves import OnsetCurves
 from ..models import Model
-from ..models.catastrophe.hopf_curves import OnsetCurves
-from ..parameters import ParameterSet
+from ..models.parameters import ParameterSet
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, as_drawn, label, window

@@ -9,7 +9,7 @@ import numpy as np
 import spragsym as ss
 
 from ..assumed import MU0_RANGE
-from ..parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters
 from ..results.equilibria import Stability
 from . import surfaces
 from .curves import LABELS

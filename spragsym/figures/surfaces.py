@@ -14,7 +14,7 @@ import spragsym as ss
 
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
-from ..parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters
 from ..results.equilibria import Stability
 
 #: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant

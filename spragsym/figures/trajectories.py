@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 import spragsym as ss
 
 from ..assumed import MU0_RANGE
-from ..parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters
 from ..results.paths import Path
 from .captions import BASE_TEXT, LINES_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of

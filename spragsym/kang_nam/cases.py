@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ..parameters import Parameters
+from ..models.parameters import Parameters
 
 #: Name, θ₀ in degrees, and what differs from the base values.
 _CASES: tuple[tuple[str, float, dict[str, float]], ...] = (

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..exact.adaptive_bits import as_numbers, with_enough_bits
-from ..exact.intervals import Arithmetic, arithmetic, as_mpf
-from ..parameters import Parameters
+from ..models.parameters import Parameters
+from ..numerics.adaptive_bits import as_numbers, with_enough_bits
+from ..numerics.intervals import Arithmetic, arithmetic, as_mpf
 from ..questions import NotInClosedForm
 from ..results.equilibria import Stability
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
-from .catastrophe import cusp_proofs
-from .catastrophe.fold_enclosures import Point
-from .statics import adaptive_precision
+from .folds import cusp_proofs
+from .folds.fold_enclosures import Point
+from .quartic import adaptive_precision
 
 
 def precise_equilibria(

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated.models.kang_nam import algebra
-from ..parameters import NAMES, FloatArray, Parameters
+from ..models.parameters import NAMES, FloatArray, Parameters
 
 #: A well: x and y of its bottom, and the energy of its brim.
 Well: TypeAlias = tuple[float, float, float]
@@ -30,7 +30,7 @@ POINTS = 200
 def wells(p: Parameters) -> list[tuple[Well, ...]]:
     """The wells above the belt of every point, in order."""
     from ..results.equilibria import Stability
-    from .statics.solver import equilibria
+    from .quartic.solver import equilibria
 
     given = {name: np.ravel(values) for name, values in zip(NAMES, p.broadcast(*NAMES), strict=True)}
     found = equilibria(Parameters(**given), contact=False)

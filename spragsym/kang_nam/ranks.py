@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 
-from ..parameters import Parameters
+from ..models.parameters import Parameters
 from ..results.equilibria import Equilibria
 from ..results.points import Points
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics.regimes import SETTLED
 from ..generated import laws
-from ..parameters import FloatArray, Parameters
+from ..models.parameters import FloatArray, Parameters
+from ..motion.regimes import SETTLED
 
 
 def rest_index(p: Parameters, places: FloatArray) -> NDArray[np.int8]:
     """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y, shape (2, …); −1 where there is none."""
-    from .statics.solver import equilibria
+    from .quartic.solver import equilibria
 
     x, y = places
     index = np.full(x.shape, -1, dtype=np.int8)

@@ -20,7 +20,7 @@ from ..errors import ParameterError, ParameterTypeError, StoreError
 from ..files.text import contents
 from ..names import hint
 from .model import Model
-from .parameters import parameter_class
+from .parameter_class import parameter_class
 
 #: The model that is meant where none is named.
 USUAL = "kang_nam"

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import FloatArray, ParameterSet
-from . import parameters as _parameters
+from . import parameter_class as _parameters
 from .describe import described, explained
+from .parameters import FloatArray, ParameterSet
 
 if TYPE_CHECKING:
-    from ..dynamics.field import Field
+    from ..motion.field import Field
 
 
 class Model:
@@ -83,8 +83,8 @@ class Model:
     @cached_property
     def field(self) -> Field:
         """The field of its motion, with exponentials of the friction law left out far below rounding."""
-        from ..dynamics.field import REACH
-        from .field import field_of
+        from ..motion.field import REACH
+        from ..motion.model_field import field_of
 
         return field_of(self, REACH)
 
@@ -139,7 +139,7 @@ class Model:
     @property
     def backends(self) -> tuple[str, ...]:
         """Integrators that take its motion: what is compiled on installation is that of a model that brings its own."""
-        from ..dynamics.integrators import BACKENDS, OF_ANY_MODEL
+        from ..motion.integrators import BACKENDS, OF_ANY_MODEL
 
         return BACKENDS if "integrate" in self.closed else OF_ANY_MODEL
 

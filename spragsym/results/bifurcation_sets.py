@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 from .named_columns import Columns
 from .points import Points
 

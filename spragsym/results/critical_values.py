@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import Range, as_number
+from ..models.parameters import Range, as_number
 
 
 def value_at(

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..display import WHOLE, Result, Table, counted, index, not_all, shown, with_cut, words
 from ..errors import ConvergenceError
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 
 
 class Stability(enum.IntEnum):
@@ -302,7 +302,7 @@ class Equilibria(Result):
 
     @cached_property
     def _made(self) -> dict[str, FloatArray]:
-        from ..models.statics.stability import told_of_states
+        from ..statics.stability import told_of_states
 
         return told_of_states(self)
 
@@ -311,7 +311,7 @@ class Equilibria(Result):
         return self._linearized(self.states)
 
     def _linearized(self, states: tuple[NDArray[np.int64], ...]) -> Any:
-        from ..models.statics.stability import linearized
+        from ..statics.stability import linearized
 
         return linearized(self, states, self._source.around)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from ..display import Result
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 
 
 class Columns(Result):

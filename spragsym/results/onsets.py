@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ParameterError, ParameterTypeError
-from ..exact.interval_arrays import FloatArray
-from ..exact.polynomials import Undecided
+from ..numerics.interval_arrays import FloatArray
+from ..numerics.polynomials import Undecided
 from .points import Points
 
 #: Why an onset of (27) has no coefficient.
@@ -61,7 +61,7 @@ class Onsets(Points):
 
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
-        """The :class:`~spragsym.models.catastrophe.normal_forms.NormalForm` of each, or why it has none."""
+        """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each, or why it has none."""
         return tuple(self._normal_form(row) for row in range(len(self)))
 
     @cached_property
@@ -101,7 +101,7 @@ class Onsets(Points):
         return tuple(told(form)[1] for form in self.normal_forms)
 
     def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Any:
-        """The cycle that is born at one of the onsets: see :func:`spragsym.models.catastrophe.births.born`."""
+        """The cycle that is born at one of the onsets: see :func:`spragsym.bifurcation.births.born`."""
         if not isinstance(index, int | np.integer) or isinstance(index, bool):
             raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
         if not 0 <= index < len(self):
@@ -110,7 +110,7 @@ class Onsets(Points):
         form = self.normal_forms[int(index)]
         if isinstance(form, str):
             raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
-        from ..models.catastrophe.births import born
+        from ..bifurcation.births import born
 
         model, state = self.parameters.model, self._state(int(index))
         return born(model, self._given(int(index)), state, self.vary[0], form, amplitude, backend)
@@ -118,7 +118,7 @@ class Onsets(Points):
     def _normal_form(self, row: int) -> Any:
         if self.kind[row] != "hopf":
             return UNDAMPED
-        from ..models.catastrophe.normal_forms import normal_form
+        from ..bifurcation.normal_forms import normal_form
 
         state, vary = self._state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.

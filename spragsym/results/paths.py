@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result, Rows
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 from .equilibria import Equilibria, Stability, one_each
 from .named_columns import Columns
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result, Rows, Table, counted, not_all, shown, with_cut, words
-from ..parameters import FloatArray
+from ..models.parameters import FloatArray
 from .equilibria import Equilibria, columns_of, one_each
 
 
@@ -165,7 +165,7 @@ class Points(Rows):
 
     @cached_property
     def _what_ends(self) -> Ended:
-        from ..models.catastrophe.fold_outcomes import ended
+        from ..bifurcation.fold_outcomes import ended
 
         return self._ended or ended(self)
 

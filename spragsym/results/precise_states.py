@@ -10,7 +10,7 @@ from typing import Any
 
 import mpmath
 
-from ..exact.decimals import Decimal, around, exactly
+from ..numerics.decimals import Decimal, around, exactly
 from .equilibria import Stability
 
 

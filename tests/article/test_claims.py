@@ -16,11 +16,11 @@ from click.testing import CliRunner
 from scipy.optimize import brentq, root
 
 import spragsym as ss
-from spragsym import claims
-from spragsym.claims import Status
+from spragsym import article as claims
+from spragsym.article import Status
 from spragsym.cli import cli
 from spragsym.cli.check import check as check_command
-from spragsym.dynamics import simulate
+from spragsym.motion import simulate
 from tests.oracles import article_motion
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT
 

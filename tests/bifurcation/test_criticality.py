@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe.normal_forms import BALLS, _pair
+from spragsym.bifurcation.normal_forms import BALLS, _pair
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from tests.support import needs_a_quick_integrator

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact.intervals import Arithmetic
 from spragsym.generated import stability
-from spragsym.kang_nam.catastrophe import flutter_points
-from spragsym.kang_nam.statics import kernel
+from spragsym.kang_nam.folds import flutter_points
+from spragsym.kang_nam.quartic import kernel
+from spragsym.numerics.intervals import Arithmetic
 from tests.oracles.families import random_fluttering
 from tests.oracles.flutter_map import compare
 from tests.support import exact_onsets, middle_of

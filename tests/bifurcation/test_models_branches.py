@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe.branches import Along, _by_tubes, _states
-from spragsym.models.mechanics.balance import Balance
+from spragsym.bifurcation.branches import Along, _by_tubes, _states
+from spragsym.statics.mechanics.balance import Balance
 from tests.support import model_of
 
 #: A pad with a shoe, which slides, dips and turns.

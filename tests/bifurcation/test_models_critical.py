@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe.paths import first_end
-from spragsym.models.catastrophe.points import given_column
-from spragsym.models.mechanics.balance import Balance
-from spragsym.models.tubes.tubes import carried
+from spragsym.bifurcation.paths import first_end
+from spragsym.bifurcation.points import given_column
+from spragsym.bifurcation.tubes.tubes import carried
+from spragsym.statics.mechanics.balance import Balance
 from tests.support import few, lowest_sets
 
 SEARCH = ss.load("kang_nam").search

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe import near_zero
+from spragsym.bifurcation import near_zero
 from tests.support import few
 
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.mechanics.balance import Balance
-from spragsym.models.statics import stability
+from spragsym.statics import stability
+from spragsym.statics.mechanics.balance import Balance
 from tests.support import few, model_of, shipped_page
 
 

@@ -9,8 +9,8 @@ import pytest
 from scipy import optimize
 
 import spragsym as ss
-from spragsym.models.mechanics.balance import Balance
-from spragsym.models.statics.stability import linearization
+from spragsym.statics.mechanics.balance import Balance
+from spragsym.statics.stability import linearization
 from tests.oracles.hopf_points import accelerations
 from tests.support import few, model_of, shipped_page
 

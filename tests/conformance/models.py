@@ -10,7 +10,7 @@ from typing import Any
 
 import spragsym as ss
 from spragsym.models.load import shipped
-from spragsym.models.parameters import options_of
+from spragsym.models.parameter_class import options_of
 from tests.support import derived
 
 TESTS = Path(__file__).resolve().parent.parent

@@ -12,7 +12,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.files import storage
-from spragsym.models.parameters import options_of
+from spragsym.models.parameter_class import options_of
 from tests.conformance import models
 from tests.conformance.models import MODELS, MOVING, load, moved
 from tests.conftest import Run

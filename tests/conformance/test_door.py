@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.design.jumps import have_jumped
-from spragsym.parameters import NAMES
+from spragsym.design.jumps import have_jumped
+from spragsym.models.parameters import NAMES
 from tests.conformance.models import MODELS, a_set, load
 
 # ------------------------------------------------------------------------------------------- sets and their models

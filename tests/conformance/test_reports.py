@@ -14,7 +14,7 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.cli.report import report
-from spragsym.studies.brake_quantities import scale_of
+from spragsym.report.brake_quantities import scale_of
 from tests.conformance.models import MODELS, a_set, load, place
 from tests.support import few
 

@@ -48,8 +48,8 @@ def test_the_page_of_other_tests_is_the_one_that_is_shown() -> None:
 
 
 def test_the_gallery_has_every_model_as_it_is() -> None:
-    """All of the gallery but its computed lines, as ``python -m spragsym.models.gallery`` writes it."""
-    from spragsym.models.gallery import page
+    """All of the gallery but its computed lines, as ``python -m spragsym.figures.model_pages`` writes it."""
+    from spragsym.figures.model_pages import page
 
     shown = (ROOT / "docs/models.md").read_text(encoding="utf-8").splitlines()
     computed = ("Folds at the base values: ", "Cusps: ")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.parameters import NAMES
+from spragsym.models.parameters import NAMES
 from tests.oracles import languages
 from tests.oracles.languages import NODE, values
 from tests.support import few, lowest_sets

@@ -9,10 +9,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.kang_nam.design import cells, certificates
-from spragsym.kang_nam.design.cells import Boxes, Ground, Line, Verdict
-from spragsym.kang_nam.design.claims import Claim
-from spragsym.parameters import NAMES
+from spragsym.kang_nam.jumps import cells, certificates
+from spragsym.kang_nam.jumps.cells import Boxes, Ground, Line, Verdict
+from spragsym.kang_nam.jumps.claims import Claim
+from spragsym.models.parameters import NAMES
 from tests.support import as_fraction
 
 #: κ = P u₁⁻¹ u₂⁻², α = P u₁⁻¹ and σ = P u₂² with units 6 and 7.

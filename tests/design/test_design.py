@@ -14,12 +14,12 @@ from scipy.stats import truncnorm
 
 import spragsym as ss
 from spragsym.design import sampling
-from spragsym.exact import bernstein
-from spragsym.exact.rounded import Rounded
-from spragsym.kang_nam.design import jump_values
-from spragsym.kang_nam.design.cells import Boxes
-from spragsym.kang_nam.design.claims import CLAIMS
-from spragsym.kang_nam.design.events import have_jumped
+from spragsym.kang_nam.jumps import jump_values
+from spragsym.kang_nam.jumps.cells import Boxes
+from spragsym.kang_nam.jumps.claims import CLAIMS
+from spragsym.kang_nam.jumps.events import have_jumped
+from spragsym.numerics import bernstein
+from spragsym.numerics.rounded import Rounded
 from tests.oracles import families
 from tests.support import few
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe.paths import first_end
-from spragsym.models.design.certificates import ENDS, OPEN, THIN, Splitting
+from spragsym.bifurcation.paths import first_end
+from spragsym.design.tube_certificates import ENDS, OPEN, THIN, Splitting
 from tests.support import few
 
 SEARCH = ss.load("kang_nam").search

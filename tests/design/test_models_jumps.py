@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe.paths import first_end
-from spragsym.models.design.jumps import Followed
+from spragsym.bifurcation.paths import first_end
+from spragsym.design.jumps import Followed
 from tests.support import few
 
 ARTICLE = ss.load("kang_nam")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.design.certificates import certify
+from spragsym.design.tube_certificates import certify
 from tests.support import few
 
 ARTICLE = ss.load("kang_nam")

@@ -30,9 +30,9 @@ MODULES = sorted(
 
 #: Modules whose examples take seconds; their tests have the same calls.
 LONG_EXAMPLES = (
-    "spragsym.cycles.fate_boundaries", "spragsym.cycles.branch", "spragsym.cycles.two_parameters",
-    "spragsym.cycles.basin_boundaries", "spragsym.models.model", "spragsym.models.diagram",
-    "spragsym.models.catastrophe.hopf_curves", "spragsym.figures.curves", "spragsym.precise",
+    "spragsym.orbits.fate_boundaries", "spragsym.orbits.branch", "spragsym.orbits.two_parameters",
+    "spragsym.orbits.basin_boundaries", "spragsym.models.model", "spragsym.orbits.diagram",
+    "spragsym.bifurcation.hopf_curves", "spragsym.figures.curves", "spragsym.precise",
 )  # fmt: skip
 
 
@@ -42,7 +42,7 @@ LONG_EXAMPLES = (
 )
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each example of a module runs as it stands."""
-    if name.startswith(("spragsym.cycles", "spragsym.sweeps.basins")) and LONG_MOTIONS_TAKE_MINUTES:
+    if name.startswith(("spragsym.orbits", "spragsym.motion.sweeps.basins")) and LONG_MOTIONS_TAKE_MINUTES:
         pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
     try:
         module = importlib.import_module(name)
@@ -191,7 +191,7 @@ def test_files_that_contributing_names_exist() -> None:
         for path in (ROOT / room).rglob("*.*")
     ]
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    to_write = ("spragsym/cli/NAME.py", "spragsym/models/design/snap_energy.py", "derive/emit/targets/text/__init__.py")
+    to_write = ("spragsym/cli/NAME.py", "spragsym/design/snap_energy.py", "derive/emit/targets/text/__init__.py")
     for name in set(re.findall(r"`([\w/.]+\.(?:py|js|c|toml|html))`", text)) - {*to_write}:
         assert (ROOT / name).is_file() or any(path.endswith(f"/{name}") for path in tracked), name
     drawn = text[text.index("derive/   ") : text.index("generated/   ")]

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from spragsym.parameters import NAMES
+from spragsym.models.parameters import NAMES
 
 CHROMIUM = shutil.which("chromium")
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")

@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.explorer import explorer_page
-from spragsym.parameters import NAMES
+from spragsym.models.parameters import NAMES
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
 from tests.support import ROOT
 

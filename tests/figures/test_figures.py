@@ -18,15 +18,7 @@ from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib wa
 
 import spragsym as ss  # noqa: E402  # after matplotlib was found
 from spragsym.cli.figures import figures as command  # noqa: E402  # after matplotlib was found
-from spragsym.figures import (  # noqa: E402  # after matplotlib was found
-    FIGURES,
-    Sheet,
-    curves,
-    extras,
-    figure_11,
-    surfaces,
-    write,
-)
+from spragsym.figures import FIGURES, Sheet, curves, extras, figure_11, surfaces, write  # noqa: E402  # after matplotlib was found
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()

@@ -7,11 +7,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from spragsym.exact import intervals
-from spragsym.exact.polynomials import Undecided, primitive
 from spragsym.generated import stability
-from spragsym.kang_nam.catastrophe import flutter_proofs
-from spragsym.kang_nam.statics import adaptive_precision
+from spragsym.kang_nam.folds import flutter_proofs
+from spragsym.kang_nam.quartic import adaptive_precision
+from spragsym.numerics import intervals
+from spragsym.numerics.polynomials import Undecided, primitive
 from tests.oracles.families import random_fluttering
 from tests.support import exact_onsets, middle_of, with_roots
 

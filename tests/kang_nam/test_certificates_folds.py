@@ -8,10 +8,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from spragsym.exact import intervals
 from spragsym.generated import catastrophe as generated
-from spragsym.kang_nam.catastrophe import fold_curves, fold_events, fold_proofs
-from spragsym.kang_nam.catastrophe.fixed_parameters import Fixed
+from spragsym.kang_nam.folds import fold_curves, fold_events, fold_proofs
+from spragsym.kang_nam.folds.fixed_parameters import Fixed
+from spragsym.numerics import intervals
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
 SETS = list(map(Fixed._make, [

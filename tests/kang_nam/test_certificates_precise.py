@@ -10,9 +10,9 @@ import mpmath
 import pytest
 
 import spragsym as ss
-from spragsym.exact.intervals import Arithmetic
-from spragsym.parameters import NAMES
-from spragsym.parameters.ranges import Range
+from spragsym.models.parameters import NAMES, RANGES
+from spragsym.models.parameters.ranges import Range
+from spragsym.numerics.intervals import Arithmetic
 from tests.oracles import reference
 
 # ----------------------------------------------------------------------------------------------------- precise
@@ -27,7 +27,7 @@ from tests.oracles import reference
     ],
 )  # fmt: skip
 def test_a_number_is_what_it_writes(given: Any, exact: Fraction) -> None:
-    assert ss.precise.as_exact("kappa", given, ss.parameters.RANGES["kappa"]) == exact
+    assert ss.precise.as_exact("kappa", given, RANGES["kappa"]) == exact
 
 
 @pytest.mark.parametrize(
@@ -42,15 +42,15 @@ def test_a_number_is_what_it_writes(given: Any, exact: Fraction) -> None:
 )  # fmt: skip
 def test_what_is_no_number_in_range_is_named(name: str, given: Any, error: type[Exception]) -> None:
     with pytest.raises(error, match=f"^{name} = "):
-        ss.precise.as_exact(name, given, ss.parameters.RANGES[name])
+        ss.precise.as_exact(name, given, RANGES[name])
 
 
 def test_the_ends_of_ranges_that_belong_to_them() -> None:
     for name in ("alpha", "beta", "mu0"):
-        assert ss.precise.as_exact(name, 0, ss.parameters.RANGES[name]) == 0
-    assert ss.precise.as_exact("kappa", "1e300", ss.parameters.RANGES["kappa"]) == 10**300
+        assert ss.precise.as_exact(name, 0, RANGES[name]) == 0
+    assert ss.precise.as_exact("kappa", "1e300", RANGES["kappa"]) == 10**300
     with pytest.raises(ss.ParameterError, match=r"numpy\.radians"):
-        ss.precise.as_exact("theta0", 49, ss.parameters.RANGES["theta0"])
+        ss.precise.as_exact("theta0", 49, RANGES["theta0"])
     anything, half_open = Range(-math.inf), Range(0.0, 1.0, closed_high=True)
     assert ss.precise.as_exact("a", "-1e300", anything) == -(10**300)
     assert ss.precise.as_exact("a", 1, half_open) == 1

@@ -13,12 +13,12 @@ import pytest
 import sympy as sp
 
 import spragsym as ss
-from spragsym.exact import adaptive_bits, polynomials
-from spragsym.exact.intervals import Arithmetic, Balls
-from spragsym.exact.polynomials import Undecided
-from spragsym.kang_nam.catastrophe import cusp_proofs, fold_proofs
-from spragsym.kang_nam.catastrophe.fold_enclosures import Angles, Point, SineRoot
-from spragsym.parameters import NAMES
+from spragsym.kang_nam.folds import cusp_proofs, fold_proofs
+from spragsym.kang_nam.folds.fold_enclosures import Angles, Point, SineRoot
+from spragsym.models.parameters import NAMES
+from spragsym.numerics import adaptive_bits, polynomials
+from spragsym.numerics.intervals import Arithmetic, Balls
+from spragsym.numerics.polynomials import Undecided
 from tests.oracles import reference
 from tests.support import as_mpf
 

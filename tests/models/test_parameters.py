@@ -23,7 +23,7 @@ OTHERS: dict[str, Any] = {
 
 def functions_of_parameters() -> dict[str, Callable[..., Any]]:
     """Every public function with an argument of type Parameters, or of a set of any model."""
-    modules = ["spragsym", "spragsym.precise", "spragsym.sweeps"]
+    modules = ["spragsym", "spragsym.precise", "spragsym.motion.sweeps"]
     if importlib.util.find_spec("matplotlib"):
         modules.append("spragsym.figures")
     found = {}

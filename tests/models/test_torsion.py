@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact.interval_arrays import Intervals
-from spragsym.exact.interval_functions import atan2
+from spragsym.numerics.interval_arrays import Intervals
+from spragsym.numerics.interval_functions import atan2
 from tests.support import ROOT, model_of
 
 pytest.importorskip("sympy")

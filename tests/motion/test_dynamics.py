@@ -9,18 +9,11 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import (
-    Event,
-    Trajectory,
-    integrators,
-    simulate,
-    with_compiled,
-    with_heyoka,
-)
-from spragsym.dynamics.lobatto import unit_points
 from spragsym.generated import stability
-from spragsym.kang_nam.statics.solver import equilibria
-from spragsym.models.problems import prepare
+from spragsym.kang_nam.quartic.solver import equilibria
+from spragsym.motion import Event, Trajectory, integrators, simulate, with_compiled, with_heyoka
+from spragsym.motion.lobatto import unit_points
+from spragsym.motion.sweeps.problems import prepare
 from tests.support import few
 
 BACKENDS = [

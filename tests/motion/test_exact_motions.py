@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.sweeps import Regime
+from spragsym.motion.sweeps import Regime
 from tests.support import model_of, needs_a_quick_integrator
 
 HEAD = """'One mass.'

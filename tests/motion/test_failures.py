@@ -17,10 +17,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import integrators
 from spragsym.errors import SweepError
 from spragsym.files.journal import path_of
-from spragsym.sweeps import rms_sweep
+from spragsym.motion import integrators
+from spragsym.motion.sweeps import rms_sweep
 from tests.oracles import sweep_attacks as attack
 from tests.support import ROOT, needs_posix
 
@@ -123,7 +123,7 @@ import importlib, os, signal, sys
 sys.path.pop(0)
 del sys.modules["heyoka"]
 importlib.import_module("heyoka")
-from spragsym.dynamics import integrators
+from spragsym.motion import integrators
 measure, begun = integrators.measure, [1]  # this is imported within the first motion
 def killed(motions, backend):
     begun[0] += motions.t_record > 0  # a motion of the sweep, none that its judgement runs on

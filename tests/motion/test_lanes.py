@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import Event, batch_heyoka, integrators, simulate
-from spragsym.dynamics.field import Field
-from spragsym.dynamics.motions import Measured, Motions
-from spragsym.dynamics.problem import Problem
-from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.errors import SweepError
-from spragsym.models.problems import prepare
-from spragsym.sweeps import rms_sweep
+from spragsym.motion import Event, batch_heyoka, integrators, simulate
+from spragsym.motion.field import Field
+from spragsym.motion.motions import Measured, Motions
+from spragsym.motion.problem import Problem
+from spragsym.motion.sweeps import rms_sweep
+from spragsym.motion.sweeps.problems import prepare
+from spragsym.motion.with_heyoka import compiled_for
 
 pytest.importorskip("heyoka")
 BELT = {"V": 0.5, "d": 10.0}
@@ -126,7 +126,7 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
 
 
 def test_a_failure_of_the_machine_names_the_task(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("spragsym.sweeps.many._together", lambda *_: 5)
+    monkeypatch.setattr("spragsym.motion.sweeps.many._together", lambda *_: 5)
 
     def fails(*_: object) -> None:
         raise MemoryError

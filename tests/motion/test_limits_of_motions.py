@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym.sweeps import Regime, basin
+from spragsym.motion.sweeps import Regime, basin
 from tests.support import model_of
 
 HEAD = '''"""A page.

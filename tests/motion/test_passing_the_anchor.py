@@ -6,7 +6,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import spragsym as ss
-from spragsym.sweeps import rms_sweep
+from spragsym.motion.sweeps import rms_sweep
 
 P = ss.Parameters.article(theta0=np.pi / 2)  # the anchor is at (0, 1)
 KAPPA, SIGMA = P.scalars("kappa", "sigma")

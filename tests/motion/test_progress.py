@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import spragsym as ss
-from spragsym import claims
+from spragsym import article as claims
 
 BELT = ss.load("inclined_belt")
 P = BELT.Parameters(theta0=1.0, mu0=0.3)

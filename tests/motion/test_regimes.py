@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import with_compiled
-from spragsym.dynamics.problem import Problem
-from spragsym.dynamics.regimes import Regime
-from spragsym.models.problems import prepare
-from spragsym.sweeps import basin, rms_sweep
+from spragsym.motion import with_compiled
+from spragsym.motion.problem import Problem
+from spragsym.motion.regimes import Regime
+from spragsym.motion.sweeps import basin, rms_sweep
+from spragsym.motion.sweeps.problems import prepare
 from tests.oracles import article_motion
 
 BELT = {"V": 0.5, "d": 10.0}

@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import Event, Regime, simulate
-from spragsym.sweeps import Sweep, basin, code, rms_sweep
+from spragsym.motion import Event, Regime, simulate
+from spragsym.motion.sweeps import Sweep, basin, code, rms_sweep
 from tests.support import ROOT, needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")

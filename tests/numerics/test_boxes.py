@@ -9,8 +9,8 @@ from math import isqrt
 import numpy as np
 import pytest
 
-from spragsym.exact import boxes, certified_roots
-from spragsym.exact.interval_arrays import Intervals, stacked
+from spragsym.numerics import boxes, certified_roots
+from spragsym.numerics.interval_arrays import Intervals, stacked
 from tests.oracles.box_problems import PROBLEMS, Problem
 
 NONE = np.zeros((0, 1))

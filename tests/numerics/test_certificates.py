@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 
-from spragsym.exact import descartes, intervals, polynomials
-from spragsym.exact.intervals import Arithmetic
-from spragsym.exact.polynomials import Undecided, exact_sign
+from spragsym.numerics import descartes, intervals, polynomials
+from spragsym.numerics.intervals import Arithmetic
+from spragsym.numerics.polynomials import Undecided, exact_sign
 
 # ----------------------------------------------------------------------------------------------- polynomials
 

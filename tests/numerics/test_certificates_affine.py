@@ -11,10 +11,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.exact import affine, rounded
-from spragsym.exact.affine import Affine
-from spragsym.exact.affine_functions import AFFINE
-from spragsym.exact.rounded import Rounded
+from spragsym.numerics import affine, rounded
+from spragsym.numerics.affine import Affine
+from spragsym.numerics.affine_functions import AFFINE
+from spragsym.numerics.rounded import Rounded
 from tests.support import as_fraction, as_mpf, fractions
 
 OPERATIONS = [operator.add, operator.sub, operator.mul, operator.truediv]

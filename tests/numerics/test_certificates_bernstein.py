@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from spragsym.exact import bernstein
-from spragsym.exact.bernstein import Parts
-from spragsym.exact.rounded import UNIT, Rounded
+from spragsym.numerics import bernstein
+from spragsym.numerics.bernstein import Parts
+from spragsym.numerics.rounded import UNIT, Rounded
 from tests.support import fractions, with_roots
 
 

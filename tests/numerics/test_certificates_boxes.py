@@ -8,9 +8,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from spragsym.exact import boxes, certified_roots, contractors
-from spragsym.exact.interval_arrays import Intervals, stacked
-from spragsym.exact.parameter_tree import tree
+from spragsym.numerics import boxes, certified_roots, contractors
+from spragsym.numerics.interval_arrays import Intervals, stacked
+from spragsym.numerics.parameter_tree import tree
 
 pytestmark = pytest.mark.usefixtures("silent")
 

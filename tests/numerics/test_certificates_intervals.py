@@ -14,9 +14,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.exact import intervals
-from spragsym.exact.intervals import Arithmetic, Ball, Balls
-from spragsym.exact.polynomials import Undecided
+from spragsym.numerics import intervals
+from spragsym.numerics.intervals import Arithmetic, Ball, Balls
+from spragsym.numerics.polynomials import Undecided
 from tests.support import as_mpf
 
 ARITH = Balls()

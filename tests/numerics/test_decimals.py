@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from spragsym import precise
-from spragsym.exact.decimals import around, enclosing, exactly, float_above, upward
+from spragsym.numerics.decimals import around, enclosing, exactly, float_above, upward
 
 
 @pytest.mark.parametrize("digits", [None, 1, 2, 10, 25, 60, 200])

@@ -11,8 +11,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.exact.interval_arrays import TINY, Intervals, stacked
-from spragsym.exact.interval_functions import cos, length, sin, unit_vector
+from spragsym.numerics.interval_arrays import TINY, Intervals, stacked
+from spragsym.numerics.interval_functions import cos, length, sin, unit_vector
 from tests.support import fractions
 
 NUMBERS = [

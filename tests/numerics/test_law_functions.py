@@ -11,11 +11,11 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.exact.ball_functions import XP as BALLS
-from spragsym.exact.interval_arrays import Intervals
-from spragsym.exact.intervals import Ball, Balls
-from spragsym.exact.jets import Jet
-from spragsym.models.mechanics.laws import XP as BOXES
+from spragsym.numerics.ball_functions import XP as BALLS
+from spragsym.numerics.interval_arrays import Intervals
+from spragsym.numerics.intervals import Ball, Balls
+from spragsym.numerics.jets import Jet
+from spragsym.statics.mechanics.laws import XP as BOXES
 
 #: Each function, and arguments: about 0 and far from it, and where it is 1 or 0.
 ARGUMENTS = {
@@ -116,7 +116,7 @@ def test_a_root_by_exponential_and_logarithm_begins_at_zero() -> None:
 def test_series_in_time_are_those_of_mpmath(name: str) -> None:
     """Of x(t) = 0.4 + t − t²/2, by balls of python-flint."""
     flint = pytest.importorskip("flint")
-    from spragsym.cycles import jets as series
+    from spragsym.orbits import jets as series
 
     x = series.Jet.constant(flint.arb(2) / 5)
     x.known += [flint.arb(1), flint.arb(-1) / 2]

@@ -8,10 +8,10 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from spragsym.exact.interval_arrays import Intervals
-from spragsym.exact.jets import Jet, variables
-from spragsym.exact.reduction import reduced_roots
-from spragsym.models.mechanics.directions import direction
+from spragsym.numerics.interval_arrays import Intervals
+from spragsym.numerics.jets import Jet, variables
+from spragsym.numerics.reduction import reduced_roots
+from spragsym.statics.mechanics.directions import direction
 
 
 def bent(roots):

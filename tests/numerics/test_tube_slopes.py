@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation.tubes.tube_regions import Parts, Region
 from spragsym.design.certificates import Unit
-from spragsym.exact import contractors
-from spragsym.exact.affine import Affine
-from spragsym.exact.interval_arrays import Intervals
-from spragsym.models.design.certificates import Splitting
-from spragsym.models.tubes.tube_regions import Parts, Region
+from spragsym.design.tube_certificates import Splitting
+from spragsym.numerics import contractors
+from spragsym.numerics.affine import Affine
+from spragsym.numerics.interval_arrays import Intervals
 
 #: Models, and parameters with a tolerance; of the last one a unit has one too.
 BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] = (

@@ -1,4 +1,4 @@
-"""Arb balls of python-flint behind the interface of :mod:`spragsym.exact.intervals`: a second arithmetic, to hold the first against.
+"""Arb balls of python-flint behind the interface of :mod:`spragsym.numerics.intervals`: a second arithmetic, to hold the first against.
 
 It sets ``flint.ctx.prec``, which is one variable for all threads: for tests, one thread at a time. ``python -m tests.oracles.arb``
 prints what a point in intervals costs with either.
@@ -14,13 +14,13 @@ from typing import Any
 
 import flint
 
-from spragsym.exact import intervals
-from spragsym.exact.polynomials import Undecided
-from spragsym.kang_nam.statics import adaptive_precision
+from spragsym.kang_nam.quartic import adaptive_precision
+from spragsym.numerics import intervals
+from spragsym.numerics.polynomials import Undecided
 
 
 class Arb:
-    """Interval arithmetic of python-flint; as :class:`spragsym.exact.intervals.Arithmetic` has it."""
+    """Interval arithmetic of python-flint; as :class:`spragsym.numerics.intervals.Arithmetic` has it."""
 
     @contextmanager
     def precision(self, bits: int) -> Iterator[None]:

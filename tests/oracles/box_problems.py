@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from spragsym.exact import boxes, jets
-from spragsym.exact.interval_arrays import Intervals, stacked
-from spragsym.exact.interval_functions import cos, sin
+from spragsym.numerics import boxes, jets
+from spragsym.numerics.interval_arrays import Intervals, stacked
+from spragsym.numerics.interval_functions import cos, sin
 
 
 def interval(low: float, high: float) -> Intervals:

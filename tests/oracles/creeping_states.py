@@ -13,7 +13,7 @@ import sys
 import numpy as np
 
 import spragsym as ss
-from spragsym.parameters import NAMES
+from spragsym.models.parameters import NAMES
 from tests.oracles.families import random_fixed
 
 Array = np.ndarray

@@ -14,8 +14,8 @@ import mpmath as mp
 import numpy as np
 
 from spragsym.cli import main as command
-from spragsym.exact.interval_arrays import Intervals
-from spragsym.models.mechanics.laws import XP
+from spragsym.numerics.interval_arrays import Intervals
+from spragsym.statics.mechanics.laws import XP
 from tests.oracles.by_hand import load
 from tests.support import with_angles
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 import spragsym as ss
 from benchmarks.timing import on_backend
-from spragsym.parameters import NAMES
+from spragsym.models.parameters import NAMES
 from tests.oracles import c_target
 from tests.oracles.families import FAMILIES
 

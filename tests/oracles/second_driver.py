@@ -10,7 +10,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym.dynamics import shooting
+from spragsym.motion import shooting
 from tests.oracles import article_motion
 
 

@@ -17,7 +17,7 @@ import numpy as np
 import spragsym as ss
 from spragsym.errors import DamageWarning, StoreError
 from spragsym.files.journal import path_of
-from spragsym.sweeps import Sweep, rms_sweep
+from spragsym.motion.sweeps import Sweep, rms_sweep
 
 P = ss.Parameters.article(theta0=np.radians(np.linspace(30.0, 60.0, 12)))
 SHORT = {"V": 0.5, "d": 10.0, "t_end": 30.0, "transient": 10.0}

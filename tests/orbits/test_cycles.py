@@ -17,14 +17,14 @@ import pytest
 
 import spragsym as ss
 from benchmarks import bench_auto
-from spragsym.cycles import attractors, finding, growth_rates, saddles
-from spragsym.dynamics import bifurcation_functions, multipliers
-from spragsym.dynamics.field import Border, Field
-from spragsym.dynamics.flows import carrier
-from spragsym.exact.decimals import exactly
-from spragsym.exact.number_types import Functions
 from spragsym.generated import laws
-from spragsym.models.field import exact_field
+from spragsym.motion import bifurcation_functions, multipliers
+from spragsym.motion.field import Border, Field
+from spragsym.motion.flows import carrier
+from spragsym.motion.model_field import exact_field
+from spragsym.numerics.decimals import exactly
+from spragsym.numerics.number_types import Functions
+from spragsym.orbits import attractors, finding, growth_rates, saddles
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
 from tests.support import few
@@ -59,7 +59,7 @@ def proving() -> types.SimpleNamespace:
     """What proofs stand on; none of it without flint."""
     flint = pytest.importorskip("flint")
     names = ("ball_flow", "ball_proof", "proofs")
-    return types.SimpleNamespace(flint=flint, **{name: importlib.import_module(f"spragsym.cycles.{name}") for name in names})
+    return types.SimpleNamespace(flint=flint, **{name: importlib.import_module(f"spragsym.orbits.{name}") for name in names})
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import spragsym as ss
-from spragsym.studies.brake_files import read_brake
+from spragsym.report.brake_files import read_brake
 
 GOOD = {
     "m": '"0.35 kg"', "k": '"180 N/mm ± 15 %"', "L_0": '"38 mm"', "theta0": '"52 deg ± 1 deg"', "k_x": '"9 N/mm ± 15 %"',
@@ -186,14 +186,14 @@ CONVERSIONS = [
 
 @pytest.mark.parametrize(("text", "si", "value"), CONVERSIONS)
 def test_conversions_by_hand(text: str, si: str, value: float) -> None:
-    from spragsym.studies.units import read
+    from spragsym.report.units import read
 
     assert read(text, si).value == pytest.approx(value, rel=1e-14)
 
 
 @pytest.mark.parametrize("sign", ["±", "+-", "+/-", "± ", " +- "])
 def test_signs_of_a_tolerance(sign: str) -> None:
-    from spragsym.studies.units import read
+    from spragsym.report.units import read
 
     found = read(f"180 N/mm {sign} 15 %", "N/m")
     assert (found.low, found.high) == (153e3, 207e3)

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.studies import jump_verdicts, pages, redesigns, tolerances
-from spragsym.studies.jump_verdicts import certificate
+from spragsym.report import jump_verdicts, pages, redesigns, tolerances
+from spragsym.report.jump_verdicts import certificate
 from tests.conftest import Run
 from tests.support import few, written_brake
 

@@ -13,7 +13,7 @@ import spragsym as ss
 pytest.importorskip("pint")
 
 from spragsym.cli import main
-from spragsym.studies.units import read
+from spragsym.report.units import read
 from tests.support import written_brake
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.statics import adaptive_precision, backends, compiled
+from spragsym.kang_nam.quartic import adaptive_precision, backends, compiled
 from tests.oracles.families import EXTREMES, FAMILIES
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")

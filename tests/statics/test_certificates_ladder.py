@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.exact.intervals import Arithmetic
-from spragsym.exact.polynomials import Undecided
-from spragsym.kang_nam.catastrophe import fold_proofs
-from spragsym.kang_nam.statics import adaptive_precision, kernel
-from spragsym.parameters import NAMES
+from spragsym.kang_nam.folds import fold_proofs
+from spragsym.kang_nam.quartic import adaptive_precision, kernel
+from spragsym.models.parameters import NAMES
+from spragsym.numerics.intervals import Arithmetic
+from spragsym.numerics.polynomials import Undecided
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES
 from tests.support import as_fraction

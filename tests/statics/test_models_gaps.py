@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe.paths import first_end
+from spragsym.bifurcation.paths import first_end
 from tests.oracles.gap_pages import HANDS
 from tests.support import model_of
 

@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym.claims.report import PARADOX
+from spragsym.article.report import PARADOX
 from spragsym.cli import cli
 from spragsym.results.equilibria import Stability
 from tests.support import model_of
@@ -18,8 +18,8 @@ from tests.support import model_of
 
 def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:
     """λ with 40 digits, from the matrices of floats."""
-    from spragsym.models.mechanics.balance import Balance
-    from spragsym.models.statics.stability import linearization
+    from spragsym.statics.mechanics.balance import Balance
+    from spragsym.statics.stability import linearization
 
     given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
     q = np.array([[eq.coordinates[name][slot]] for name in model.coordinates])

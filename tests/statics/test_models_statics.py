@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.catastrophe import cusp_search, points
-from spragsym.models.catastrophe.bifurcation_conditions import Cusp
-from spragsym.models.mechanics.balance import Balance
+from spragsym.bifurcation import cusp_search, points
+from spragsym.bifurcation.bifurcation_conditions import Cusp
+from spragsym.statics.mechanics.balance import Balance
 from tests.oracles import families, model_references
 from tests.support import few
 

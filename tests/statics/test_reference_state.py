@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.statics.reference_state import reference_state
+from spragsym.statics.reference_state import reference_state
 
 
 def strained(angle: float, phi: float, p: object) -> float:

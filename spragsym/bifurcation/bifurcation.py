@@ -1,0 +1,302 @@
+"""The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import ParameterSet, as_count
+from ..numerics.certified_roots import Roots, concatenated
+from ..numerics.interval_arrays import FloatArray, Intervals
+from ..progress import doing
+from ..questions import Method, question
+from ..results.bifurcation_sets import BifurcationSet, Curve
+from ..results.points import Points
+from ..statics.mechanics.balance import Balance
+from ..statics.regions import by_hand
+from ..statics.remarks import of_boxes, of_ranges
+from .bifurcation_conditions import Fold
+from .defining_systems import Augmented, Condition
+from .fold_curves import FoldCurves
+from .fold_extrema import extrema
+from .points import Found, endless, given_column, ranges, search
+
+#: Rounds in which points are joined to those next to them.
+ROUNDS = 4
+#: Boxes looked at for one line of the plane.
+BUDGET = 20_000
+#: Extrema and ends of curves, as remarks call them.
+_WHERE = {
+    "cusp": "of cusps",
+    "turn": "where curves turn back",
+    "end": "where curves end",
+    "border": "where curves leave the contact",
+}
+#: Lines one after the other that stay undecided alone, after which no other is searched alone.
+ENOUGH = 4
+#: How near a line counts as on it, over the range of the parameter.
+ON_LINE = 1e-9
+
+
+@question
+def bifurcation_set(
+    p: ParameterSet,
+    vary: Sequence[str] | None = None,
+    n: int | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> BifurcationSet:
+    """Where the number of equilibria in contact changes in the plane of two parameters: every curve of folds, and the cusps.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model, scalars; those that vary are not used.
+    vary : pair of str, optional
+        Two parameters, θ₀ and μ₀ unless told otherwise.
+    n : int, optional
+        Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes between two extrema of
+        curves; on each all folds are found and proved. Of closed forms about how many directions θ to solve at, 2000, 600 at
+        least.
+    between : mapping, optional
+        Ranges of the two, as for :func:`spragsym.folds`.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.equilibria`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
+
+    Returns
+    -------
+    BifurcationSet
+
+    Raises
+    ------
+    ParameterError
+        For parameters that the model has not, or ranges that leave theirs.
+    ConvergenceError
+        Of the article's model with hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64 can't tell folds apart.
+
+    Notes
+    -----
+    Source: F = 0 and det K = 0 along these lines, all searched at once; extrema of curves in the second parameter, cusps among
+    them, and ends of curves by :func:`spragsym.bifurcation.fold_extrema.extrema`: where all of these are known, no curve
+    is missed, however small it is. Points between by :mod:`spragsym.bifurcation.fold_curves`. Two points are neighbours
+    only if no line separates them on which all folds are known.
+    Of the article's model: :mod:`spragsym.kang_nam.folds.bifurcation_sets`.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> found = ss.bifurcation_set(ss.Parameters.article())
+    >>> len(found), round(float(found.cusps.mu0[0]), 12)
+    (2, 0.200931781805)
+    """
+    model, n = p.model, 60 if n is None else n
+    vary = model.two(vary)
+    as_count("n", n, 2)
+    spans, unsaid = ranges(model, vary, between or {}), endless(model, vary, between or {})
+    known = list(extrema(model, p, vary, between or {}, within))
+    balance = Balance(model, contact=True)
+    given = given_column(p, balance.parameters, vary)
+    more = np.concatenate([rows_of(balance, vary, points) for _, points in known], axis=1)
+    asked = by_hand(balance.coordinates, within)
+    found = on_lines(balance, vary, Fold(), given, spans, n, more, asked, more[-1])
+    curves = [Curve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains]
+    complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
+    remarks = (*found.remarks, *_said(known, of_ranges(unsaid, spans[[list(vary).index(name) for name in unsaid]])))
+    return BifurcationSet(tuple(vary), tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
+
+
+def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
+    """That ranges are ``cut``, and each other remark on extrema and ends of curves once, with those of which it is said."""
+    yield from cut
+    said: dict[str, dict[str, None]] = {}
+    for kind, points in known:
+        for text in points.remarks:
+            said.setdefault(text, {})[_WHERE[kind]] = None
+    yield from (f"{', '.join(kinds)}: {text}" for text, kinds in said.items() if text not in cut)
+
+
+@dataclass(frozen=True)
+class OnLines:
+    """Points of a kind on lines, in order along curves, and the lines; boxes that are left, and what is known of them."""
+
+    curves: FoldCurves
+    chains: list[FloatArray]
+    lines: dict[str, FloatArray]
+    undecided: FloatArray
+    whole: bool
+    remarks: tuple[str, ...]
+
+
+def on_lines(
+    balance: Balance,
+    vary: Sequence[str],
+    condition: Condition,
+    given: FloatArray,
+    spans: FloatArray,
+    n: int,
+    more: FloatArray,
+    asked: FloatArray | None = None,
+    apart: FloatArray | None = None,
+) -> OnLines:
+    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well.
+
+    Between any two of the values ``apart`` of the second parameter there is a line of the first one.
+    """
+    rows, left, lines, decided, whole = [], [], {}, {}, True
+    for along, across in ((0, 1), (1, 0)):
+        # Inside of the range: its ends are often degenerate.
+        values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
+        if across == 1 and apart is not None:
+            values = np.sort(np.append(values, _between(apart, spans[across], values)))
+        lines[vary[across]] = values
+        column = np.repeat(given, values.size, axis=1)
+        column[balance.parameters.index(vary[across])] = values
+        with doing("{} lines along {}", values.size, vary[along]):
+            found = _on_each(balance, vary[along], condition, column, spans[along : along + 1], asked)
+        whole &= bool(found.whole.all())
+        decided[across] = np.delete(values, found.roots.left_point)
+        rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
+        ends = np.stack([-found.roots.left[0], found.roots.left[1]])
+        left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
+    states = np.concatenate([*rows, more], axis=1)
+    undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
+    boxes = np.moveaxis(undecided, 0, -1)
+    boxes = np.stack([-boxes[:, 0], boxes[:, 1]])
+    varied = dict(zip(vary, Intervals(boxes[:, balance.n :]), strict=True))
+    remarks = of_boxes(balance, np.repeat(given, boxes.shape[2], axis=1), boxes, varied)
+    reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
+    scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
+    near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
+    curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
+    joined = curves.joined([states[:, places] for places in _chains(curves, states, near)], [lines[name] for name in vary])
+    chains = [curves.smooth(chain) for chain in joined]
+    return OnLines(curves, chains, lines, undecided, whole, tuple(f"on lines: {text}" for text in remarks))
+
+
+def _on_each(
+    balance: Balance, vary: str, condition: Condition, columns: FloatArray, span: FloatArray, asked: FloatArray | None
+) -> Found:
+    """All points on lines, searched at once; each line of which boxes are left again alone, with all that decides one line."""
+    found = search(balance, (vary,), condition, columns, span, budget=BUDGET, asked=asked)
+    open_ = np.unique(found.roots.left_point)
+    parts, undecided = [], 0
+    for line in open_:
+        if undecided == ENOUGH:
+            break
+        alone = search(balance, (vary,), condition, columns[:, [line]], span, budget=BUDGET, asked=asked).roots
+        undecided = undecided + 1 if alone.left_point.size else 0
+        parts.append(replace(alone, point=np.full_like(alone.point, line), left_point=np.full_like(alone.left_point, line)))
+    again = open_[: len(parts)]
+    return replace(found, roots=concatenated([_not_on(found.roots, again), *parts], balance.n + 1))
+
+
+def _not_on(roots: Roots, lines: NDArray[np.int64]) -> Roots:
+    """What is known of other lines."""
+    kept, left = ~np.isin(roots.point, lines), ~np.isin(roots.left_point, lines)
+    return Roots(
+        roots.ends[:, :, kept], roots.alone[:, :, kept], roots.point[kept], roots.left[:, :, left], roots.left_point[left]
+    )
+
+
+def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatArray:
+    """Middles of the intervals between values next to each other, in a range, in which no line is; none where two are alike."""
+    ends = np.unique([*span, *values])
+    empty = np.searchsorted(lines, ends[:-1], "right") == np.searchsorted(lines, ends[1:], "left")
+    middles: FloatArray = 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
+    return middles
+
+
+def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
+    """Coordinates and both parameters in their order, from coordinates, the one that varied and the line's."""
+    pair = [middle[-1:], line[None]]
+    return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
+
+
+def rows_of(balance: Balance, vary: Sequence[str], found: Points) -> FloatArray:
+    """Coordinates and both parameters of points, shape (n + 2, points)."""
+    return np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)
+
+
+def _named(states: FloatArray, n: int) -> list[FloatArray]:
+    """Parameters first."""
+    return [*states[n:], *states[:n]]
+
+
+# ------------------------------------------------------------------------------------------------------- order of points
+
+
+def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> NDArray[np.bool_]:
+    """Of every two points whether none of the lines separates them: where a curve crosses a line, there is a point of its own."""
+    room = ON_LINE * (span[1] - span[0])
+    first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
+    together: NDArray[np.bool_] = np.maximum.outer(first, first) <= np.minimum.outer(last, last)
+    return together
+
+
+def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> list[NDArray[np.int64]]:
+    """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree.
+
+    ``near`` says which two may be neighbours, shape (points, points).
+    """
+    count = states.shape[1]
+    if count < 2:
+        return [np.arange(count)] if count else []
+    place, tangent = states / folds.scale[:, None], folds.tangents(states)
+    gap = place[:, None, :] - place[:, :, None]
+    distance = np.linalg.norm(gap, axis=0)
+    ahead = (gap * tangent[:, :, None]).sum(axis=0)
+    with np.errstate(all="ignore"):
+        straight = np.abs(ahead) / distance
+        cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
+    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link.
+    cost = np.stack([np.where(sign * ahead > 0, cost, np.inf) for sign in (1, -1)])
+    links: list[set[int]] = [set() for _ in range(count)]
+    free = np.ones((2, count), dtype=np.bool_)
+    for _ in range(ROUNDS):
+        _link(cost, free, links)
+    return _walked(links)
+
+
+def _link(cost: FloatArray, free: NDArray[np.bool_], links: list[set[int]]) -> None:
+    """Join points that are each other's nearest on sides that are free."""
+    count = free.shape[1]
+    # The side of the other point on which this one lies.
+    back = np.isfinite(cost[1]).T.astype(np.int64)
+    open_there = np.where(back == 1, free[1][None], free[0][None])
+    near = np.where(free[:, :, None] & open_there[None], cost, np.inf)
+    nearest = near.argmin(axis=2)
+    for side in (0, 1):
+        for one in range(count):
+            other = int(nearest[side, one])
+            if not np.isfinite(near[side, one, other]) or not free[side, one]:
+                continue
+            there = int(back[one, other])
+            if free[there, other] and nearest[there, other] == one:
+                links[one].add(other)
+                links[other].add(one)
+                free[side, one] = free[there, other] = False
+
+
+def _walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
+    """Chains of a graph, open ones from an end, closed ones from anywhere."""
+    seen: set[int] = set()
+    chains = []
+    for start in sorted(range(len(links)), key=lambda i: len(links[i])):
+        if start in seen:
+            continue
+        chain = [start]
+        seen.add(start)
+        while ahead := [i for i in sorted(links[chain[-1]]) if i not in seen]:
+            chain.append(ahead[0])
+            seen.add(ahead[0])
+        if len(links[start]) == 2 and start in links[chain[-1]] and len(chain) > 2:
+            chain.append(start)
+        chains.append(np.array(chain))
+    return chains

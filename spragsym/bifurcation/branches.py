@@ -1,0 +1,248 @@
+"""Which equilibria of a model at two values of a parameter lie on one branch, proved by tubes.
+
+A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes.tubes`. The two that meet at a
+fold nearby differ in the sign of det K, which no branch changes between folds; of the three at a pitchfork the outer two lie on
+different sides of the mirror, which none crosses. A step of which not all pairs are known so is halved.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ConvergenceError
+from ..models.parameters import ParameterSet
+from ..numerics.interval_arrays import FloatArray
+from ..questions import Method, question
+from ..results.equilibria import Equilibria
+from ..results.points import Points
+from ..statics.equilibria import equilibria
+from ..statics.mechanics.balance import Balance
+from ..statics.search import columns
+from ..statics.stability import linearization
+from . import symmetry
+from .escapes import INFINITY
+from .points import given_column
+from .tubes.tube_regions import Parts
+from .tubes.tubes import Tubes
+
+#: Times a step is halved, and steps beyond which nothing more is hoped for; halvings for what is only drawn.
+HALVINGS, MANY, DRAWN = 40, 500, 3
+#: Values of the parameter at the beginning and the end of a step.
+Step: TypeAlias = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Along:
+    """A model along one of its parameters, and the values and kinds of the points at which states vanish there."""
+
+    balance: Balance
+    p: Any
+    vary: str
+    at: FloatArray
+    kinds: NDArray[Any]
+
+    def equilibria(self, values: FloatArray) -> Equilibria:
+        """All of them, at values of the parameter."""
+        return equilibria(self.p.replace(**{self.vary: values}), self.balance.contact)
+
+
+@question
+def linked(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None, *, method: Method = "auto") -> list[dict[int, int]]:
+    """:func:`links` between neighbours of the values at which equilibria are known, as far as a few halvings tell.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars; ``vary`` is not used.
+    eq : Equilibria
+        Along ``vary``.
+    turns : Points, optional
+        Folds along it; None in lift-off, where there are none.
+    """
+    at, kinds = (np.empty(0), np.empty(0, dtype=str)) if turns is None else (getattr(turns, vary), turns.kind)
+    along = Along(Balance(p.model, eq.contact), p, vary, at, kinds)
+    return links(along, np.asarray(getattr(eq.parameters, vary)), eq, DRAWN)
+
+
+@dataclass(frozen=True)
+class _States:
+    """Equilibria at one value, shape (n, number), the signs of det K, and sides of the mirror: 0 on it, or if there is none."""
+
+    q: FloatArray
+    signs: FloatArray
+    sides: FloatArray
+
+
+def links(
+    along: Along, stops: FloatArray, eq: Equilibria, most: int | None = None, only: int | None = None
+) -> list[dict[int, int]]:
+    """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one.
+
+    Parameters
+    ----------
+    most : int, optional
+        Times that a step is halved at most; a step that is not known then has the pairs that tubes join, and no others.
+    only : int, optional
+        The one step that is asked for.
+
+    Raises
+    ------
+    ConvergenceError
+        Where branches can't be told apart, without ``most``.
+    """
+    turned = _turned(along, stops)
+    states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
+    steps = list(itertools.pairwise(map(float, stops)))[slice(only, None if only is None else only + 1)]
+    proved: dict[Step, dict[int, int]] = {}
+    halved: dict[Step, float] = {}
+    pending = steps
+    for halving in range(HALVINGS if steps else 0):
+        known, complete = _by_tubes(along, pending, states)
+        proved |= {step: known[step] for step in complete}
+        failed = [step for step in pending if step not in proved]
+        if failed and most is not None and (halving >= most or len(failed) > MANY):
+            proved |= {step: known[step] for step in failed}
+            failed = []
+        if not failed:
+            return [_joined(step, proved, halved) for step in steps]
+        if len(failed) > MANY:
+            break
+        # Not in the middle, where the fold is.
+        middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
+        halved |= middles
+        between = along.equilibria(np.array(list(middles.values())))
+        states |= {middle: _states(along, between, k, turned) for k, middle in enumerate(middles.values())}
+        pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
+    if not steps:
+        return []
+    why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
+    raise ConvergenceError(
+        f"branches between {along.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart{why}"
+    )
+
+
+def _turned(along: Along, stops: FloatArray) -> list[int]:
+    """Coordinates that the mirror turns, if the model is its own image all along."""
+    if not stops.size:
+        return []
+    span = np.array([stops.min(), stops.max()])
+    return symmetry.turned(along.balance, given_column(along.p, along.balance.parameters, (along.vary,)), span)
+
+
+def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ()) -> _States:
+    """Equilibria at a stop."""
+    balance, count = along.balance, int(eq.count[stop])
+    q = np.array([eq.coordinates[name][stop, :count] for name in balance.coordinates])
+    given = np.repeat(columns(eq.parameters, balance.parameters)[:, stop : stop + 1], count, axis=1)
+    K = linearization(balance, q, given)[2] if count else np.zeros((1, 1, 0))
+    sides = np.zeros(count)
+    if turned and count:
+        across = q - np.array(np.broadcast_arrays(*balance.mirrored(list(q), balance.floats(given))))
+        known = np.abs(across[turned[0]]) > 4 * eq.error[stop, :count]
+        sides = np.where(known, np.sign(across[turned[0]]), 0.0)
+    return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))), sides)
+
+
+def _by_tubes(
+    along: Along, steps: list[Step], states: Mapping[float, _States]
+) -> tuple[dict[Step, dict[int, int]], set[Step]]:  # fmt: skip
+    """Pairs of slots whose states a tube joins, over a fold those of states that go through; and steps of which all are known."""
+    tubes, n, around = Tubes(along.balance, along.vary), along.balance.n, along.balance.around
+    begun = [(k, slot) for k, (one, _) in enumerate(steps) for slot in range(states[one].q.shape[1])]
+    pairs: list[dict[int, int]] = [{} for _ in steps]
+    given = np.repeat(given_column(along.p, along.balance.parameters, (along.vary,)), len(begun), axis=1)
+    nothing = np.zeros((0, len(begun)))
+    parts = Parts(given, nothing, nothing)
+    z = np.array([[*states[steps[k][0]].q[:, slot], steps[k][0]] for k, slot in begun]).reshape(-1, n + 1).T
+    start = tubes.place(parts, z, n)
+    goal = np.array([steps[k][1] for k, _ in begun])
+    there = tubes.followed(parts, start, goal)
+    same = there.sure & (there.z[n] == goal) & (np.abs(z - start.z) <= start.room).all(axis=0)
+    for column in np.flatnonzero(same):
+        k, slot = begun[column]
+        away = states[steps[k][1]].q - there.z[:n, column, None]
+        # An angle that goes around is listed once, within one turn.
+        away[around] -= 2 * np.pi * np.round(away[around] / (2 * np.pi))
+        away = np.abs(away)
+        slots = np.flatnonzero((away <= there.room[:n, column, None]).all(axis=0))
+        if slots.size == 1:
+            pairs[k][slot] = int(slots[0])
+    known = dict(zip(steps, pairs, strict=True))
+    return known, {step for step, one in known.items() if _complete(along, one, step, states[step[0]], states[step[1]])}
+
+
+def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, end: _States) -> bool:
+    """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
+    within = (along.at >= min(step)) & (along.at <= max(step))
+    counts = int(begin.q.shape[1]), int(end.q.shape[1])
+    mirrored = bool((along.kinds == "pitchfork").any() and (along.kinds[within] == "pitchfork").all())
+    if mirrored and within.any():
+        return _across_pitchfork(along, pairs, begin, end, [value in along.at for value in step])
+    if within.any() and np.char.startswith(along.kinds[within].astype(str), INFINITY).all():
+        above = np.char.endswith(along.kinds[within].astype(str), "up")
+        gone = int((above == (step[0] > step[1])).sum())
+        return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)
+    # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
+    over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
+    if over_fold:
+        return len(pairs) == min(counts)
+    pairs |= _by_sign(pairs, begin, end)
+    return len(pairs) == counts[0] == counts[1]
+
+
+def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]) -> bool:
+    """Pairs of the states that meet at a pitchfork, all but those that end there; ``on`` says which of both values are on it.
+
+    The outer two and the one that is left on the other side agree in the sign of det K. Where that is positive none ends, and of
+    three that begin the upper goes on. Where it is negative it is the middle one that is stable: it ends, and begins.
+    """
+    one = [k for k in range(begin.q.shape[1]) if k not in pairs]
+    two = [k for k in range(end.q.shape[1]) if k not in pairs.values()]
+    # In order by the coordinate in which they lie apart most: one that the mirror turns.
+    three = begin.q[:, one] if len(one) > len(two) else end.q[:, two]
+    turned = int(np.ptp(three, axis=1).argmax()) if three.size else 0
+    one.sort(key=lambda k: float(begin.q[turned, k]))
+    two.sort(key=lambda k: float(end.q[turned, k]))
+    if not {len(one), len(two)} <= {1, 3}:
+        return not one and not two
+    sides = zip((begin, end), (one, two), on, strict=True)
+    soft = any(states.signs[slots].sum() > 0 for states, slots, there in sides if not there)
+    if len(two) == 3 and len(one) == 1:
+        pairs |= {one[0]: two[2 if soft else 1]}
+    elif len(two) == 1 and not on[1] and not soft:
+        pairs |= {slot: two[0] for slot in one if begin.signs[slot] < 0 and not on[0]}
+    else:
+        pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[0])
+    return True
+
+
+def _by_sign(pairs: Mapping[int, int], begin: _States, end: _States) -> dict[int, int]:
+    """Pairs of slots that tubes do not reach: between folds no branch changes the sign of its det K, or crosses the mirror."""
+    left = [k for k in range(begin.signs.size) if k not in pairs], [k for k in range(end.signs.size) if k not in pairs.values()]
+    one, other = (_told_apart(states, part) for states, part in zip((begin, end), left, strict=True))
+    if not len(left[0]) == len(one) == len(left[1]) == len(other) or one.keys() != other.keys():
+        return {}
+    return {one[key]: other[key] for key in one}
+
+
+def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float], int]:
+    """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer where two are alike."""
+    signs = states.signs[part].tolist()
+    shared = [signs.count(sign) > 1 for sign in signs]
+    sides = [float(states.sides[k]) if more else 0.0 for k, more in zip(part, shared, strict=True)]
+    return {(sign, side): k for k, sign, side, more in zip(part, signs, sides, shared, strict=True) if side or not more}
+
+
+def _joined(step: Step, proved: Mapping[Step, dict[int, int]], halved: Mapping[Step, float]) -> dict[int, int]:
+    """The pairs of a step, through those of its halves."""
+    if step in proved:
+        return proved[step]
+    middle = halved[step]
+    first, second = (_joined(part, proved, halved) for part in ((step[0], middle), (middle, step[1])))
+    return {slot: second[place] for slot, place in first.items() if place in second}

@@ -1,0 +1,389 @@
+"""The lowest end: the least value of a parameter at which, over a range of another one, a state that is followed ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import FloatArray, ParameterSet
+from ..progress import doing
+from ..questions import Method, question
+from ..results.critical_values import value_at
+from ..results.equilibria import Stability
+from ..results.lowest_ends import LowestEnd
+from ..results.points import Points
+from ..statics.equilibria import equilibria
+from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.forces import Model
+from ..statics.reference_state import reference_state
+from ..statics.remarks import of_ranges
+from .bifurcation_conditions import Touch, TouchTurn
+from .cusps import cusps
+from .escapes import INFINITY, escapes
+from .fold_extrema import extrema, isolated
+from .folds import folds
+from .paths import OVER_BORDER, ModelEnd, first_end
+from .points import endless, given_column, ranges
+from .tubes.tubes import carried
+
+#: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
+ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
+#: Of two values that differ by less than that times their bounds none is the lower one.
+SAME = 4.0
+
+
+@dataclass(frozen=True)
+class _Candidate:
+    value: float
+    where: float
+    kind: str
+    error: float
+
+    def ties(self, other: _Candidate) -> bool:
+        return abs(self.value - other.value) <= SAME * (self.error + other.error) * max(1.0, abs(self.value))
+
+
+@question
+def critical_friction(
+    p: ParameterSet,
+    vary: str | None = None,
+    over: str | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> LowestEnd:
+    """The least friction at which the followed state ends at any inclination, or the least ``vary`` for any value of ``over``.
+
+    Below it that state, followed from the lower end of ``vary`` at any ``over``, never ends. It may be lower than every cusp,
+    since a curve of folds that leaves its cusp upward may turn back below it; see :func:`cusp_friction`.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model; the two that vary are not used. Scalars; of closed forms arrays too.
+    vary, over : str, optional
+        Two parameters: the one along which the state is followed, mu0 unless told otherwise, and the one over whose range that is
+        done, theta0 unless told otherwise.
+    between : mapping, optional
+        Their ranges, as for :func:`spragsym.folds`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
+
+    Returns
+    -------
+    LowestEnd
+        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no fold ends that state.
+
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+    ConvergenceError
+        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it from one.
+
+    Notes
+    -----
+    The state followed is the stable one of smallest first coordinate at the lower end of both ranges, and what it becomes along
+    ``over`` there, by a chain of boxes. Where it ends is on curves of folds, and on curves on which it leaves the contact. The
+    least value on a piece of them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
+    ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is asked, by following the state
+    along ``vary`` there, whether it ends: below the first one at which it does, no piece has begun on which it could.
+    Of the article's model: :mod:`spragsym.kang_nam.folds.lowest_fold`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> found = ss.critical_friction(ss.Parameters.article())
+    >>> print(found, found.kind, np.degrees(found.theta0).round(6))
+    0.20093178180509003 cusp 68.020959
+    >>> found = ss.critical_friction(ss.load("inclined_belt").Parameters(), between={"mu0": (0.0, 0.5)})
+    >>> round(found.mu0, 6), found.kind, found.complete
+    (0.207376, 'cusp', True)
+    """
+    model = p.model
+    vary, over = model.rising_over(vary, over)
+    if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
+        raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
+    between = between or {}
+    search_of = _Search(model, p, vary, over, np.array(ranges(model, (over, vary), between)))
+    unsaid = endless(model, (over, vary), between)
+    try:
+        found, open_from, remarks = search_of.lowest()
+    except ConvergenceError as error:
+        low = search_of.spans[1, 0]
+        return LowestEnd(vary, over, float(low), math.nan, "undecided", math.nan, False, (str(error),))
+    if found.value > open_from:
+        why = f"candidates from {vary} = {open_from:.6g} on are not all decided: the state may end there"
+        found, remarks = _Candidate(open_from, math.nan, "undecided", math.nan), (*remarks, why)
+    cut = [name for name in unsaid if name == over or not math.isfinite(found.value)]
+    remarks += of_ranges(tuple(cut), search_of.spans[[(over, vary).index(name) for name in cut]]) if cut else ()
+    complete = not remarks and found.kind != "undecided"
+    return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
+
+
+@question
+def cusp_friction(
+    p: ParameterSet,
+    vary: str | None = None,
+    over: str | None = None,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> float | FloatArray:
+    """The friction of the lowest cusp, or the least ``vary`` at one, where folds are born over ``over``; infinite without one.
+
+    What decides whether a state can end is :func:`critical_friction`: folds may lie below their cusps.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model, scalars or arrays; the two that vary are not used.
+    vary, over, between, method
+        As for :func:`critical_friction`.
+
+    Returns
+    -------
+    float or ndarray
+        Of the shape of the parameters that are used.
+
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+    ConvergenceError
+        Where a lower one is not ruled out, or there is none in a part of an endless range.
+
+    Notes
+    -----
+    Source: :func:`spragsym.cusps`; beyond the end of a range there may be others, but no lower ones.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> print(ss.cusp_friction(ss.Parameters.article()))
+    0.20093178180509003
+    """
+    vary, over = p.model.rising_over(vary, over)
+    used = [name for name in p.ranges if name not in (vary, over) and getattr(p, name) is not None]
+    shape = np.broadcast_shapes(*(getattr(p, name).shape for name in used))
+    if not shape:
+        return _lowest_cusp(p, vary, over, between)
+    columns = {name: np.broadcast_to(getattr(p, name), shape).reshape(-1) for name in used}
+    points = (p.replace(**{name: column[row] for name, column in columns.items()}) for row in range(int(np.prod(shape))))
+    return np.array([_lowest_cusp(point, vary, over, between) for point in points]).reshape(shape)
+
+
+def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Mapping[str, tuple[float, float]] | None) -> float:
+    found = cusps(p, (over, vary), between=between)
+    inside = [
+        all(p.ranges[name].contains(float(getattr(found, name)[row])) for name in (vary, over)) for row in range(len(found))
+    ]
+    value = float(getattr(found, vary)[np.array(inside, dtype=np.bool_)].min(initial=math.inf))
+    place = len(p.model.coordinates) + list(found.vary).index(vary)
+    lower = any(float(box[place][0]) < value for box in found.undecided)
+    if lower or not found.whole or (not math.isfinite(value) and found.endless):
+        where = f", the lowest of those at {vary} = {value:.12g}" if len(found) else ""
+        raise ConvergenceError(f"{len(found)} cusps were found{where}; whether there is a lower one: {'; '.join(found.remarks)}")
+    return value
+
+
+@question
+def critical_value(
+    p: ParameterSet,
+    vary: str,
+    bracket: Sequence[float],
+    *,
+    along: str | None = None,
+    over: str | None = None,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> float:
+    """The value of a parameter at which the least friction at which the followed state ends is that of p.
+
+    On one side of it the state jumps at no inclination.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model, scalars with ``mu0``; the parameter that varies is not used.
+    vary : str
+        The parameter that is changed.
+    bracket : (float, float)
+        Two values of it with the lowest end on different sides.
+    along, over : str, optional
+        As ``vary`` and ``over`` of :func:`critical_friction`.
+    between, method
+        As for :func:`critical_friction`.
+
+    Returns
+    -------
+    float
+        To 1e-13, relative.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For a parameter that can't change, a bracket with the lowest end on one side, and parameters that are no scalars.
+    ConvergenceError
+        Where the lowest end is undecided on the way.
+
+    Notes
+    -----
+    Source: :func:`critical_friction`, less the value that p has.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> print(f"{ss.critical_value(ss.Parameters.article(), 'beta', (1, 2)):.9f}")
+    1.632329272
+    """
+    rising, over = p.model.rising_over(along, over, "along")
+    if vary not in p.ranges or vary in (rising, over):
+        others = ", ".join(name for name in p.ranges if name not in (rising, over))
+        raise ParameterError(f"vary = {vary!r} can't be what changes where {rising} rises over {over}; choose one of {others}")
+    (level,) = p.scalars(rising)
+
+    def lowest(value: float) -> float:
+        with doing("lowest end at {} = {:.6g}", vary, value):
+            found = critical_friction(p.replace(**{vary: value}), rising, over, between=between)
+        if found.kind == "undecided":
+            raise ConvergenceError(f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
+        return float(found.value)
+
+    return value_at(lowest, (rising, level), vary, bracket, p.ranges[vary])
+
+
+class _Search:
+    """Candidates, and what becomes of the state at each of them."""
+
+    def __init__(self, model: Model, p: Any, vary: str, over: str, spans: Any) -> None:
+        self.model, self.p, self.vary, self.over = model, p, vary, over
+        self.balance = Balance(model, contact=True)
+        for span, name in zip(spans, (over, vary), strict=True):
+            span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]
+        self.spans = spans
+        self.low, self.high = map(float, spans[1])
+
+    def lowest(self) -> tuple[_Candidate, float, tuple[str, ...]]:
+        """The lowest end, the value from which on candidates are not all known, and what is not proved."""
+        candidates, open_from, remarks = self.candidates()
+        offsets = self.spans[0, 1] - self.spans[0, 0]
+        places = {float(end) for end in self.spans[0]}
+        for one in candidates:
+            places |= (
+                {one.where} if one.kind != "cusp" else {one.where + sign * far * offsets for far in ASIDE for sign in (-1, 1)}
+            )
+        places = {place for place in places if self.spans[0, 0] <= place <= self.spans[0, 1]}
+        self.begin(sorted(places))
+        for one in candidates:
+            above = [other.value for other in candidates if other.value > one.value and not other.ties(one)]
+            limit = min(above, default=self.high)
+            if one.value >= self.high:
+                break
+            with doing("whether the state ends at the {} at {} = {:.6g}", one.kind, self.vary, one.value):
+                outcome = self.ends_at(one, limit)
+            if outcome is None:
+                why = f"whether the state ends at the {one.kind} at {self.over} = {one.where:.6g} is not decided"
+                return _Candidate(one.value, one.where, "undecided", one.error), open_from, (*remarks, why)
+            if outcome:
+                return one, open_from, remarks
+        return _Candidate(math.inf, math.nan, "", 0.0), open_from, remarks
+
+    def candidates(self) -> tuple[list[_Candidate], float, tuple[str, ...]]:
+        """All places at which a piece can have its least value, ascending."""
+        found: list[_Candidate] = []
+        open_from, remarks = math.inf, []
+        for kind, points in self.points():
+            found += [
+                _Candidate(float(value), float(where), kind, float(error))
+                for value, where, error in zip(getattr(points, self.vary), getattr(points, self.over), points.error, strict=True)
+            ]
+            if len(points.undecided):
+                place = self.balance.n + list(points.vary).index(self.vary)
+                open_from = min(open_from, float(points.undecided[:, place, 0].min()))
+            if not points.whole:
+                remarks += [f"of the kind {kind} not all states are known to lie in what was searched"]
+        return sorted(found, key=lambda one: one.value), open_from, tuple(remarks)
+
+    def points(self) -> Iterator[tuple[str, Points]]:
+        """Extrema and ends of curves of folds, and the same of the border, if the model has one."""
+        both = (self.over, self.vary)
+        whole = True
+        for kind, points in extrema(self.model, self.p, both, dict(zip(both, map(tuple, self.spans.tolist()), strict=True))):
+            whole &= points.whole and bool(np.isfinite(points.region).all())
+            yield kind, points
+        if not whole:
+            yield INFINITY, escapes(self.balance, self.p, both, self.spans)
+            for end in self.spans[0]:
+                yield INFINITY, escapes(self.balance, self.p.replace(**{self.over: float(end)}), (self.vary,), self.spans[1:])
+        if self.balance.opens:
+            beyond = Balance(self.model, contact=True, room=OVER_BORDER)
+            yield "border", isolated(beyond, self.p, TouchTurn(), both, self.spans)
+            for end in self.spans[0]:
+                yield "border", isolated(beyond, self.p.replace(**{self.over: float(end)}), Touch(), (self.vary,), self.spans[1:])
+
+    def begin(self, places: list[float]) -> None:
+        """The state at the lower end of ``vary``, wherever it is followed from there."""
+        here = self.p.replace(**{self.vary: self.low})
+        eq = equilibria(here.replace(**{self.over: places[0]}))
+        stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
+        if not eq.decided or not stable.size:
+            raise ConvergenceError(
+                f"no state at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
+            )
+        slot = reference_state(self.model, eq, self.p.followed)
+        first = np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
+        way = self.carried(here, self.over, np.array(places), first)
+        self.beginning = dict(zip(places, way.T, strict=True))
+
+    def carried(self, p: Any, name: str, values: Any, q: Any) -> Any:
+        """The state at values of a parameter, from that at the first one."""
+        given = given_column(p, self.balance.parameters, (name,))
+        way = carried(self.balance, given, self.balance.parameters.index(name), values, q)
+        if way is None:
+            raise ConvergenceError(f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}")
+        return way
+
+    def end_at(self, place: float, one: _Candidate, limit: float) -> ModelEnd | None:
+        """Where the state ends there below a limit, from a little below a candidate; None if it does not."""
+        here = self.p.replace(**{self.over: place})
+        below = max(self.low, one.value - BEYOND * max(1.0, abs(one.value)))
+        state = self.beginning[place]
+        if below > self.low:
+            state = self.carried(here, self.vary, np.array([self.low, below]), state)[:, -1]
+        eq = equilibria(here.replace(**{self.vary: below}))
+        states = np.array([eq.coordinates[name][: int(eq.count)] for name in self.balance.coordinates])
+        slot = int(np.linalg.norm(states - state[:, None], axis=0).argmin())
+        return first_end(here, self.vary, (below, limit), start=slot)
+
+    def ends_at(self, one: _Candidate, above: float) -> bool | None:
+        """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided."""
+        limit = min(one.value + BEYOND * max(1.0, abs(one.value)), self.high)
+        try:
+            if one.kind != "cusp":
+                end = self.end_at(one.where, one, limit)
+                return end is not None and _Candidate(end.value, one.where, "", end.error).ties(one)
+            return self.ends_at_cusp(one, min(limit, 0.5 * (one.value + above)))
+        except ConvergenceError:
+            return None
+
+    def ends_at_cusp(self, one: _Candidate, limit: float) -> bool | None:
+        """Beside a cusp, where its two folds are: no other piece begins between it and the next candidate."""
+        for far in ASIDE:
+            sides = [one.where + sign * far * float(self.spans[0, 1] - self.spans[0, 0]) for sign in (-1, 1)]
+            counts = {side: self.folds_below(side, limit) for side in sides if side in self.beginning}
+            if len(counts) == 2 and abs(counts[sides[0]] - counts[sides[1]]) == 2:
+                return self.end_at(max(sides, key=counts.__getitem__), one, limit) is not None
+        return None
+
+    def folds_below(self, place: float, limit: float) -> int:
+        """How many there are."""
+        found = folds(self.p.replace(**{self.over: place}), self.vary, between={self.vary: (self.low, limit)})
+        if not found.decided:
+            raise ConvergenceError("folds beside a cusp are not all decided")
+        return len(found)

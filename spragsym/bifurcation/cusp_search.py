@@ -1,0 +1,57 @@
+"""A box around each cusp of a model in the plane of two parameters, and what is left."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics.determinants import cofactor
+from ..numerics.interval_arrays import Intervals
+from ..numerics.jets import variables
+from ..statics.mechanics.balance import Balance
+from .bifurcation_conditions import Cusp, change
+from .defining_systems import Augmented
+from .points import Found, picked, search
+
+
+def isolated(
+    balance: Balance, vary: Sequence[str], given: NDArray[np.float64], spans: NDArray[np.float64],
+    asked: NDArray[np.float64] | None = None,
+) -> Found:  # fmt: skip
+    """A box for each cusp, and what is left; arguments as of :func:`spragsym.bifurcation.points.search`."""
+    found = search(balance, vary, Cusp(), given, spans, asked=asked)
+    proved, unclear = told_apart(balance, vary, found, given)
+    left = np.concatenate([found.roots.left, found.roots.ends[:, :, unclear]], axis=2)
+    left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
+    return replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
+
+
+def told_apart(
+    balance: Balance, vary: Sequence[str], found: Found, given: NDArray[np.float64], column: int = 0
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which roots are cusps, and of which that is not known.
+
+    A root is a cusp if the column in use is not 0 there, and none if det K changes along another column.
+    """
+    ends = found.roots.ends
+    shape = ends.shape[2:]
+    if not shape[0]:
+        return np.zeros(0, dtype=np.bool_), np.zeros(0, dtype=np.bool_)
+    with np.errstate(all="ignore"):
+        system = Augmented(balance, vary, Cusp())
+        fixed = system.prepared(Intervals.point(np.nan_to_num(given[:, found.roots.point])))
+        at = system.state(variables(list(Intervals(ends)), 1), fixed, shape)
+        K = at.slopes()
+        n = balance.n
+        nonzero = np.zeros(shape, dtype=np.bool_)
+        for i in range(n):
+            entry = cofactor(K, column, i)
+            value = getattr(entry, "value", entry)
+            nonzero |= ~value.holds_zero() if isinstance(value, Intervals) else np.full(shape, value != 0)
+        none = np.zeros(shape, dtype=np.bool_)
+        for other in set(range(n)) - {column}:
+            none |= ~change(K, other).value.holds_zero()
+    return nonzero & ~none, ~nonzero & ~none

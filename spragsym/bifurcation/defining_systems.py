@@ -1,0 +1,181 @@
+"""Defining systems of folds, cusps and onsets: coordinates and parameters are unknowns together.
+
+The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter is a fold; with two, and
+with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics.boxes import POLE, Plain
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.jets import constant, gradient, variables
+from ..statics.mechanics.balance import Balance, matrix
+from ..statics.mechanics.laws import XP
+
+
+class Condition(Protocol):
+    """What is asked of a state beside the balance."""
+
+    #: Order of the derivatives of the stiffness that it is made of.
+    order: int
+    #: Whether det K = 0 is one of the equations.
+    singular: bool
+    #: Whether one is that the gap of the contact is 0.
+    touching: bool
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The values that must vanish, one for each unknown parameter; jets carry ``order`` derivatives more than these."""
+
+    def hopeless(self, at: State) -> NDArray[np.bool_]:
+        """Boxes in which an inequality that the condition asks for can't hold."""
+
+    def given_up(self, at: State) -> NDArray[np.bool_] | None:
+        """Boxes that halving would never decide; None for a condition that has no such."""
+
+
+class State:
+    """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
+
+    def __init__(
+        self,
+        balance: Balance,
+        q: Sequence[Any],
+        values: Mapping[str, Any],
+        shape: tuple[int, ...],
+        upright: Sequence[int] = (),
+        xp: Any = XP,
+        sides: Sequence[int] | None = None,
+    ) -> None:
+        self.balance, self.q, self.values, self.shape, self.xp = balance, q, values, shape, xp
+        self._upright, self._sides = upright, sides
+        self._slopes: Any = None
+
+    @cached_property
+    def directions(self) -> list[Any]:
+        """Cosine, sine and length of every spring, and turnings."""
+        if self.xp is XP:
+            return self.balance.directions(self.q, self.values, self.shape, self._upright, self._sides)
+        return self.balance.plain_directions(self.q, self.values, self.xp)
+
+    def forces(self) -> Sequence[Any]:
+        """Rows of the balance."""
+        rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values, self.xp)
+        return rows
+
+    def slopes(self) -> list[list[Any]]:
+        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
+        if self._slopes is None:
+            self._slopes = self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
+        return [list(row) for row in self._slopes]
+
+    def stiffness(self) -> list[list[Any]]:
+        """K."""
+        if not self.balance.sums:
+            return self.slopes()
+        return [list(row) for row in self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)]
+
+    def gap(self) -> Any:
+        """The gap of the contact."""
+        return self.balance.gap(self.q, self.values, self.xp)
+
+    def mass(self) -> list[list[Any]]:
+        """M."""
+        return [list(row) for row in self.balance.mass(self.q, self.values, self.xp)]
+
+    def damping(self) -> list[list[Any]]:
+        """C: dampers and slope of the friction law."""
+        return [list(row) for row in self.balance.damping(self.q, self.directions, self.values, xp=self.xp)]
+
+    def slope(self) -> Any:
+        """Slope of the friction law."""
+        return self.balance.slope(self.values, self.xp)
+
+
+class Augmented(Plain):
+    """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""
+
+    def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:
+        self.balance, self.vary, self.condition = balance, list(vary), condition
+        self.n = balance.n + len(self.vary)
+        self.opens, self.sides = balance.opens, balance.sides
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """As for the balance; what is an unknown is replaced at each evaluation."""
+        return self.balance.prepared(bounds)
+
+    def state(
+        self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
+    ) -> State:
+        """The evaluation at unknowns of any number type."""
+        n = self.balance.n
+        changed = dict(zip(self.vary, unknowns[n:], strict=True))
+        return State(self.balance, unknowns[:n], self.balance.arguments(parameters, changed), shape, sides=sides)
+
+    def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """The gap of the contact over boxes, shape (N,)."""
+        shape = unknowns.shape[1:]
+        return stacked([self.state(list(unknowns), parameters, shape).gap()], shape)[0]
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Forces and condition over boxes."""
+        return self._values(unknowns, parameters, self.balance.anywhere)
+
+    def _values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
+        """The same on sides of the rays where turnings jump."""
+        shape = unknowns.shape[1:]
+        at = self.state(list(unknowns), parameters, shape, sides)
+        extra = at
+        if self.condition.order:
+            # Derivatives that the condition itself is made of.
+            extra = self.state(variables(list(unknowns), self.condition.order), parameters, shape, sides)
+        values = [*at.forces(), *self.condition.equations(extra)]
+        return stacked([constant(value) for value in values], shape)
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """The residuals over boxes without width."""
+        return self.residuals(Intervals.point(middles), parameters)
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Their slopes by coordinates and parameters."""
+        shape = unknowns.shape[1:]
+        at = self.state(variables(list(unknowns), self.condition.order + 1), parameters, shape)
+        # By the coordinates the stiffness itself, which is sharper, and finite where a law like Hertz's begins.
+        n = self.balance.n
+        rows = [
+            [constant(entry) for entry in row] + gradient(force, self.n)[n:]
+            for row, force in zip(at.slopes(), at.forces(), strict=True)
+        ]
+        return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], shape)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes beyond the contact's border, or without what the condition asks for."""
+        shape = unknowns.shape[1:]
+        at = self.state(list(unknowns), parameters, shape)
+        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(at)
+
+        def no_root(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
+            values = self._values(unknowns[:, rows], parameters[:, rows], sides)
+            excluded: NDArray[np.bool_] = ~np.logical_and.reduce(values.holds_zero())
+            return excluded
+
+        return out | self.balance.beside_jumps(at.q, at.values, ~out, no_root)
+
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """As for the balance, and for the condition."""
+        at = self.state(list(unknowns), parameters, unknowns.shape[1:])
+        poles, more = self.balance.at_poles(at.q, at.values, at.shape, width), self.condition.given_up(at)
+        return poles if more is None else poles | more
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """The coordinates contracted by the balance over the box of parameters."""
+        n, shape = self.balance.n, unknowns.shape[1:]
+        at = self.state(list(unknowns), parameters, shape, self.balance.anywhere)
+        ends = self.balance.with_directions(unknowns[:n], at.values, at.directions)
+        return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)

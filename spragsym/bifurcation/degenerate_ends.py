@@ -1,0 +1,76 @@
+"""Ends of a range at which all states are degenerate: what a search over boxes leaves undecided there, and why.
+
+Without the inclined spring, σ = 0, the two directions of the article's model do not feel each other, and the one across the belt
+is not damped. So all states at that end are on the border of stability, and none of them is an onset that a parameter passes.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics import boxes, contractors
+from ..numerics.certified_roots import stepped
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..statics.mechanics.balance import NOTHING
+from .defining_systems import Augmented
+
+#: How much wider than a box the one is in which a root is proved to be the only one, relatively and absolutely.
+WIDER, ROOM = 0.25, 1e-11
+
+
+def shared(system: Augmented, given: FloatArray, span: FloatArray, left: FloatArray) -> NDArray[np.bool_]:
+    """Boxes whose only root is proved to be at an end of the range where all states are roots.
+
+    Parameters
+    ----------
+    system : Augmented
+        Along one parameter, with a condition of order 0.
+    given : ndarray
+        Parameters, shape (parameters, 1).
+    span : ndarray
+        Both ends.
+    left : ndarray
+        Boxes of coordinates and parameter, shape (2, n + 1, N).
+    """
+    out = np.zeros(left.shape[2], dtype=np.bool_)
+    if system.condition.order or not out.size:
+        return out
+    wide = left + (WIDER * (left[0] + left[1]) + ROOM * np.maximum(1.0, np.abs(left).max(axis=0)))
+    with np.errstate(all="ignore"):
+        alone = _one_root(system, np.repeat(_filled(given, span[0]), out.size, axis=1), wide)
+        for end in span:
+            here = (-left[0, -1] <= end) & (end <= left[1, -1])
+            states = _one_root(system.balance, np.repeat(_filled(given, end), out.size, axis=1), wide[:, :-1])
+            out |= here & alone & states & vanishes(system, given, end, wide)
+    return out
+
+
+def vanishes(system: Augmented, given: FloatArray, end: float, ends: FloatArray) -> NDArray[np.bool_]:
+    """Boxes over whose coordinates the condition is 0 everywhere at this value of the parameter."""
+    count = ends.shape[2]
+    point = Intervals.point(np.repeat(_filled(given, end), count, axis=1))
+    try:
+        with np.errstate(all="ignore"):
+            coordinates = list(Intervals(ends[:, :-1]))
+            at = system.state([*coordinates, _number(system, end, count)], system.prepared(point), (count,))
+            values = stacked(system.condition.equations(at), (count,))
+    except ZeroDivisionError:  # a law that has no value there
+        return np.zeros(count, dtype=np.bool_)
+    out: NDArray[np.bool_] = np.logical_and.reduce(values.magnitude <= NOTHING)
+    return out
+
+
+def _number(system: Augmented, end: float, count: int) -> Intervals | int:
+    """The parameter: 0 as the number, unless it is an angle."""
+    return 0 if end == 0 and system.vary[0] not in system.balance.angles else Intervals.point(np.full(count, end))
+
+
+def _filled(given: FloatArray, value: float) -> FloatArray:
+    return np.where(np.isnan(given), value, given)
+
+
+def _one_root(system: boxes.System, given: FloatArray, wide: FloatArray) -> NDArray[np.bool_]:
+    """Boxes with exactly one root."""
+    parameters = system.prepared(Intervals.point(given))
+    return contractors.inside(stepped(system, wide, parameters).ends, wide)

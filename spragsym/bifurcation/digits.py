@@ -1,0 +1,197 @@
+"""Any number of digits of equilibria and cusps: isolated over boxes of floats, narrowed by Krawczyk's operator in balls."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import ParameterSet
+from ..numerics import boxes, certified_roots
+from ..numerics.adaptive_bits import FIRST_BITS, as_numbers, with_enough_bits
+from ..numerics.ball_functions import XP
+from ..numerics.certified_roots import Roots
+from ..numerics.determinants import cofactor
+from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.intervals import Arithmetic, Balls, as_mpf
+from ..numerics.krawczyk import narrowed
+from ..numerics.polynomials import Undecided
+from ..questions import Method, question
+from ..results.equilibria import columns_of
+from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
+from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.periodic_coordinates import once_around
+from ..statics.mechanics.precise_balance import PreciseBalance
+from ..statics.regions import region
+from ..statics.search import balance_of, solved
+from ..statics.spectrum import type_at
+from .bifurcation_conditions import Cusp
+from .cusp_search import isolated
+from .defining_systems import Augmented
+from .points import endless, ranges
+from .precise_points import PreciseAugmented
+
+#: Bits that may be lost where forces are summed.
+ROOM = 96
+
+
+@question
+def precise_equilibria(
+    p: ParameterSet, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None, *, method: Method = "auto"
+) -> PreciseEquilibria:
+    """All equilibria of a point, each number within 10^−digits max(1, |number|).
+
+    Parameters
+    ----------
+    p : Parameters
+        Any set of the model.
+    exact : mapping
+        Every parameter: a rational number, or what gives an interval in an arithmetic.
+    """
+    _in_balls(arith)
+    balance = balance_of(p.model, contact)
+    found, around, whole = _isolated(balance, exact)
+    if found.left_point.size:
+        closer = "" if _held(_ends(exact)) else ", or give only numbers that floats hold, as 0.5: these are searched more closely"
+        raise ConvergenceError(f"equilibria: {found.left_point.size} boxes are not decided; change a parameter a little{closer}")
+
+    def attempt(bits: int) -> list[PreciseEquilibrium]:
+        system = PreciseBalance(balance, np.zeros(len(balance.parameters)), bits, _ends(exact))
+        boxes_of_roots = zip(np.moveaxis(found.ends, 2, 0), np.moveaxis(found.alone, 2, 0), strict=True)
+        states = (_state(balance, system, box, alone, digits) for box, alone in boxes_of_roots)
+        return [state for state in states if state is not None]
+
+    states = with_enough_bits(Balls(), digits, attempt, "equilibria")
+    first = balance.coordinates[0]
+    low, high = -around[0, :, 0], around[1, :, 0]
+    searched = dict(zip(balance.coordinates, zip(low.tolist(), high.tolist(), strict=True), strict=True))
+    return PreciseEquilibria(tuple(sorted(states, key=lambda one: one.numbers[first])), bool(whole.all()), searched)
+
+
+def _ends(exact: Mapping[str, Any]) -> dict[str, tuple[Fraction, Fraction]]:
+    """Both ends of every parameter, equal where it is rational, at the bits of this moment."""
+    return {name: Balls().ends(value(Balls())) if callable(value) else (value, value) for name, value in exact.items()}
+
+
+def _held(ends: Mapping[str, tuple[Fraction, Fraction]]) -> bool:
+    """Whether floats hold all parameters."""
+    return all(low == high == Fraction(float(low)) for low, high in ends.values())
+
+
+def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatArray, Any]:
+    """A box for each root of all parameters between the floats around the exact ones, what is left, and the region."""
+    with Balls().precision(FIRST_BITS):
+        ends = _ends(exact)
+    low, high = (
+        np.array([_beside(ends[name][side], way) for name in balance.parameters])[:, None]
+        for side, way in ((0, -np.inf), (1, np.inf))
+    )
+    if (low == high).all():
+        return solved(balance, low)
+    around, whole = region(balance, Intervals(np.stack([-low, high])))
+    outcome = boxes.search(balance, around, low, high, limits=balance.limits)
+    return once_around(balance, certified_roots.roots(balance, outcome, around, low, high)), around, whole
+
+
+def _beside(value: Fraction, way: float) -> float:
+    """The float that is a number, or the next one on a side of it."""
+    near = float(value)
+    beyond = Fraction(near) > value if way < 0 else Fraction(near) < value
+    return float(np.nextafter(near, way)) if beyond else near
+
+
+def _state(
+    balance: Balance, system: PreciseBalance, box: FloatArray, alone: FloatArray, digits: int
+) -> PreciseEquilibrium | None:  # fmt: skip
+    """The equilibrium in a box; None where it lies beyond the border of the contact."""
+    q = _narrowed(system, box, alone)
+    if not _on_its_side(balance, system.gap(q)):
+        return None
+    numbers, error, _ = as_numbers(Balls(), (*_columns(balance, q, system.arguments), *q), digits)
+    named = dict(zip(columns_of(balance.model), numbers, strict=True))
+    return PreciseEquilibrium(named, type_at(balance, system, q), as_mpf(error))
+
+
+def _columns(balance: Balance, q: Sequence[Any], arguments: Mapping[str, Any]) -> list[Any]:
+    """Direction and length of each inclined spring."""
+    directions = balance.plain_directions(q, arguments, XP)
+    springs = (directions[3 * spring : 3 * spring + 3] for spring in range(balance.springs))
+    return [value for c, s, length in springs for value in (XP.atan2(s, c), length)]
+
+
+@question
+def precise_cusps(
+    p: ParameterSet, exact: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None, *,
+    between: Mapping[str, tuple[float, float]] | None = None, method: Method = "auto",
+) -> CuspProof:  # fmt: skip
+    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.catastrophe.cusps.cusps`.
+
+    Each is proved for the exact parameters; that there are no more, only where all of these are floats.
+    """
+    _in_balls(arith)
+    model = p.model
+    spans = ranges(model, vary, between or {})
+    balance = Balance(model, contact=True)
+    with Balls().precision(FIRST_BITS):
+        ends = _ends(exact)
+    given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
+    found = isolated(balance, vary, given, spans)
+    system = Augmented(balance, vary, Cusp())
+
+    def attempt(bits: int) -> list[PreciseCusp]:
+        precise = PreciseAugmented(system, given[:, 0], bits, _ends(exact))
+        boxes_of_roots = zip(np.moveaxis(found.roots.ends, 2, 0), np.moveaxis(found.roots.alone, 2, 0), strict=True)
+        told = (_cusp(precise, box, alone, digits) for box, alone in boxes_of_roots)
+        return [cusp for cusp in told if cusp is not None]
+
+    cusps = with_enough_bits(Balls(), digits, attempt, "cusps")
+    low, high = -found.region[0, :, 0], found.region[1, :, 0]
+    searched = dict(zip((*balance.coordinates, *vary), zip(low.tolist(), high.tolist(), strict=True), strict=True))
+    complete = (
+        _held(ends) and bool(found.whole.all()) and not found.roots.left_point.size and not endless(model, vary, between or {})
+    )
+    ordered = sorted(cusps, key=lambda one: [one.numbers[name] for name in reversed(vary)])
+    return CuspProof(tuple(ordered), complete, searched)
+
+
+def _cusp(system: PreciseAugmented, box: FloatArray, alone: FloatArray, digits: int) -> PreciseCusp | None:
+    """The cusp in a box; None where it lies beyond the border of the contact.
+
+    At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 it is of third order, and the parameters unfold it.
+    """
+    augmented, balance = system.system, system.system.balance
+    root = _narrowed(system, box, alone)
+    at = system.state(root)
+    column = [XP.taken(cofactor(at.slopes(), 0, i)) for i in range(balance.n)]
+    if not any(map(Balls().sign, column)):
+        raise Undecided("a direction that may be 0")
+    if not _on_its_side(balance, at.gap()):
+        return None
+    q, varied = root[: balance.n], root[balance.n :]
+    numbers, _, radius = as_numbers(Balls(), (*varied, *_columns(balance, q, at.values), *q), digits)
+    named = dict(zip((*augmented.vary, *columns_of(balance.model)), numbers, strict=True))
+    return PreciseCusp(named, as_mpf(radius), versal=True)
+
+
+def _narrowed(system: PreciseBalance | PreciseAugmented, box: FloatArray, alone: FloatArray) -> list[Any]:
+    """The root in a box of floats. The box gets narrower as bits are added: an angle may be known worse than the coordinates."""
+    root = narrowed(system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - ROOM)))
+    if root is None:
+        raise Undecided("a root that is nearly a double one")
+    return root
+
+
+def _on_its_side(balance: Balance, gap: Any) -> bool:
+    """Whether a gap is on the side of the contact's border that is asked for."""
+    side = Balls().sign(gap) if balance.opens else 0
+    if balance.opens and not side:
+        raise Undecided("a gap that is zero")
+    return not balance.opens or (side < 0) == balance.contact
+
+
+def _in_balls(arith: Arithmetic | None) -> None:
+    if arith is not None and not isinstance(arith, Balls):
+        raise ParameterError(f"arith = {type(arith).__name__}: a search is in balls; leave arith out")

@@ -1,0 +1,150 @@
+"""Values of a parameter at which a state runs to infinity, proved: roots of the balance in a chart at infinity.
+
+With q = u/w and one |u_i| = 1, the rows of the balance are G(u, w, λ) but for powers of w, see
+:mod:`spragsym.statics.mechanics.infinity`. At a regular root of G = 0 with w = 0 in the other u and λ one curve of states begins,
+λ = λ* + λ' w + …: for w → 0 its state runs to infinity along u, on the side of λ* that λ' says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import ParameterSet
+from ..numerics import boxes, certified_roots
+from ..numerics.determinants import determinant
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.jets import Jet, constant, gradient, variables
+from ..results.points import Points
+from ..statics.mechanics.balance import Balance, matrix
+from ..statics.mechanics.forces import TURN
+from ..statics.mechanics.infinity import SCALED, NoChart, Scaled
+from .points import given_column
+
+#: Directions that are searched, beyond those of 45 degrees; boxes of one chart.
+BESIDE, BUDGET = 1.0 + 2.0**-6, 4000
+#: Two directions nearer than this are the same one, found in two charts.
+SAME = 1e-6
+#: What kinds of such points begin with.
+INFINITY = "infinity"
+
+
+class _Chart(boxes.Plain):
+    """G at w = 0 with u_pivot = ±1; unknowns are the other u, angles that come around, and one parameter or two.
+
+    With two the curve of values at infinity turns back in the last one: ∂G/∂(u, first) is singular.
+    """
+
+    def __init__(self, balance: Balance, vary: Sequence[str], pivot: int, sign: int) -> None:
+        self.balance, self.vary, self.pivot, self.sign = balance, list(vary), pivot, sign
+        self.others = [i for i in range(balance.n) if i != pivot]
+        self.n = len(self.others) + len(self.vary)
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """As for the balance."""
+        return self.balance.prepared(bounds)
+
+    def rows(self, unknowns: Intervals, parameters: Intervals, order: int) -> tuple[list[Any], Any]:
+        """G and the gap but for powers of w, jets in the unknowns and w."""
+        w = Jet.variable(0, self.n, order)
+        parts = variables(list(unknowns), order)
+        arguments = self.balance.arguments(parameters, dict(zip(self.vary, parts[len(self.others) :], strict=True)))
+        values = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}
+        q: list[Any] = [Scaled(self.sign, 1, w)] * self.balance.n
+        for i, part in zip(self.others, parts, strict=False):
+            q[i] = part if i in self.balance.around else Scaled(part, 1, w)
+        directions = self.balance.plain_directions(q, values, SCALED)
+        rows = [*self.balance.by_coordinate("forces", q, directions, values, SCALED), self.balance.gap(q, values, SCALED)]
+        *forces, gap = (row.value if isinstance(row, Scaled) else row for row in rows)
+        if len(self.vary) == 2:
+            slopes = [[row.differentiated(k) if isinstance(row, Jet) else 0 for k in range(self.n - 1)] for row in forces]
+            forces.append(determinant(slopes))
+        return forces, gap
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """G."""
+        rows, _ = self.rows(unknowns, parameters, len(self.vary))
+        return stacked([constant(row) for row in rows], unknowns.shape[1:])
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Its slopes."""
+        rows, _ = self.rows(unknowns, parameters, len(self.vary))
+        return matrix([gradient(row, self.n) for row in rows], unknowns.shape[1:])
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes of directions in which the contact opens."""
+        if not self.balance.opens:
+            return np.zeros(unknowns.shape[1:], dtype=np.bool_)
+        gap = stacked([constant(self.rows(unknowns, parameters, len(self.vary))[1])], unknowns.shape[1:])[0]
+        return self.balance.sides(gap)[1]
+
+    def exists(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.int64]:
+        """On which side of the value the state is, 1 or −1; 0 where that is not known."""
+        rows, _ = self.rows(unknowns, parameters, 1)
+        slopes = [gradient(row, self.n + 1) for row in rows]
+        moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
+        ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
+        sign = (ratio.low > 0).astype(np.int64) - (ratio.high < 0)
+        side: NDArray[np.int64] = sign[0] * sign[1]
+        return side
+
+
+def escapes(balance: Balance, p: ParameterSet, vary: Sequence[str], spans: FloatArray) -> Points:
+    """Values of a parameter at which a state in contact runs to infinity; of two, those at which they are extreme in the second.
+
+    Parameters
+    ----------
+    vary : sequence of str
+        One parameter, or two: the second one is extreme over the first.
+    spans : ndarray
+        Their ranges, shape (number, 2).
+
+    Returns
+    -------
+    Points
+        Of the kind ``"infinity up"`` where the state is there above the value, else ``"infinity down"``, with infinite
+        coordinates, NaN for those that do not run away. Those that are not proved are missing: what is proved is that a state
+        runs to infinity, not that no other one does.
+    """
+    given = given_column(p, balance.parameters, vary)
+    found: dict[str, list[float]] = {name: [] for name in (*vary, *balance.coordinates, "error", "side")}
+    known: list[FloatArray] = []
+    for pivot in (i for i in range(balance.n) if i not in balance.around):
+        for sign in (1, -1):
+            chart = _Chart(balance, vary, pivot, sign)
+            for middle, error, side in _of_chart(chart, given, spans):
+                z = np.concatenate([np.insert(middle[: balance.n - 1], pivot, float(sign)), middle[balance.n - 1 :]])
+                z[: balance.n] /= np.abs(np.delete(z[: balance.n], balance.around)).max()
+                if any(np.abs(z - other).max() < SAME for other in known):
+                    continue
+                known.append(z)
+                away = np.where(np.abs(z[: balance.n]) < SAME, np.nan, np.copysign(np.inf, z[: balance.n]))
+                away[balance.around] = np.nan
+                for name, value in zip(found, [*z[balance.n :], *away, error, side], strict=True):
+                    found[name].append(float(value))
+    columns = {name: np.array(column) for name, column in found.items()}
+    errors, sides = columns.pop("error"), columns.pop("side")
+    kind = np.select([sides > 0, sides < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
+    return Points(p, tuple(vary), kind, errors, spans, True, (), np.empty((0, balance.n + len(vary), 2)), (), columns)
+
+
+def _of_chart(chart: _Chart, given: FloatArray, spans: FloatArray) -> list[tuple[FloatArray, float, int]]:
+    """Roots in one chart, bounds on their errors, and sides."""
+    balance = chart.balance
+    sides = [[TURN, TURN] if i in balance.around else [BESIDE, BESIDE] for i in chart.others]
+    around = np.array([*sides, *([-low, high] for low, high in spans)]).T[:, :, None]
+    fixed = given.copy()
+    fixed[[balance.parameters.index(name) for name in chart.vary]] = spans[:, :1]
+    try:
+        with np.errstate(all="ignore"):
+            outcome = boxes.search(chart, around, fixed, fixed, budget=BUDGET)
+            roots = certified_roots.roots(chart, outcome, around, fixed, fixed)
+            unknowns = Intervals(roots.ends)
+            prepared = chart.prepared(Intervals.point(np.repeat(fixed, roots.point.size, axis=1)))
+            side = chart.exists(unknowns, prepared) if len(chart.vary) == 1 and roots.point.size else np.zeros(roots.point.size)
+    except NoChart:
+        return []
+    return [(roots.middle[:, k], float(roots.error[k]), int(side[k])) for k in range(roots.point.size)]

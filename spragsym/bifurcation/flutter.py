@@ -1,0 +1,282 @@
+"""Onsets of flutter of a model along one parameter, proved: with dampers and the slope of the friction law, or without."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import ParameterSet
+from ..numerics.certified_roots import concatenated
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.jets import Jet, gradient
+from ..questions import Method, question
+from ..results.onsets import Onsets, onsets_of
+from ..results.points import Points
+from ..statics import stability
+from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
+from ..statics.mechanics.balance import NOTHING, Balance
+from ..statics.regions import by_hand
+from .bifurcation_conditions import FLAT, Flutter, Hopf, NoDamping, NoSlope, UndampedMode
+from .defining_systems import Augmented, Condition
+from .points import Found, arranged, endless, given_column, nothing, picked, ranges, search
+from .seen import VALUES, with_seen
+
+#: ω of the points of a search that M, C and K are taken at.
+Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
+
+
+@question
+def flutter_onsets(
+    p: ParameterSet,
+    vary: str | None = None,
+    *,
+    damping: bool | None = None,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+    method: Method = "auto",
+) -> Onsets:
+    """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether these are all.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model, scalars; the one that varies is not used.
+    vary : str, optional
+        A parameter; without it ``theta0``, or the model's first one.
+    damping : bool, optional
+        True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and slope of the friction law; False
+        for (27), without C, as the article's flutter. Without it True, unless C is 0.
+    between : mapping, optional
+        Its range, as for :func:`spragsym.folds`.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.equilibria`.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, as for (27) along θ₀, the closed form only, or the search.
+
+    Returns
+    -------
+    Onsets
+        Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
+        or ``"seen"``: floats see a pair cross there, where the search was not complete, and no proof succeeds;
+        ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where all damping changes its sign
+        at once, by a falling friction law against a damper, every pair of a state crosses, and each has a row. Closed forms add
+        ``branch``, which counts the equilibria from below in θ, from 0, ``count``, how many there are, and ``side``: 1 where
+        the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, 0 where the boundary is only touched.
+
+    Raises
+    ------
+    ParameterError
+        For a parameter that is missing or an array.
+    ConvergenceError
+        At parameters of the article's model so degenerate that onsets can't be told apart.
+
+    Notes
+    -----
+    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Where one coordinate
+    only is damped, that entry of C is a factor of Hurwitz's determinant and taken out: what is left, and the entry, or the
+    slope of the friction law where it is that, are searched for on their own. An end of the range at which C vanishes is no
+    onset. Points where a real pair ± λ has the sum 0, or two real λ meet, are roots as well and left out.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> found = ss.flutter_onsets(ss.Parameters.article(alpha=0.7), damping=False)
+    >>> print(np.degrees(found.theta0).round(6), found.side)
+    [135.389588 166.068824] [ 1 -1]
+    >>> onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V")
+    >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
+    ([0.101, 1.4035], ['gentle', 'dangerous'])
+    """
+    model = p.model
+    vary = model.one(vary)
+    balance = Balance(model, contact=True)
+    spans, asked = ranges(model, (vary,), between or {}), by_hand(balance.coordinates, within)
+    given = given_column(p, balance.parameters, (vary,))
+    along = damped_by_friction_alone(balance, given, spans)
+    slope = None if along is None else slope_over(balance, given, spans)
+    only = only_damped(balance, given, (vary,), spans) if along is None else along
+    if damping is None:
+        damping = is_damped(balance, given, spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
+
+    flat = False
+
+    seen: list[_Part] = []
+
+    def searched(condition: Condition, kind: str, frequencies: Frequencies) -> _Part:
+        out = search(balance, (vary,), condition, given, spans, asked=asked)
+        if isinstance(condition, NoSlope):
+            out = _without_ends(balance, vary, given, spans[0], out)
+        if out.roots.left.shape[2]:
+            out, more, omega = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
+            followed = np.isfinite(omega)
+            alone, others = (replace(out, roots=picked(more, some)) for some in (followed, ~followed))
+            seen.append(_Part(alone, np.full(followed.sum(), "seen"), omega[followed]))
+            seen.append(_part(balance, vary, given, others, "seen", frequencies))
+        return _part(balance, vary, given, out, kind, frequencies)
+
+    conservative = is_conservative(balance, given, spans)
+    if not damping and conservative:
+        # All κ are real and change with K without leaving the real line: where two meet they pass each other.
+        parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans, asked), "flutter", meeting)]
+    elif not damping:
+        parts = [searched(Flutter(), "flutter", meeting)]
+    elif only is None or balance.n == 1:
+        parts = [searched(Hopf(), "hopf", _crossing)]
+    else:
+        parts = []
+        if not conservative:
+            # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
+            parts.append(searched(UndampedMode(only), "hopf", partial(_without, only)))
+        if slope is None:
+            parts.append(searched(NoDamping(only), "hopf", _every))
+        elif not parts or slope.holds_zero().any():
+            parts.append(searched(NoSlope(), "hopf", _every))
+            flat = True
+    parts[1:1] = seen
+    return onsets_of(_joined(balance, p, vary, given, parts, flat, endless(model, (vary,), between or {})))
+
+
+# ------------------------------------------------------------------------------------------ ends of the range
+
+
+def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> Found:
+    """Boxes without those in which the slope of the friction law has no zero but the end of the range."""
+    left, place = found.roots.left, balance.parameters.index(vary)
+    dropped = np.zeros(left.shape[2], dtype=np.bool_)
+    with np.errstate(all="ignore"):
+        for end in span:
+            point = np.where(np.isnan(given), end, given)
+            if not slope_vanishes(balance, vary, point, end):
+                continue
+            wide = np.repeat(point, left.shape[2], axis=1)
+            low, high = wide.copy(), wide.copy()
+            low[place], high[place] = np.minimum(end, -left[0, -1]), np.maximum(end, left[1, -1])
+            bounds = Intervals.between(low, high)
+            changed = {vary: Jet.variable(bounds[place], 0, 1)}
+            change = gradient(balance.slope(balance.arguments(balance.prepared(bounds), changed)), 1)
+            dropped |= ~stacked(change, left.shape[2:])[0].holds_zero()
+    roots = found.roots
+    return replace(found, roots=replace(roots, left=left[:, :, ~dropped], left_point=roots.left_point[~dropped]))
+
+
+def slope_vanishes(balance: Balance, vary: str, point: FloatArray, end: float) -> bool:
+    """Whether the slope of the friction law is 0 at this end of the range."""
+    exactly = {} if end or vary in balance.angles else {vary: 0}
+    try:
+        there = balance.slope(balance.arguments(balance.prepared(Intervals.point(point)), exactly))
+    except ZeroDivisionError:  # a law that has no value there
+        return False
+    return bool(stacked([there], (1,)).magnitude.max() <= NOTHING)
+
+
+# ------------------------------------------------------------------------------------------------------- frequencies
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Points of one search."""
+
+    found: Found
+    kind: NDArray[np.str_]
+    omega: FloatArray
+
+
+def _part(balance: Balance, vary: str, given: FloatArray, found: Found, kind: str, frequencies: Frequencies) -> _Part:
+    """A row for each frequency that a root has; none for roots whose λ are real."""
+    middle = found.roots.middle
+    point = np.repeat(given, middle.shape[1], axis=1)
+    point[balance.parameters.index(vary)] = middle[-1]
+    rows: list[int] = []
+    omega: list[float] = []
+    if middle.shape[1]:
+        parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(balance, middle[: balance.n], point))
+        for row, (M, C, K) in enumerate(zip(*parts, strict=True)):
+            some = frequencies(M, C, K)
+            omega += some
+            rows += [row] * len(some)
+    kept = replace(found, roots=picked(found.roots, np.array(rows, dtype=np.int64)))
+    return _Part(kept, np.full(len(rows), kind), np.array(omega))
+
+
+def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are real."""
+    omega = stability.frequency(stability.roots(M, C, K))
+    return [omega] if omega else []
+
+
+def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
+    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    if squares.size < 2:
+        return []
+    apart = np.abs(squares[:, None] - squares[None]) + np.where(np.eye(squares.size), np.inf, 0.0)
+    one = squares[np.unravel_index(apart.argmin(), apart.shape)[0]]
+    return [float(np.sqrt(one.real))] if one.real > 0 else []
+
+
+def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is the nearest to one of all."""
+    others = [i for i in range(len(K)) if i != along]
+    squares = np.linalg.eigvals(np.linalg.solve(M[np.ix_(others, others)], K[np.ix_(others, others)])).astype(complex)
+    all_of_them = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    one = squares[np.abs(squares[:, None] - all_of_them[None]).min(axis=1).argmin()]
+    return [float(np.sqrt(one.real))] if one.real > 0 else []
+
+
+def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of all modes that oscillate."""
+    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    scale = 1e-12 * np.abs(squares).max()
+    return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
+
+
+def _joined(
+    balance: Balance, p: Any, vary: str, given: FloatArray, parts: list[_Part], flat: bool, cut: tuple[str, ...]
+) -> Points:
+    """All parts in one result; ``flat`` where the last is of places without slope, ``cut`` parameters whose range was cut."""
+    first, roots = parts[0].found, [part.found.roots for part in parts]
+    every = concatenated(roots, balance.n + 1)
+    kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
+    remarks = _undamped(balance, vary, given, roots[-1].left) if flat else ()
+    remarks += _at_ends(balance, vary, given, first.region[:, -1, 0], every.left)
+    if (kind == "seen").any():
+        remarks += (f"{(kind == 'seen').sum()} onsets are seen by floats between two of {VALUES} values, and not proved",)
+    elif every.left.shape[2] and not flat:
+        remarks += (f"floats see no other onset between two of {VALUES} values of {vary}",)
+    region = np.minimum.reduce([part.found.region for part in parts])
+    whole = np.logical_and.reduce([part.found.whole for part in parts])
+    found = replace(first, region=region, whole=whole, roots=every)
+    return arranged(balance, p, (vary,), given, found, kind, {"omega": omega}, endless=cut, remarks=remarks)
+
+
+def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, left: FloatArray) -> tuple[str, ...]:
+    """Of boxes that are left at an end of the range."""
+    remarks = []
+    for end in (-span[0], span[1]) if left.shape[2] else ():
+        here = int(((-left[0, -1] <= end) & (end <= left[1, -1])).sum())
+        why = ""
+        if is_conservative(balance, given, np.array([[end, end]])):
+            why = ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
+        remarks += [f"{here} of {left.shape[2]} undecided boxes hold the end {vary} = {end:g} of the range{why}"] if here else []
+    return tuple(remarks)
+
+
+def _undamped(balance: Balance, vary: str, given: FloatArray, left: FloatArray) -> tuple[str, ...]:
+    """Of boxes that are left where the friction law is as good as flat."""
+    if balance.model.about["friction"] is None or not left.shape[2]:
+        return ()
+    place = balance.parameters.index(vary)
+    low, high = (np.repeat(given, left.shape[2], axis=1) for _ in range(2))
+    low[place], high[place] = -left[0, -1], left[1, -1]
+    with np.errstate(all="ignore"):
+        slope = balance.slope(balance.arguments(balance.prepared(Intervals.between(low, high))))
+        size = stacked([slope], left.shape[2:])[0].magnitude
+    flat = size <= FLAT
+    most = f"{size[flat].max(initial=0.0):.0e}"
+    text = f"the slope of the friction law, and with it its damping, is at most {most}: too little for floats"
+    return (f"in {int(flat.sum())} of {flat.size} undecided boxes {text}",) if flat.any() else ()

@@ -1,0 +1,105 @@
+"""What ends at the folds along a parameter, when, and where it jumps to: from the normal form at each fold.
+
+With K v = 0 and w K = 0 the states near a fold are q + s v, where w · ∂F/∂λ δλ + ½ w · D²F(v, v) s² = 0 up to higher order, and
+det K changes by s ∇(det K) · v. At a regular fold none of these numbers is 0, and each is enclosed over the fold's box.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..numerics.determinants import cofactor
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.jets import constant, gradient, variables
+from ..results.equilibria import Stability
+from ..results.points import Ended, Points, nothing_ends
+from ..statics.equilibria import equilibria
+from ..statics.foremost import foremost
+from ..statics.mechanics.balance import Balance
+from ..statics.stability import with_a_zero
+from .bifurcation_conditions import Fold, change
+from .defining_systems import Augmented
+from .points import given_column
+
+#: Where two states meet and nothing more is known.
+UNDECIDED = "undecided"
+#: Errors of a fold beyond it where its two states are gone for certain.
+BEYOND = 4.0
+
+
+def ended(points: Points) -> Ended:
+    """Columns ``ends``, ``when`` and ``after`` of points: empty for all but folds along one parameter."""
+    found = nothing_ends(len(points), points.columns)
+    for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
+        try:
+            ends, when, after = _at(points, int(row))
+        except ConvergenceError:
+            ends, when, after = UNDECIDED, UNDECIDED, {}
+        found.ends[row], found.when[row] = ends, when
+        for name, value in after.items():
+            found.after[name][row] = value
+    return found
+
+
+def _at(points: Points, row: int) -> tuple[str, str, dict[str, float]]:
+    """Of one fold: which of the two states that meet is stable, which way they vanish, and what takes the place of that one."""
+    (vary,), p = points.vary, points.parameters.of(points.parameters.model.search)
+    balance = Balance(p.model, contact=True)
+    z = np.array([float(getattr(points, name)[row]) for name in (*balance.coordinates, vary)])
+    size = points.error[row] * np.maximum(1.0, np.abs(z))
+    box = Intervals(np.stack([size - z, size + z])[:, :, None])
+    given = given_column(p, balance.parameters, (vary,))
+    side, lower = _normal_form(balance, vary, given, box)
+    given[balance.parameters.index(vary)] = z[-1]
+    when = "up" if side < 0 else "down"
+    if with_a_zero(balance, z[:-1, None], given) != Stability.STABLE:
+        return "", when, {}
+    return "lower" if lower else "upper", when, _after(points, row, -side)
+
+
+def _normal_form(balance: Balance, vary: str, given: FloatArray, box: Intervals) -> tuple[int, bool]:
+    """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
+    system = Augmented(balance, (vary,), Fold())
+    with np.errstate(all="ignore"):
+        at = system.state(variables(list(box), 1), system.prepared(Intervals.point(np.nan_to_num(given))), (1,))
+        K, n = at.stiffness(), balance.n
+        rows = balance.by_coordinate("forces", at.q, at.directions, at.values)
+        adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]
+        sizes = np.abs([[stacked([entry], (1,))[0].middle[0] for entry in line] for line in adjugate])
+        r, c = np.unravel_index(int(sizes.argmax()), sizes.shape)
+        pushed = sum(gradient(force, n + 1)[n] * w for force, w in zip(rows, adjugate[r], strict=True))
+        curved = constant(change(K, int(c)))
+        bent = curved * adjugate[r][c]
+        side = -_sign(pushed) * _sign(bent)
+        first = next((sign for sign in (_sign(line[c]) for line in adjugate) if sign), 0)
+    if not side or not first:
+        raise ConvergenceError("the normal form at the fold is not known well enough")
+    return side, first * _sign(curved) < 0
+
+
+def _sign(value: Any) -> int:
+    """1 or −1 where it is known, else 0."""
+    number = stacked([value], (1,))[0]
+    return int(number.low[0] > 0) - int(number.high[0] < 0)
+
+
+def _after(points: Points, row: int, forward: int) -> dict[str, float]:
+    """The nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain."""
+    vary, names = points.vary[0], points.parameters.model.coordinates
+    value, allowed = float(getattr(points, vary)[row]), points.parameters.ranges[vary]
+    beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
+    beyond = beyond if allowed.low < beyond < allowed.high else value
+    here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
+    if not here.decided:
+        raise ConvergenceError(f"the states at {vary} = {beyond:.17g} are not told apart")
+    slots = [slot for slot in range(int(here.count)) if here.stability[slot] == Stability.STABLE]
+    if not slots:
+        return {}
+    before = np.array([getattr(points, name)[row] for name in names])
+    behind = np.array([getattr(here, name)[slots] for name in names])
+    apart = np.linalg.norm(behind - before[:, None], axis=0)
+    slot = slots[int(foremost(apart, behind, here.error[slots] + points.error[row]))]
+    return {name: float(getattr(here, name)[slot]) for name in points.columns}

@@ -1,0 +1,95 @@
+"""Points near the end 0 of a parameter that is larger than 0, where all states are degenerate at 0 or a law has no value.
+
+At σ = 0 nothing may hold the mass along the belt, and at v_s = 0 Stribeck's law would jump: in a box that reaches down to 0 no
+search decides anything. In the logarithm of the parameter all of its sizes are alike, and each is decided on its own, down to
+:data:`LEAST`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ..numerics import boxes, certified_roots
+from ..numerics.certified_roots import Roots
+from ..numerics.interval_arrays import FloatArray, Intervals
+from .defining_systems import Augmented, State
+from .degenerate_ends import vanishes
+
+#: Where the range of such a parameter begins.
+LEAST = 2.0**-300
+#: Up to which value the logarithm is taken, and from which on the parameter itself; between them both are.
+HIGH, LOW = 2.0**-9, 2.0**-10
+#: Boxes looked at.
+BUDGET = 100_000
+
+
+class Logarithmic(Augmented):
+    """The same system with the logarithm of its parameter for an unknown."""
+
+    def state(
+        self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
+    ) -> State:
+        """The evaluation at coordinates and logarithm."""
+        return super().state([*unknowns[:-1], unknowns[-1].exp()], parameters, shape, sides)
+
+
+def begins(system: Augmented, given: FloatArray, around: FloatArray) -> bool:
+    """Whether the range of the parameter begins at 0, which it never is, and nothing is known of a state there.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, 1).
+    around : ndarray
+        The region, shape (2, n + 1, 1).
+    """
+    (entry,) = [entry for entry in system.balance.model.about["parameters"] if entry["name"] == system.vary[0]]
+    if entry["low"] != 0 or not entry["low_open"] or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
+        return False
+    if system.vary[0] in system.balance.angles:
+        return False
+    with np.errstate(all="ignore"):
+        return bool(vanishes(system, given, 0.0, around)[0]) or not _bounded(system, given, around)
+
+
+def _bounded(system: Augmented, given: FloatArray, around: FloatArray) -> bool:
+    """Whether the condition has bounds in the whole region but for large values of the parameter."""
+    low = np.concatenate([around[:, :-1], np.array([[[0.0]], [[LOW]]])], axis=1)
+    fixed = system.prepared(Intervals.point(np.where(np.isnan(given), LOW, given)))
+    return bool(np.isfinite(system.residuals(Intervals(low), fixed).ends[:, -1]).all())
+
+
+def searched(system: Augmented, given: FloatArray, around: FloatArray, limits: FloatArray) -> Roots:
+    """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter itself."""
+    by_logarithm = Logarithmic(system.balance, system.vary, system.condition)
+    ends = np.concatenate([around[:, :-1], [[[-np.log(LEAST)]], [[np.log(HIGH)]]]], axis=1)
+    outcome = boxes.search(by_logarithm, ends, given, given, limits=limits, budget=BUDGET)
+    found = certified_roots.roots(by_logarithm, outcome, ends, given, given)
+    return replace(found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left))
+
+
+def joined(one: Roots, other: Roots) -> Roots:
+    """Roots of the search near 0 and of that from :data:`LOW` on, each once.
+
+    What the one leaves in the range of the other is decided there.
+    """
+    parts = [one.left[:, :, -one.left[0, -1] <= LOW], other.left[:, :, other.left[1, -1] >= HIGH]]
+    ends, alone = (np.concatenate([getattr(part, name) for part in (one, other)], axis=2) for name in ("ends", "alone"))
+    order = np.argsort(-alone[0, 0])
+    ends, alone = ends[:, :, order], alone[:, :, order]
+    keep, unclear = certified_roots.once(ends, alone, np.zeros(order.size, dtype=np.int64))
+    left = np.concatenate([*parts, ends[:, :, unclear]], axis=2)
+    return Roots(
+        ends[:, :, keep], alone[:, :, keep], np.zeros(keep.size, dtype=np.int64),
+        left, np.zeros(left.shape[2], dtype=np.int64),
+    )  # fmt: skip
+
+
+def _raised(ends: FloatArray) -> FloatArray:
+    """Boxes of the parameter from boxes of its logarithm."""
+    with np.errstate(all="ignore"):
+        return np.concatenate([ends[:, :-1], Intervals(ends[:, -1:]).exp().ends], axis=1)

@@ -1,0 +1,367 @@
+"""Normal form of a Hopf point: the first Lyapunov coefficient, with a bound on its error that is proved.
+
+At a Hopf point of u′ = F(u), with A q = i ω q, Aᵀ p = −i ω p, ⟨q, q⟩ = ⟨p, q⟩ = 1, B and C the second and third derivatives of F,
+
+    l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩ + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2 ω)
+
+(Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4). The state u is the coordinates, then their rates, in the
+units of the page. Everything is computed in balls around the point, so that the exact coefficient lies in the result.
+
+Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h z z̄ + ½ ḡ z̄², with g = (2 i ω − A)⁻¹ B(q, q) and
+h = −A⁻¹ B(q, q̄), the coefficient of z² z̄ in F is half of what stands in brackets.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics.ball_functions import XP, cosine_and_sine
+from ..numerics.complex_numbers import Complex, as_complex
+from ..numerics.elimination import solved
+from ..numerics.interval_arrays import FloatArray
+from ..numerics.intervals import Ball, Balls
+from ..numerics.jets import Jet, constant
+from ..numerics.krawczyk import ball
+from ..numerics.polynomials import Undecided
+from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.forces import undecorated
+from ..statics.mechanics.precise_balance import PreciseBalance
+
+if TYPE_CHECKING:
+    from ..models.model import Model
+
+#: Bits of all balls; the box around the point has some fifty of them.
+BITS = 106
+#: Room for the rounding of middles to floats, relatively.
+ROOM = 2.0**-50
+
+BALLS = Balls()
+
+
+@dataclass(frozen=True)
+class NormalForm:
+    """What is known of a Hopf point; every ``…_error`` bounds the absolute error of the number before it.
+
+    Attributes
+    ----------
+    omega, omega_error : float
+        ω.
+    lyapunov, lyapunov_error : float
+        l₁.
+    crossing, crossing_error : float
+        d Re λ / d parameter of the pair, along the equilibrium: it crosses the imaginary axis if that is not 0.
+    q, p : ndarray of complex
+        The eigenvector of i ω, of length 1, and that of Aᵀ for −i ω, with ⟨p, q⟩ = p̄ᵀ q = 1.
+    reach : float
+        |z| of u = z q + z̄ q̄ at which the sliding speed would come to 0, to first order, in floats; infinite without friction.
+    along, square, mean : ndarray
+        Of floats: ∂u/∂parameter of the equilibrium, g and h of the module's first lines.
+    """
+
+    omega: float
+    omega_error: float
+    lyapunov: float
+    lyapunov_error: float
+    crossing: float
+    crossing_error: float
+    q: NDArray[np.complex128]
+    p: NDArray[np.complex128]
+    reach: float
+    along: FloatArray
+    square: NDArray[np.complex128]
+    mean: FloatArray
+
+
+def normal_form(
+    model: Model,
+    given: FloatArray,
+    state: FloatArray,
+    vary: str | Sequence[str],
+    radii: FloatArray,
+    law: str = "friction_at_rest",
+) -> NormalForm:
+    """The normal form at a Hopf point that is proved to lie in a box.
+
+    Parameters
+    ----------
+    model : Model
+    given : ndarray
+        Parameters in the order of the page.
+    state : ndarray
+        Coordinates.
+    vary : str or sequence of str
+        The parameter along which the point was found, or several; the pair's crossing is told by the first.
+    radii : ndarray
+        Half-widths of the box: of the coordinates, then of these parameters.
+    law : str
+        The friction of the equilibrium: ``"friction_at_rest"`` is what statics takes, ``"friction_at_speed"`` the law at the
+        belt's speed, as the motion has it. The law of the motion is shifted by a constant so that it passes through it.
+
+    Raises
+    ------
+    Undecided
+        Where this is no generic Hopf point, or is not shown to be one; the text says why.
+    """
+    point = _Point(model, given, state, (vary,) if isinstance(vary, str) else vary, radii, law)
+    point.require_smooth()
+    A, by_parameter = point.linear()
+    omega, q, left = _pair(A)
+    along = _solved(A, [-entry for entry in by_parameter])
+
+    one, other = ([getattr(entry, part) for entry in q] for part in ("re", "im"))
+    # Σ of second order in a, b and c: along 2 (a Re q − b Im q), and along the equilibrium with c.
+    path = [
+        Jet({(): u, (0,): 2 * r, (1,): -2 * i, (2,): slope}, 2)
+        for u, r, i, slope in zip(point.state, one, other, along, strict=True)
+    ]
+    rows = point.field(path, Jet({(): point.parameter, (2,): 1}, 2))
+
+    def term(*numbers: int) -> list[Ball]:
+        return [_ball(row.terms.get(numbers, 0) if isinstance(row, Jet) else 0) for row in rows]
+
+    aa, ab, bb, ac, bc = term(0, 0), term(0, 1), term(1, 1), term(0, 2), term(1, 2)
+    # B(q, q) is twice the coefficient of z², B(q, q̄) that of z z̄, for z = a + i b.
+    twice = [Complex((x - z) / 2, -y / 2) for x, y, z in zip(aa, ab, bb, strict=True)]
+    mean = _solved(A, [-(x + z) / 2 for x, z in zip(aa, bb, strict=True)])
+    shifted = [[Complex(-entry, 2 * omega if i == j else _ball(0)) for j, entry in enumerate(row)] for i, row in enumerate(A)]
+    square = _solved(shifted, twice)
+    scale = _product(left, q)
+    # The coefficient of z c: d(A q)/dc.
+    crossing = (_product(left, [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]) / scale).re
+
+    path = [
+        Jet({(): u, (0,): 2 * r, (1,): -2 * i, (0, 0): m + g.re, (0, 1): -2 * g.im, (1, 1): m - g.re}, 3)
+        for u, r, i, g, m in zip(point.state, one, other, square, mean, strict=True)
+    ]
+    rows = point.field(path, point.parameter)
+    aaa, aab, abb, bbb = term(0, 0, 0), term(0, 0, 1), term(0, 1, 1), term(1, 1, 1)
+    cubic = [Complex((3 * x + z) / 8, -(y + 3 * w) / 8) for x, y, z, w in zip(aaa, aab, abb, bbb, strict=True)]
+    lyapunov = (_product(left, cubic) / scale).re / omega
+    return NormalForm(
+        *_float(omega), *_float(lyapunov), *_float(crossing), _floats(q), _floats([entry / scale for entry in left]).conjugate(),
+        point.reach(path), _floats(along).real, _floats(square), _floats(mean).real,
+    )  # fmt: skip
+
+
+class _Side:
+    """1 or −1, it is not said which: all that is known is its square."""
+
+    def __mul__(self, other: Any) -> Any:
+        return 1 if other is self else NotImplemented
+
+
+class _Point:
+    """The field around a state at steady sliding, of balls and jets of balls."""
+
+    def __init__(
+        self, model: Model, given: FloatArray, state: FloatArray, vary: Sequence[str], radii: FloatArray, law: str
+    ) -> None:  # fmt: skip
+        self.model, self.vary, self.balance = model, vary[0], Balance(model, True, law)
+        self.n = self.balance.n
+        with BALLS.precision(BITS):
+            q = [BALLS.between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(state, radii, strict=False)]
+        spans = {}
+        for name, r in zip(vary, radii[self.n :], strict=True):
+            value = Fraction(given[self.balance.parameters.index(name)])
+            spans[name] = (value - Fraction(r), value + Fraction(r))
+        self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, spans).arguments
+        self.parameter: Ball = self.values[self.vary]
+        self.state = [*q, *(_ball(0) for _ in q)]
+        self.motion = model.field
+        floats = [float(value) for value in state] + [0.0] * self.n
+        mode = self.motion.mode_at_rest(floats, self.motion.constants(given.tolist()))
+        self.mode = self.motion.exact(mode)
+
+    def field(self, u: Sequence[Any], parameter: Any, mode: Sequence[Any] | None = None) -> list[Any]:
+        """F: the rates, then the accelerations, with the law of friction shifted to that of the equilibrium."""
+        values = self._values(parameter)
+        accelerations = self.motion.acceleration(u, self._constants(values), mode or self.mode, XP)
+        return [*u[self.n :], *(a + s for a, s in zip(accelerations, self._shift(u[: self.n], values), strict=True))]
+
+    def reach(self, path: Sequence[Jet]) -> float:
+        """Size of a and b, along a path in them, at which the sliding speed would come to 0."""
+        if self.model.about["friction"] is None:
+            return math.inf
+        _, slip = undecorated(self.model.algebra.borders)(*path, *self._constants(self.values), xp=XP)
+        terms = slip.terms if isinstance(slip, Jet) else {}
+        rest, one, other = (_float(terms.get(key, 0))[0] for key in ((), (0,), (1,)))
+        change = math.hypot(one, other)
+        return abs(rest) / change if change else math.inf
+
+    def linear(self) -> tuple[list[list[Ball]], list[Ball]]:
+        """A, and ∂F/∂parameter."""
+        size = 2 * self.n
+        u = [Jet.variable(value, number, 1) for number, value in enumerate(self.state)]
+        rows = self.field(u, Jet.variable(self.parameter, size, 1))
+        slopes = [[_ball(row.derivative(k) if isinstance(row, Jet) else 0) for k in range(size + 1)] for row in rows]
+        return [row[:size] for row in slopes], [row[size] for row in slopes]
+
+    def require_smooth(self) -> None:
+        """:class:`Undecided` where the field has no third derivatives at the state, or is not shown to have them."""
+        constants, about = self._constants(self.values), self.model.about
+        gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
+        if about["contact"]["gap"] is not None and about["contact"]["unilateral"] and not _sign(gap) < 0:
+            line = about["contact"]["line"]
+            raise Undecided(f"the state lies on the border of contact, where the law of line {line} of the page has a kink")
+        if about["friction"] is not None and not _sign(slip) > 0 and self._asks_for_the_side():
+            line = about["friction"]["line"]
+            raise Undecided(f"the sliding speed is 0, where the law of friction, line {line} of the page, has a kink")
+        ways = self.mode[len(self.mode) - self.motion.ways :]
+        if ways:
+            levels = undecorated(self.model.algebra.turning_borders)(*self.state, *constants, *ways, xp=XP)
+            if not all(_sign(level) > 0 for level in levels):
+                raise Undecided("a torsion spring is turned by π, where its torque jumps")
+
+    def _asks_for_the_side(self) -> bool:
+        """Whether the law depends on the side of slip = 0 otherwise than by its square: algebra with it is then an error."""
+        try:
+            self.field(self.state, self.parameter, (self.mode[0], _Side(), *self.mode[2:]))
+        except TypeError:
+            return True
+        return False
+
+    def _values(self, parameter: Any) -> Mapping[str, Any]:
+        """Arguments of generated functions by name."""
+        values = dict(self.values)
+        if self.vary in self.balance.angles:
+            values |= zip(self.balance.angles[self.vary], cosine_and_sine(parameter), strict=True)
+        values[self.vary] = parameter
+        return values
+
+    def _constants(self, values: Mapping[str, Any]) -> list[Any]:
+        return [values[name] for name in self.model.about["arguments"]["motion"]]
+
+    def _shift(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+        """Accelerations, linear in it, by what the friction of the equilibrium is larger than the law at the belt's speed."""
+        balance, statics = self.balance, self.model.algebra
+        if self.model.about["friction"] is None or balance.law == "friction_at_speed":
+            return [0] * self.n
+        constants = self._constants(values)
+        at_speed = undecorated(statics.friction_at_speed)(*constants, xp=XP)
+        more = balance.friction(values, XP) - at_speed
+        directions = balance.plain_directions(q, values, XP)
+        taken = [values[name] for name in self.model.about["arguments"]["statics"]]
+        forces = undecorated(statics.forces)
+        with_unit, without = (forces(*q, *directions, *taken, mu, balance.pushing, xp=XP) for mu in (1, 0))
+        missing = [(b - a) * more for a, b in zip(with_unit, without, strict=True)]
+        mass = [[_number(entry) for entry in row] for row in balance.mass(q, values, XP)]
+        return _solved(mass, [_number(value) for value in missing])
+
+
+def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Complex]]:
+    """ω, the eigenvector of length 1 and the left one, of all matrices in A that have two eigenvalues with the sum 0.
+
+    With the matrix X of approximate eigenvectors, X⁻¹ A X is nearly diagonal, and Gershgorin's discs hold the eigenvalues. Where
+    the disc of i ω meets no other, the eigenvector is X z with z = 1 in the place of the disc and less elsewhere.
+    """
+    middles = np.array([[float(sum(BALLS.ends(entry)) / 2) for entry in row] for row in A])
+    roots, columns = np.linalg.eig(middles)
+    X = [[Complex(_ball(float(entry.real)), _ball(float(entry.imag))) for entry in row] for row in columns.astype(complex)]
+    size = range(len(A))
+    AX = [[_product(A[i], [X[k][j] for k in size]) for j in size] for i in size]
+    Z = [list(row) for row in zip(*(_solved(X, [AX[i][j] for i in size]) for j in size), strict=True)]
+    middle = np.array([complex(_float(Z[k][k].re)[0], _float(Z[k][k].im)[0]) for k in size])
+    wide = np.array([_size(Z[k][k] - Complex(_ball(middle[k].real), _ball(middle[k].imag))) for k in size])
+    off = np.array([[0.0 if i == j else _size(Z[i][j]) for j in size] for i in size])
+    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + wide + np.abs(middle) * ROOM) * (1 + ROOM)
+
+    def apart(one: complex, r: float, other: complex, s: float) -> bool:
+        return abs(one - other) * (1 - ROOM) > r + s
+
+    sums = [
+        (i, j) for i in size for j in size if i <= j and not apart(middle[i], radius[i], -middle[j], radius[j])
+    ]  # fmt: skip
+    if not sums or len(sums) > 1:
+        raise Undecided(
+            "more than one pair of eigenvalues may have the sum 0: no generic Hopf point"
+            if sums
+            else "no two eigenvalues have the sum 0: no Hopf point"
+        )
+    k, conjugate = sums[0] if middle[sums[0][0]].imag > 0 else sums[0][::-1]
+    isolated = all(
+        apart(middle[i], radius[i], middle[j], radius[j]) for i in (k, conjugate) for j in size if j != i
+    ) and all(apart(middle[k].conjugate(), radius[k], middle[j], radius[j]) for j in size if j != conjugate)  # fmt: skip
+    if k == conjugate or not isolated or not middle[k].imag > radius[k]:
+        raise Undecided("the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω")
+    omega = Z[k][k].im + _around(float(radius[k]))
+    # (Z_jj − λ) z_j = −Σ Z_jl z_l, where no |z_l| is larger than 1.
+    spread = [
+        0.0 if j == k else float(radius[j] / (abs(middle[j] - middle[k]) * (1 - ROOM) - radius[j] - radius[k]) * (1 + ROOM))
+        for j in size
+    ]
+    z = [Complex(_ball(int(j == k)) + _around(spread[j]), _around(spread[j])) for j in size]
+    q = [_product(row, z) for row in X]
+    length = BALLS.sqrt(sum((entry.squared() for entry in q), _ball(0)))
+    left = _solved([list(column) for column in zip(*X, strict=True)], z)
+    return omega, [entry / length for entry in q], left
+
+
+def _solved(rows: Sequence[Sequence[Any]], values: Sequence[Any]) -> list[Any]:
+    """Solution of a linear system; the largest pivots first."""
+
+    def choose(table: list[list[Any]], k: int) -> None:
+        best = max(range(k, len(table)), key=lambda i: _about(table[i][k]))
+        table[k], table[best] = table[best], table[k]
+
+    return solved(rows, values, choose)
+
+
+def _about(value: Any) -> float:
+    """Size, roughly."""
+    value = constant(value)
+    if isinstance(value, Complex):
+        return _about(value.re) + _about(value.im)
+    return math.ldexp(abs(value.mid), value.exp) if isinstance(value, Ball) else abs(value)
+
+
+def _product(row: Sequence[Any], column: Sequence[Any]) -> Complex:
+    total = Complex(_ball(0), _ball(0))
+    for a, b in zip(row, column, strict=True):
+        total = total + a * b
+    return total
+
+
+def _size(value: Complex) -> float:
+    """Bound on |z|."""
+    most = sum(max(map(abs, BALLS.ends(part))) for part in (value.re, value.im))
+    return math.nextafter(float(most), math.inf)
+
+
+def _around(radius: float) -> Ball:
+    """All numbers up to that size."""
+    with BALLS.precision(BITS):
+        return BALLS.between(Fraction(-radius), Fraction(radius))
+
+
+def _ball(value: Any) -> Ball:
+    """A number that is exactly a ball."""
+    return value if isinstance(value, Ball) else ball(value, BITS)
+
+
+def _number(value: Any) -> Any:
+    """A ball or a jet of balls."""
+    return value if isinstance(value, Jet) else _ball(value)
+
+
+def _sign(value: Any) -> int:
+    return BALLS.sign(_ball(value))
+
+
+def _floats(values: Sequence[Any]) -> NDArray[np.complex128]:
+    """The middles of balls or of complex numbers."""
+    return np.array([complex(_float(z.re)[0], _float(z.im)[0]) for z in map(as_complex, values)])
+
+
+def _float(value: Any) -> tuple[float, float]:
+    """The nearest float, and a bound on its distance from everything in the ball."""
+    low, high = BALLS.ends(_ball(value))
+    middle = float((low + high) / 2)
+    most = max(abs(high - Fraction(middle)), abs(Fraction(middle) - low))
+    return middle, math.nextafter(float(most), math.inf) if most else 0.0

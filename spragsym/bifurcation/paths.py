@@ -1,0 +1,477 @@
+"""A state of a model followed as one parameter moves slowly: where it goes, where it vanishes, and what it jumps to.
+
+All folds along the parameter are known and proved beforehand. Between two of them a step is taken from one value to the next
+only to the state that is proved to lie on the same branch: see :mod:`spragsym.bifurcation.branches`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import ParameterSet, Range, as_numbers
+from ..numerics.interval_arrays import FloatArray
+from ..questions import Method, question
+from ..results.equilibria import Equilibria, Stability, as_decided, one_each, with_state
+from ..results.paths import Jump, Path, followed
+from ..results.points import Points
+from ..statics.equilibria import equilibria
+from ..statics.foremost import foremost
+from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.forces import Model
+from ..statics.reference_state import chosen_state
+from ..statics.search import columns
+from ..statics.stability import with_a_zero
+from .bifurcation_conditions import Touch
+from .branches import Along, links
+from .escapes import INFINITY, escapes
+from .folds import folds
+from .points import arranged, given_column, search
+from .tubes.tube_regions import Parts, Place
+from .tubes.tubes import Tubes
+from .tubes.turning_points import turned
+
+#: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
+BESIDE = 1e-3
+#: How far beyond its ends a range is searched, over the larger of 1 and the end, where as much as that is not decided.
+AROUND = 1e-6
+#: How far beyond the border of the contact states on it are looked for.
+OVER_BORDER = 1e-3
+#: How near to a fold the place lies at which a tube turns, over the size of its coordinates.
+MATCH = 1e-6
+#: Of two folds that are stops themselves the one this much nearer, over the distance of the other, is that of a state there.
+CLEARLY = 0.1
+
+
+@dataclass(frozen=True)
+class ModelEnd(Result):
+    """Where a state vanishes at a fold, leaves the contact or runs to infinity."""
+
+    value: float  #: of the parameter, at the fold, on the border or in the limit
+    kind: str  #: ``"fold"``, ``"border"`` where the state leaves the contact, or ``"infinity"`` where it runs there
+    before: Mapping[str, float]  #: coordinates there
+    error: float  #: bound on the error of ``value``
+
+
+#: Stability that nobody asks for.
+NONE = np.zeros(2, dtype=np.int8)
+#: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
+Choice = Callable[[Equilibria, Mapping[str, float]], int]
+
+
+@question
+def quasi_static_path(
+    p: ParameterSet, vary: str, values: ArrayLike, *, start: int | str = "small", after_jump: Choice | None = None,
+    method: Method = "auto",
+) -> Path:  # fmt: skip
+    """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with its jumps.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model, scalars; the parameter that varies is not used.
+    vary : str
+        Its name.
+    values : array_like
+        One axis, strictly increasing or strictly decreasing.
+    start : "small", "large" or int
+        Where to begin, at the first value: the reference state, see :mod:`spragsym.statics.reference_state`, or the one
+        that ``p.following(…)`` chose; the stable equilibrium of largest first coordinate, by size; or a slot of
+        :func:`spragsym.equilibria`.
+    after_jump : callable, optional
+        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the stable one that is nearest.
+        Whether the motion settles there or on a limit cycle, :func:`spragsym.simulate` tells.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or the search.
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    ParameterError
+        For values that do not go one way, or out of range, or a ``start`` that has no equilibrium.
+    ConvergenceError
+        Where folds or equilibria are not all decided, or nothing stable is left to jump to.
+
+    Notes
+    -----
+    Source: article, Figures 6 and 13; all folds along the parameter, see :func:`spragsym.folds`, and which states lie on one
+    branch, see :mod:`spragsym.bifurcation.branches`.
+
+    A value that lies within the ``error`` of a fold of ``folds``
+    counts as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the
+    first value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then
+    the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable
+    each goes on as that one, and where one becomes three, two of them stable, the path goes on with the one of larger x, or of
+    whatever the mirror turns. Where it is the middle one of three that is stable it ends there, and the path jumps. Of states
+    that are equally small, or equally near, the one of larger coordinates is taken.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> up = ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0)))
+    >>> [round(float(np.degrees(jump.value)), 6) for jump in up.jumps]
+    [35.353706]
+    """
+    along = as_numbers("values", values)
+    steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
+    if along.ndim != 1 or not along.size or not ((steps > 0).all() or (steps < 0).all()):
+        raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
+    way = _Way(p.model, p, vary, along)
+    place = way.begin(start)
+    out = [way.state(0, place)]
+    jumps = []
+    for stop in range(1, way.stops.size):
+        place, jump = way.moved(stop, place, after_jump)
+        jumps += [jump] if jump else []
+        if way.wanted[stop]:
+            out.append(way.state(stop, place))
+    coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
+    stability, error = np.array([state[1] for state in out], dtype=np.int8), np.array([state[2] for state in out])
+    return followed(p, vary, along, coordinates, stability, error, tuple(jumps))
+
+
+def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
+    """Where a state that is followed from the first value of a span to the last one vanishes first; None if it does not.
+
+    Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it is not asked.
+    """
+    way = _Way(p.model, p, vary, np.array(span))
+    place = way.begin(start)
+    for stop in range(1, way.stops.size):
+        following = way.followed(stop, place)
+        if following is None:
+            return way.end(stop, place)
+        place = following
+    return None
+
+
+class _Way:
+    """Values and the stops beside each fold, the equilibria at all of them, and which of two neighbours lie on one branch.
+
+    A place is a slot of the equilibria at a stop, or ``~number`` for the state in which two meet at a fold that is a stop itself.
+    """
+
+    def __init__(self, model: Model, p: Any, vary: str, along: FloatArray) -> None:
+        self.model, self.vary, self.balance = model, vary, Balance(model, contact=True)
+        self.p = p
+        try:
+            self.ends = self._ends(along, BESIDE)
+        except ConvergenceError:  # of what lies beyond the values nothing is asked
+            self.ends = self._ends(along, AROUND)
+        at = self._snapped(along)
+        self.within = (at >= along.min()) & (at <= along.max())
+        self.at, self.kinds = at[self.within], self._column("kind")
+        self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
+        self.stops, self.wanted = self._stops(along)
+        self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
+        if not self.eq.decided.all():
+            first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
+            raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
+        self.along = Along(self.balance, p, vary, self.at, self.kinds)
+        self.every: dict[int, dict[int, int]] = {}
+        self.turnings: dict[tuple[int, int, int], int | None] = {}
+        self.joined = links(self.along, self.stops, self.eq, most=0)
+
+    def _with_meetings(self, eq: Equilibria) -> Equilibria:
+        """The same; at values at which states meet, and which digits don't decide, with what is known of those.
+
+        Of a pitchfork it is the state in which three meet; the one in which two meet at a fold stands in no slot. That no other
+        is there is known once all states beside the value are joined to those on it.
+        """
+        names = self.balance.coordinates
+        for stop in np.flatnonzero(~eq.decided).tolist():
+            here = np.flatnonzero((self.at == self.stops[stop]) & ~self.far)
+            states = np.array([self._column(name)[here] for name in names]).T
+            room = BESIDE * np.maximum(1.0, np.abs(states))
+            boxes = [box for box in eq.undecided if box.index == (stop,)]
+            around = np.array([((states - box.low <= room) & (box.high - states <= room)).all(axis=-1) for box in boxes])
+            if not around.any(axis=-1).all():
+                continue
+            eq = as_decided(eq, stop)
+            for number, state in zip(here.tolist(), states.tolist(), strict=True):
+                if self.kinds[number] == "pitchfork" and around[:, here == number].any():
+                    error = float(self._column("error")[number])
+                    eq = with_state(eq, stop, dict(zip(names, state, strict=True)), self._stability_met(number), error)
+        return eq
+
+    def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
+        """Where states vanish: folds, and where they leave the contact. Those on the ends are inside of what is searched."""
+        allowed: Range = self.p.ranges.get(self.vary, Range(-np.inf, np.inf))
+        low, high = float(along.min()), float(along.max())
+        low = max(low - beyond * max(1.0, abs(low)), allowed.low)
+        high = min(high + beyond * max(1.0, abs(high)), allowed.high)
+        found = folds(self.p, self.vary, between={self.vary: (low, high)})
+        if not found.decided:
+            raise ConvergenceError(
+                f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all decided; ss.folds lists the boxes, "
+                "and a path needs a range without them"
+            )
+        # States run to infinity only where nothing bounds them.
+        far = (
+            []
+            if found.whole and np.isfinite(found.region).all()
+            else [escapes(self.balance, self.p, (self.vary,), np.array([[low, high]]))]
+        )
+        return [found, *self._touches((low, high)), *far]
+
+    def _snapped(self, along: FloatArray) -> FloatArray:
+        """Where states vanish: one value for those that coincide within their errors, and the value asked for that lies there.
+
+        Twins by a mirror coincide, and each search rounds in its own way.
+        """
+        at, error = self._every(self.vary), self._every("error")
+        order = np.argsort(at)
+        begins = np.diff(at[order], prepend=-np.inf) > error[order] + np.roll(error[order], 1)
+        at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
+        off = np.abs(at[:, None] - along)
+        near = off.argmin(axis=1)
+        return np.where(off[np.arange(at.size), near] <= error, along[near], at)
+
+    def _every(self, name: str) -> NDArray[Any]:
+        """A column of all points at which states vanish."""
+        return np.concatenate([getattr(points, name) for points in self.ends])
+
+    def _column(self, name: str) -> NDArray[Any]:
+        """The same of those on the way."""
+        column: NDArray[Any] = self._every(name)[self.within]
+        return column
+
+    def _touches(self, span: tuple[float, float]) -> list[Points]:
+        """Where an equilibrium gets into contact or out of it."""
+        if not self.balance.opens:
+            return []
+        beyond = Balance(self.model, contact=True, room=OVER_BORDER)
+        given = given_column(self.p, beyond.parameters, (self.vary,))
+        found = search(beyond, (self.vary,), Touch(), given, np.array([span]))
+        points = arranged(beyond, self.p, (self.vary,), given, found, np.full(found.roots.point.size, "border"))
+        if not points.decided:
+            raise ConvergenceError(f"whether equilibria leave the contact along {self.vary} is not decided; shorten the range")
+        return [points]
+
+    def _stops(self, along: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+        """The values in their order, with a stop on each side of each fold."""
+        beside = []
+        for fold in self.at:
+            others = np.abs(np.concatenate([along, self.at]) - fold)
+            room = min(BESIDE * max(1.0, abs(fold)), 0.25 * float(others[others > 0].min(initial=np.inf)))
+            beside += [fold - room, fold + room]
+        low, high = along.min(), along.max()
+        extra = np.array([value for value in beside if low < value < high])
+        stops = np.concatenate([along, extra])
+        wanted = np.concatenate([np.ones(along.size, dtype=np.bool_), np.zeros(extra.size, dtype=np.bool_)])
+        order = np.argsort(stops)
+        order = order if along[-1] > along[0] else order[::-1]
+        return stops[order], wanted[order]
+
+    def begin(self, start: int | str) -> int:
+        """The slot at the first value."""
+        count = int(self.eq.count[0])
+        if not isinstance(start, str):
+            if isinstance(start, bool) or not isinstance(start, int | np.integer) or not 0 <= start < count:
+                raise ParameterError(f"start = {start!r}: the first value has {count} equilibria, slots 0 to {count - 1}")
+            return int(start)
+        if start not in ("small", "large"):
+            raise ParameterError(f"start = {start!r}; give 'small', 'large' or the slot of an equilibrium")
+        stable = [slot for slot in range(count) if self.eq.stability[0, slot] == Stability.STABLE] or list(range(count))
+        met = self._met(0)
+        if met and (self.stops.size == 1 or count == len(self._links(0))):
+            # The float of the fold lies just beyond the states that meet there.
+            firm = [~number for number in met if self._stability_met(number) == Stability.STABLE]
+            stable = [*firm, *stable] or [~number for number in met]
+        if not stable:
+            at = f"the first value, {self.vary} = {float(self.stops[0])!r}"
+            raise ParameterError(f"{at}, has no equilibrium in contact; begin where there is one: at folds they begin and end")
+        states = np.array([self.state(0, slot)[0] for slot in stable]).T
+        error = np.full(len(stable), max(self.state(0, slot)[2] for slot in stable))
+        if start == "large":
+            return stable[int(foremost(-np.abs(states[0]), states, error))]
+        here = self.p.replace(**{self.vary: float(self.stops[0])})
+        every = np.ones(len(stable), dtype=np.bool_)
+        return stable[int(chosen_state(self.model, here, list(states), error, every, self.p.followed))]
+
+    def _met(self, stop: int) -> list[int]:
+        """Numbers of the folds and borders that a stop is equal to."""
+        return [int(number) for number in np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork") & ~self.far)]
+
+    def _stability_met(self, number: int) -> int:
+        """Where one λ is 0 the others decide."""
+        given = columns(self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters)
+        return with_a_zero(self.balance, self._states(np.array([number])), given)
+
+    def moved(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump | None]:
+        """The slot at a stop of the state that was in a slot at the one before, with the jump if it vanishes on the way."""
+        following = self.followed(stop, place)
+        return self.jump(stop, place, choose) if following is None else (following, None)
+
+    def followed(self, stop: int, place: int) -> int | None:
+        """The slot at a stop of the state that was in a slot at the one before; None if it vanishes on the way."""
+        if place in self.joined[stop - 1]:
+            return self.joined[stop - 1][place]
+        if place < 0:
+            return self._begun(stop, ~place)
+        several = self._candidates(stop - 1, stop).size > 1
+        if not (several and self._turns(stop - 1, place, stop) is not None) and place in self._links(stop - 1):
+            return self._links(stop - 1)[place]
+        number = self._ending(stop, place)
+        return ~number if number in self._met(stop) else None
+
+    def _begun(self, stop: int, number: int) -> int | None:
+        """The stable one of the two states that begin at a fold, at the stop behind it; None if they lie on the other side."""
+        links = self._links(stop - 1)
+        begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
+        if len(self._met(stop - 1)) > 1:
+            begun = [slot for slot in begun if self._turns(stop, slot, stop - 1) == number]
+        return next((slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE), None)
+
+    def _candidates(self, stop: int, other: int) -> NDArray[np.int64]:
+        """Numbers of the points at which states may vanish between two stops, or on them."""
+        low, high = sorted((self.stops[stop], self.stops[other]))
+        error = self._column("error") * np.maximum(1.0, np.abs(self.at))
+        return np.flatnonzero((self.at >= low - error) & (self.at <= high + error))
+
+    def _turns(self, stop: int, slot: int, goal: int) -> int | None:
+        """The fold at which a state is proved to turn back on its way from one stop to another; None if nothing is proved."""
+        if (stop, slot, goal) not in self.turnings:
+            self.turnings[stop, slot, goal] = self._turned(stop, slot, goal)
+        return self.turnings[stop, slot, goal]
+
+    def _turned(self, stop: int, slot: int, goal: int) -> int | None:
+        here = self._candidates(stop, goal)
+        here = here[self.kinds[here] == "fold"]
+        if not here.size:
+            return None
+        tubes, start = self._standing(self.balance, stop, slot)
+        if here.size > 1 and (self.at[here] == self.stops[stop]).all():
+            # The float of the folds is one at which two states are left, too near to each other for a tube.
+            away = np.abs(self._states(here) - start.z[: tubes.n, 0, None]).max(axis=0)
+            nearest, second = np.argsort(away)[:2]
+            return int(here[nearest]) if away[nearest] <= CLEARLY * away[second] else None
+        forward = 1 if self.stops[goal] > self.stops[stop] else -1
+        found = turned(tubes, self._part, start, forward)
+        if not found.sure[0]:
+            return None
+        away = np.abs(np.vstack([self._states(here), self.at[here]]) - found.z) / np.maximum(1.0, np.abs(found.z))
+        nearest = int(away.max(axis=0).argmin())
+        return int(here[nearest]) if away[:, nearest].max() <= MATCH else None
+
+    @cached_property
+    def _part(self) -> Parts:
+        """The parameters, of which none has a width."""
+        nothing = np.zeros((0, 1))
+        return Parts(given_column(self.p, self.balance.parameters, (self.vary,)), nothing, nothing)
+
+    def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
+        """A tube's beginning at a state."""
+        tubes = Tubes(balance, self.vary)
+        z = np.array([*(self.eq.coordinates[name][stop, slot] for name in balance.coordinates), self.stops[stop]])
+        return tubes, tubes.place(self._part, z[:, None], tubes.n)
+
+    def _states(self, numbers: NDArray[np.int64]) -> FloatArray:
+        """Coordinates of points at which states vanish, shape (n, numbers)."""
+        return np.array([self._column(name)[numbers] for name in self.balance.coordinates])
+
+    def _ending(self, stop: int, place: int) -> int:
+        """The number of the point at which a state vanishes on its way to a stop from a place at the one before."""
+        here = self._candidates(stop - 1, stop)
+        if place < 0 or here.size == 1:
+            return ~place if place < 0 else int(here[0])
+        turns = self._turns(stop - 1, place, stop)
+        if turns is not None:
+            return turns
+        for number in here[self.kinds[here] == "border"].tolist():
+            tubes, start = self._standing(Balance(self.model, contact=True, room=OVER_BORDER), stop - 1, place)
+            there = tubes.followed(self._part, start, self.at[[number]])
+            away = np.abs(self._states(np.array([number])) - there.z[: tubes.n])
+            if there.sure[0] and there.z[tubes.n, 0] == self.at[number] and (away <= there.room[: tubes.n]).all():
+                return int(number)
+        others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
+        if others.size > 1 and self.far[others].all():  # of states that run opposite ways
+            q = np.array([[self.eq.coordinates[name][stop - 1, place]] for name in self.balance.coordinates])
+            away = self._states(others)
+            others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
+        if others.size == 1:  # at folds the state would be known to turn
+            return int(others[0])
+        ends = f"{self.vary} = {float(self.stops[stop - 1]):.17g} and {float(self.stops[stop]):.17g}"
+        raise ConvergenceError(f"where the state ends between {ends} is not told apart from {here.size} folds and borders there")
+
+    def _links(self, step: int) -> dict[int, int]:
+        """All pairs of slots of a step on one branch, not only those that tubes join at once."""
+        if step not in self.every:
+            (self.every[step],) = links(self.along, self.stops, self.eq, only=step)
+        return self.every[step]
+
+    def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
+        """Coordinates, stability, and a bound on the error."""
+        if slot < 0:
+            number = ~slot
+            values = [float(self._column(name)[number]) for name in self.balance.coordinates]
+            return values, self._stability_met(number), float(self._column("error")[number])
+        values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
+        return values, int(self.eq.stability[stop, slot]), float(self.eq.error[stop, slot])
+
+    def jump(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump]:
+        """The slot behind the fold that ends the branch."""
+        end = self.end(stop, place)
+        before = end.before
+        eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
+        count = int(eq.count)
+        how = {"border": "leaves the contact", INFINITY: "runs to infinity"}.get(end.kind, f"ends in a {end.kind}")
+        ends = f"the state {how} at {self.vary} = {end.value!r}"
+        if not count:
+            raise ConvergenceError(f"{ends}, and there is no other beyond it: end the path before it")
+        if choose is None and end.kind == INFINITY:
+            raise ConvergenceError(f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes")
+        if choose is None:
+            stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
+            if not stable:
+                raise ConvergenceError(
+                    f"{ends}, and nothing stable in contact is left there: end the path before it, or say in Python by "
+                    "after_jump where it goes"
+                )
+            states = np.array([eq.coordinates[name][stable] for name in before])
+            apart = np.linalg.norm(states - np.array(list(before.values()))[:, None], axis=0)
+            slot = stable[int(foremost(apart, states, eq.error[stable] + end.error))]
+        else:
+            slot = choose(eq, before)
+            if not 0 <= slot < count:
+                raise ParameterError(f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}")
+        behind = np.array([float(eq.coordinates[name][slot]) for name in before])
+        after = dict(zip(before, self._at_end(end, behind), strict=True))
+        kind = Stability(int(eq.stability[slot]))
+        places = [np.array([before[name], after[name]]) for name in before]
+        at = one_each(self.p.replace(**{self.vary: [end.value] * 2}), dict(zip(before, places, strict=True)), NONE, end.error)
+        both = [{name: float(getattr(at, name)[row, 0]) for name in at.columns} for row in range(2)]
+        return self._slot(stop, behind), Jump(end.value, end.kind, both[0], both[1], kind, end.error)
+
+    def _slot(self, stop: int, state: FloatArray) -> int:
+        """The slot at a stop of a state: another search may list those in another order whose first coordinates are alike."""
+        count = int(self.eq.count[stop])
+        known = np.array([self.eq.coordinates[name][stop, :count] for name in self.balance.coordinates])
+        return int(np.linalg.norm(known - state[:, None], axis=0).argmin())
+
+    def _at_end(self, end: ModelEnd, behind: FloatArray) -> list[float]:
+        """Coordinates at the end of a branch of the state that has these at the stop behind it."""
+        eq = equilibria(self.p.replace(**{self.vary: end.value}))
+        states = np.array([eq.coordinates[name][: int(eq.count)] for name in end.before])
+        if not eq.decided.all() or not states.size:
+            return [float(value) for value in behind]
+        nearest = np.linalg.norm(states - behind[:, None], axis=0).argmin()
+        return [float(value) for value in states[:, nearest]]
+
+    def end(self, stop: int, place: int) -> ModelEnd:
+        """The same, as a result."""
+        number = self._ending(stop, place)
+        before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
+        error, kind = float(self._column("error")[number]), str(self._column("kind")[number])
+        kind = INFINITY if self.far[number] else kind
+        return ModelEnd(float(self.at[number]), kind, before, error)

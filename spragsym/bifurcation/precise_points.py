@@ -1,0 +1,113 @@
+"""Folds and onsets with many digits: where two of them lie so near to each other that float64 does not tell them apart.
+
+Near a cusp two folds meet, and where a curve of folds only touches the line of the parameter that varies they do too. There the
+forces and the condition, as one system in coordinates and parameter, are nearly singular, and :mod:`spragsym.numerics.reduction`
+brings them down to one unknown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from ..numerics import contractors
+from ..numerics.ball_functions import XP, cosine_and_sine
+from ..numerics.certified_roots import Roots
+from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.jets import constant, gradient, variables
+from ..statics.mechanics.precise_balance import (
+    PreciseBalance,
+    Spans,
+    assembled,
+    boxes_of,
+    clusters,
+    reduced,
+    replaced,
+    unsettled,
+    widened,
+    with_digits,
+)
+from .defining_systems import Augmented, State
+
+#: Boxes beyond which they lie around no points.
+MANY = 400
+#: Clusters of boxes that are looked at.
+CLUSTERS = 12
+
+
+def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roots) -> Roots:
+    """What a search along one parameter has left open, or knows to few digits only, looked at again with many digits.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, 1), the one that varies included, whose value is not used.
+    region : ndarray
+        Shape (2, n + 1, 1).
+    """
+    points = unsettled(found)
+    if not points.size or system.condition.order or found.left.shape[2] > MANY:
+        return found
+    with np.errstate(all="ignore"):
+        fixed = system.prepared(Intervals.point(np.repeat(given, found.left.shape[2], axis=1)))
+        if system.given_up(Intervals(found.left), fixed).any():
+            return found  # no number of digits tells what is there
+    hulls, owner = clusters(*boxes_of(found))
+    if owner.size > CLUSTERS:
+        return found
+
+    def precise(bits: int) -> Any:
+        return PreciseAugmented(system, given[:, 0], bits).rows
+
+    n = region.shape[1]
+    parts = [with_digits(0, n, reduced(system, given[:, 0], widened(hulls[:, :, k]), precise)) for k in range(owner.size)]
+    parts = [_or_known(found, hulls[:, :, k], part) for k, part in enumerate(parts)]
+    return replaced(found, points, assembled(region, found, points, parts))
+
+
+def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
+    """What many digits tell of a cluster; where they leave something, roots that are known already, to few digits."""
+    inside = contractors.within(found.ends, hull[:, :, None])
+    if not part.left.shape[2] or not inside.any() or not contractors.apart(found.left, hull[:, :, None]).all():
+        return part
+    none = part.left[:, :, :0], part.left_point[:0]
+    return Roots(found.ends[:, :, inside], found.alone[:, :, inside], found.point[inside], *none)
+
+
+class PreciseAugmented:
+    """Balance and condition of balls at one point of the parameters that do not vary; ``spans`` as of the balance."""
+
+    def __init__(self, system: Augmented, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
+        self.system, self.bits = system, bits
+        self.base = PreciseBalance(system.balance, np.nan_to_num(given), bits, spans)
+
+    def rows(self, unknowns: Sequence[Any]) -> list[Any]:
+        """Forces and condition, of balls or jets of balls."""
+        at = self.state(unknowns)
+        return [*at.forces(), *self.system.condition.equations(at)]
+
+    def values(self, unknowns: Sequence[Any]) -> list[Any]:
+        """The same at balls."""
+        order = self.system.condition.order
+        return [constant(row) for row in self.rows(variables(unknowns, order) if order else unknowns)]
+
+    def slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
+        """Their slopes."""
+        return [gradient(row, self.system.n) for row in self.rows(variables(unknowns, self.system.condition.order + 1))]
+
+    def gap(self, unknowns: Sequence[Any]) -> Any:
+        """Gap of the contact."""
+        return self.state(unknowns).gap()
+
+    def state(self, unknowns: Sequence[Any]) -> State:
+        """The evaluation at balls or jets of balls."""
+        n, balance = self.system.balance.n, self.system.balance
+        values = dict(self.base.arguments)
+        for name, value in zip(self.system.vary, unknowns[n:], strict=True):
+            if name in balance.angles:
+                values |= zip(balance.angles[name], cosine_and_sine(value), strict=True)
+            values[name] = value
+        return State(balance, unknowns[:n], values, (), xp=XP)

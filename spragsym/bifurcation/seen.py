@@ -1,0 +1,214 @@
+"""Onsets that floats see where a search over boxes ends before all is decided: each proved on its own if that succeeds.
+
+States are found at many values of the parameter, and from one value to the next each pair λ, λ̄ is followed on its own: others
+may grow already, or never be damped. Where the growth of one changes its sign, bisection leads to the onset; where friction alone
+damps, or nothing, it is the condition's own value that changes its sign, and Newton's method leads there. Krawczyk's operator
+proves the onset in a small box; what it does not prove is listed as seen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from ..numerics import certified_roots
+from ..numerics.certified_roots import Roots
+from ..numerics.interval_arrays import FloatArray, Intervals
+from ..numerics.krawczyk import as_intervals, narrowed
+from ..numerics.polynomials import Undecided
+from ..statics import stability
+from ..statics.mechanics.border import BITS, on_its_side
+from ..statics.search import seen
+from .bifurcation_conditions import Hopf
+from .defining_systems import Augmented
+from .points import Found
+from .precise_points import PreciseAugmented
+
+#: Values of the parameter that are looked at.
+VALUES = 61
+#: Steps of Newton's method, the last of which has to be as small as this.
+STEPS, CONVERGED = 12, 1e-9
+#: Half-width of the box in which an onset is proved with many digits, over its size.
+ROOM = 1e-6
+#: Imaginary part of a λ that oscillates, over its size.
+OSCILLATES = 1e-6
+#: Real part of a λ that grows or decays, over the largest one: eigenvalues are known to less than that.
+GROWS = 1e-11
+#: Width of a box whose middle is as good as a root, and growth of a λ on the imaginary axis, over their sizes.
+SMALL = 1e-6
+#: Times that the range between two values is halved.
+HALVINGS = 40
+
+
+@dataclass(frozen=True)
+class Sighting:
+    """An onset that floats see: coordinates and parameter, shape (n + 1,), and the frequency, NaN where none was followed."""
+
+    z: FloatArray
+    omega: float
+
+
+def with_seen(
+    system: Augmented, given: FloatArray, span: FloatArray, found: Found, asked: FloatArray | None
+) -> tuple[Found, Roots, FloatArray]:
+    """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
+    fixed = _at(given, span[:1])
+    sightings = _sightings(system, given, span, asked)
+    sightings = [one for one in sightings if span[0] <= one.z[-1] <= span[1]]
+    candidates = np.array([one.z for one in sightings]).reshape(-1, system.n).T
+    room = ROOM * np.maximum(1.0, np.abs(candidates))
+    wide = np.stack([room - candidates, room + candidates])
+    proved_ends = [_proved(system, fixed[:, 0], box) for box in np.moveaxis(wide, 2, 0)]
+    sure = np.array([ends is not None for ends in proved_ends], dtype=np.bool_)
+    ends = np.concatenate([wide[:, :, :0], *(part for part in proved_ends if part is not None)], axis=2)
+    nothing = found.roots.left[:, :, :0], found.roots.left_point[:0]
+    omega = np.array([one.omega for one in sightings])[~sure]
+    proved, open_ = (
+        on_its_side(
+            system,
+            fixed,
+            Roots(part, part, np.zeros(part.shape[2], dtype=np.int64), *nothing),
+            partial(PreciseAugmented, system, bits=BITS),
+        )
+        for part in (ends, wide[:, :, ~sure])
+    )
+    omega = omega[[int(np.abs(candidates[:, ~sure] - z[:, None]).max(axis=0).argmin()) for z in open_.middle.T]]
+    every = certified_roots.concatenated([found.roots, replace(proved, left=nothing[0], left_point=nothing[1])], system.n)
+    order = np.argsort(-every.alone[0, 0])
+    ends, alone = every.ends[:, :, order], every.alone[:, :, order]
+    keep, _ = certified_roots.once(ends, alone, np.zeros(order.size, dtype=np.int64))
+    roots = replace(found.roots, ends=ends[:, :, keep], alone=alone[:, :, keep], point=np.zeros(keep.size, dtype=np.int64))
+    return replace(found, roots=roots), open_, omega
+
+
+def _proved(system: Augmented, given: FloatArray, box: FloatArray) -> FloatArray | None:
+    """Floats around the onset in a box of shape (2, n + 1), None where it is not proved."""
+    try:
+        root = narrowed(PreciseAugmented(system, given, BITS), box, box)
+    except (Undecided, ZeroDivisionError):
+        return None
+    return None if root is None else as_intervals(root).ends
+
+
+def _sightings(system: Augmented, given: FloatArray, span: FloatArray, asked: FloatArray | None) -> list[Sighting]:
+    """Onsets between values of the parameter."""
+    balance = system.balance
+    values = span[0] + (span[1] - span[0]) * (np.arange(VALUES) + 0.5) / VALUES
+    columns = np.repeat(given, VALUES, axis=1)
+    columns[balance.parameters.index(system.vary[0])] = values
+    q, point = _states(system, columns, seen(balance, columns, asked))
+    neighbours = []
+    for one in range(point.size):
+        following = np.flatnonzero(point == point[one] + 1)
+        if following.size:
+            neighbours.append((one, int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])))
+    z = np.concatenate([q, values[point][None]])
+    if isinstance(system.condition, Hopf):
+        return _pairs_that_cross(system, given, z, neighbours)
+    return _sign_changes(system, given, z, neighbours)
+
+
+def _states(system: Augmented, columns: FloatArray, found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
+    boxes = Intervals(found.left)
+    small = (boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0)
+    q = np.concatenate([found.middle, boxes.middle[:, small]], axis=1)
+    point = np.concatenate([found.point, found.left_point[small]])
+    order = np.lexsort((q[0], point))
+    q, point = q[:, order], point[order]
+    again = (np.diff(point) == 0) & (np.abs(np.diff(q)) <= SMALL * np.maximum(1.0, np.abs(q[:, 1:]))).all(axis=0)
+    first = np.concatenate([np.ones(min(1, point.size), dtype=np.bool_), ~again])
+    return q[:, first], point[first]
+
+
+def _pairs_that_cross(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
+    """Of states z that lie on one branch, where a pair λ, λ̄ passes the imaginary axis."""
+    every, out = _oscillations(system, given, z), list[Sighting]()
+    for one, other in neighbours:
+        if _crossing(every[one], every[other]).size:
+            out += _bisected(system, given, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
+    return out
+
+
+def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Those of the λ at one state, above the real axis, whose real part changes its sign to the next; each is followed."""
+    i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
+    size = max(np.abs([*a, *b]), default=0.0)
+    before, after = a[i], b[j]
+    passes = (before.real * after.real < 0) & (np.minimum(np.abs(before.real), np.abs(after.real)) > GROWS * size)
+    return np.asarray(before[passes])
+
+
+def _bisected(
+    system: Augmented,
+    given: FloatArray,
+    low: tuple[FloatArray, NDArray[np.complex128]],
+    high: tuple[FloatArray, NDArray[np.complex128]],
+    halvings: int,
+) -> list[Sighting]:
+    """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
+    state = _state(system, given, 0.5 * (low[0] + high[0]))
+    (roots,) = _oscillations(system, given, state[:, None])
+    middle = state, roots
+    halves = [(one, other) for one, other in ((low, middle), (middle, high)) if _crossing(one[1], other[1]).size]
+    if halvings and halves:
+        # Where more than one onset lies between, the halvings are shared.
+        share = (halvings - 1) // len(halves)
+        return [sighting for one, other in halves for sighting in _bisected(system, given, one, other, share)]
+    # Else the ends do not lie on one branch.
+    crossing = _crossing(low[1], high[1])
+    nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
+    return [Sighting(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
+
+
+def _at(given: FloatArray, z: FloatArray) -> FloatArray:
+    """Parameters as columns, the one that varies at the value z[−1] of each state."""
+    return np.where(np.isnan(given), z[-1], given)
+
+
+def _state(system: Augmented, given: FloatArray, z: FloatArray) -> FloatArray:
+    """The state of the value z[−1] that Newton's method finds near by."""
+    columns = _at(given, z)
+    with np.errstate(all="ignore"):
+        q = system.balance.guessed(z[:-1, None], system.balance.prepared(Intervals.point(columns)))
+    return np.append(q[:, 0], z[-1])
+
+
+def _oscillations(system: Augmented, given: FloatArray, z: FloatArray) -> list[NDArray[np.complex128]]:
+    """The λ above the real axis of each state z, shape (n + 1, N)."""
+    if not z.shape[1]:
+        return []
+    columns = _at(given, z)
+    with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
+        parts = stability.linearization(system.balance, z[:-1], columns)
+        every = stability.roots(*(np.moveaxis(part, -1, 0) for part in parts))
+    return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
+
+
+def _sign_changes(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
+    """Of states z that lie on one branch, where the condition's value passes 0 and Newton's method converges."""
+    if not neighbours:
+        return []
+    columns = _at(given, z)
+    with np.errstate(all="ignore"):
+        tested = system.residuals(Intervals.point(z), system.prepared(Intervals.point(columns))).middle[-1]
+    passed = [(i, j) for i, j in neighbours if np.isfinite(tested[[i, j]]).all() and tested[i] * tested[j] < 0]
+    starts = [z[:, i] + (z[:, j] - z[:, i]) * tested[i] / (tested[i] - tested[j]) for i, j in passed]
+    fixed = _at(given, z[:, :1])
+    found = _converged(system, fixed, np.array(starts).reshape(-1, system.n).T)
+    return [Sighting(column, np.nan) for column in found.T]
+
+
+def _converged(system: Augmented, fixed: FloatArray, start: FloatArray) -> FloatArray:
+    """Where Newton's method leads from the given ones, of those from which it converges."""
+    z, change = start, np.full(start.shape[1], np.inf)
+    with np.errstate(all="ignore"):
+        parameters = system.prepared(Intervals.point(np.repeat(fixed, start.shape[1], axis=1)))
+        for _ in range(STEPS if start.size else 0):
+            after = Intervals(certified_roots.stepped(system, np.stack([-z, z]), parameters).ends).middle
+            change, z = np.abs(after - z).max(axis=0), after
+    return z[:, change <= CONVERGED * np.maximum(1.0, np.abs(z).max(axis=0, initial=0.0))]

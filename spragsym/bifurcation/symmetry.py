@@ -1,0 +1,235 @@
+"""Pitchforks of a model that is its own mirror image, proved: where three equilibria become one, all of them in one point.
+
+Without friction and without a spring along the belt the article's model is one, and its equilibria meet at pitchforks. There the
+forces and det K have no regular root, so that a search over boxes stays undecided around it. The mirror decides it:
+
+- a state on the mirror has K in two blocks, since turned rows are odd and the others even in the turned coordinates. The
+  pitchfork is a regular root of the even rows of the balance and of the determinant of the turned block, in the even coordinates
+  and the parameter;
+- near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose third derivative is not 0 all
+  over a box that is its own image. Then the box holds no other fold: g would have a double root on either side and one on the
+  mirror, five in all, and so its third derivative two.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics import boxes, certified_roots, contractors
+from ..numerics.certified_roots import Roots
+from ..numerics.determinants import determinant
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.intervals import Balls
+from ..numerics.jets import constant, gradient, variables
+from ..numerics.polynomials import Undecided
+from ..numerics.reduction import third_derivative
+from ..statics.mechanics.balance import NOTHING, Balance, matrix
+from ..statics.mechanics.border import on_side
+from ..statics.mechanics.parity import follows
+from ..statics.mechanics.precise_balance import PreciseBalance, clusters
+from ..statics.regions import region
+from .bifurcation_conditions import Fold
+from .defining_systems import Augmented, State
+from .points import Found
+
+#: Undecided boxes beyond which they lie around no points.
+MANY = 500
+#: Bits of the forces around a pitchfork.
+BITS = 120
+
+
+@dataclass(frozen=True)
+class Pitchforks:
+    """Boxes of coordinates and parameter, shape (2, n + 1, N), each with exactly one pitchfork."""
+
+    ends: FloatArray
+    alone: FloatArray
+    left: FloatArray  #: boxes in which it is not known whether there are others
+
+
+def turned(balance: Balance, given: FloatArray, span: FloatArray) -> list[int]:
+    """Numbers of the coordinates that the mirror turns, if the model is its own image; NaN stands for what has a range."""
+    about = balance.model.about["mirror"]
+    low, high = (np.where(np.isnan(given), end, given) for end in span)
+    with np.errstate(all="ignore"):
+        values = balance.arguments(balance.prepared(Intervals.between(low, high)))
+        mu = stacked([balance.friction(values)], (1,)).magnitude.max()
+    zero = {name for name, a, b in zip(balance.parameters, low[:, 0], high[:, 0], strict=True) if a == b == 0}
+    zero |= {"mu"} if mu <= NOTHING else set()
+    if not any(zero.issuperset(names) for names in about["zero"]):
+        return []
+    return [balance.coordinates.index(name) for name in about["turned"]]
+
+
+@dataclass(frozen=True)
+class _Mirror:
+    """Coordinates that a mirror turns, the image of a state, and lines that are upright on the mirror."""
+
+    odd: list[int]
+    image: Callable[[Sequence[Any], Mapping[str, Any]], Sequence[Any]]
+    upright: Sequence[int] = ()
+
+
+def _mirrors(balance: Balance, given: FloatArray, span: FloatArray) -> list[_Mirror]:
+    """The page's mirror, and those that change signs of coordinates only, as of two springs that do not feel each other."""
+    odd = turned(balance, given, span)
+    found = [_Mirror(odd, balance.mirrored, balance.model.about["mirror"]["upright"])] if odd else []
+    low, high = (np.where(np.isnan(given), end, given) for end in span)
+    with np.errstate(all="ignore"):
+        values = balance.arguments(balance.prepared(Intervals.between(low, high)))
+    for size in range(1, balance.n + 1):
+        for some in itertools.combinations(range(balance.n), size):
+            if list(some) != odd and follows(balance, values, some):
+                found.append(_Mirror(list(some), partial(_with_signs, some)))
+    return found
+
+
+def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Mapping[str, Any]) -> list[Any]:
+    return [-part if i in odd else part for i, part in enumerate(q)]
+
+
+class _OnMirror(boxes.Plain):
+    """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
+
+    def __init__(self, balance: Balance, vary: str, mirror: _Mirror) -> None:
+        self.balance, self.vary, self.mirror, self.odd = balance, vary, mirror, mirror.odd
+        self.even = [i for i in range(balance.n) if i not in self.odd]
+        self.n = len(self.even) + 1
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """As for the balance."""
+        return self.balance.prepared(bounds)
+
+    def completed(self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...]) -> State:
+        """The state on the mirror with these even coordinates and this parameter."""
+        values = self.balance.arguments(parameters, {self.vary: unknowns[-1]})
+        q: list[Any] = [0] * self.balance.n
+        for place, i in enumerate(self.even):
+            q[i] = unknowns[place]
+        image = self.mirror.image(q, values)
+        for i in self.odd:
+            q[i] = image[i] * 0.5 if not isinstance(image[i], int) else image[i] / 2
+        return State(self.balance, q, values, shape, self.mirror.upright)
+
+    def _equations(self, at: State) -> list[Any]:
+        forces, K = at.forces(), at.slopes()
+        return [*(forces[i] for i in self.even), determinant([[K[i][j] for j in self.odd] for i in self.odd])]
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Even rows of the balance, and the determinant of the turned block."""
+        shape = unknowns.shape[1:]
+        return stacked([constant(value) for value in self._equations(self.completed(list(unknowns), parameters, shape))], shape)
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """The same at floats."""
+        return self.residuals(Intervals.point(middles), parameters)
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Slopes by the even coordinates and the parameter."""
+        shape = unknowns.shape[1:]
+        at = self.completed(variables(list(unknowns), 1), parameters, shape)
+        return matrix([gradient(value, self.n) for value in self._equations(at)], shape)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes beyond the contact's border."""
+        shape = unknowns.shape[1:]
+        at = self.completed(list(unknowns), parameters, shape)
+        return self.balance.beyond_border(at.q, at.values, shape)
+
+
+def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, mirror: _Mirror) -> Pitchforks:
+    """All pitchforks on the mirror along one parameter."""
+    system = _OnMirror(balance, vary, mirror)
+    place = balance.parameters.index(vary)
+    low, high, fixed = given.copy(), given.copy(), given.copy()
+    low[place], high[place], fixed[place] = *span, span[0]
+    around, _ = region(balance, Intervals.between(low, high))
+    side = np.array([[-span[0]], [span[1]]])[:, None]
+    around = np.concatenate([around[:, system.even], side], axis=1)
+    limits = np.concatenate([balance.limits[:, system.even], np.full((2, 1), np.inf)], axis=1)
+    outcome = boxes.search(system, around, fixed, fixed, limits=limits)
+    found = certified_roots.roots(system, outcome, around, fixed, fixed)
+    parts = []
+    with np.errstate(all="ignore"):
+        for ends in (found.ends, found.alone, found.left):
+            unknowns = Intervals(ends)
+            parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))
+            q = stacked(system.completed(list(unknowns), parameters, ends.shape[2:]).q, ends.shape[2:])
+            parts.append(np.concatenate([q.ends, ends[:, -1:]], axis=1))
+    return Pitchforks(*parts)
+
+
+def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[Found, int]:
+    """What a search for folds has found, with the pitchforks behind it in place of the boxes that are undecided around them.
+
+    Also their number.
+    """
+    number = 0
+    for mirror in _mirrors(balance, given, span) if 0 < found.roots.left.shape[2] <= MANY else ():
+        if found.roots.left.shape[2]:
+            found, more = _with_pitchforks(balance, vary, given, span, found, mirror)
+            number += more
+    return found, number
+
+
+def _with_pitchforks(
+    balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found, mirror: _Mirror
+) -> tuple[Found, int]:
+    """The same for one mirror."""
+    known = pitchforks(balance, vary, given, span, mirror)
+    inside, beyond = _on_side(balance, vary, given, known.ends)
+    left = found.roots.left
+    open_boxes = np.ones(left.shape[2], dtype=np.bool_)
+    decided = []
+    for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
+        here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
+        alone = contractors.apart(known.left, hull[:, :, None]).all()
+        sure = alone and here.size == 1 and (inside | beyond)[here[0]]
+        if sure and only_fold(balance, vary, given, hull, mirror):
+            decided += [int(here[0])] if inside[here[0]] else []
+            open_boxes &= ~contractors.within(left, hull[:, :, None])
+    roots, point = found.roots, np.zeros(len(decided), dtype=np.int64)
+    every = Roots(
+        np.concatenate([roots.ends, known.ends[:, :, decided]], axis=2),
+        np.concatenate([roots.alone, known.alone[:, :, decided]], axis=2),
+        np.concatenate([roots.point, point]),
+        left[:, :, open_boxes],
+        roots.left_point[open_boxes],
+    )
+    return replace(found, roots=every), len(decided)
+
+
+def _on_side(balance: Balance, vary: str, given: FloatArray, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Pitchforks in contact, and such beyond its border."""
+    system = Augmented(balance, (vary,), Fold())
+    return on_side(system, system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), ends.shape[2], axis=1))), ends)
+
+
+def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, mirror: _Mirror) -> bool:
+    """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
+    place, n = balance.parameters.index(vary), balance.n
+    low, high = given.copy(), given.copy()
+    low[place], high[place] = -box[0, -1], box[1, -1]
+    with np.errstate(all="ignore"):
+        parameters = balance.prepared(Intervals.between(low, high))
+        sides = Intervals(box[:, :n, None])
+        image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
+        wide = np.maximum(box[:, :n], image)
+        wide = wide + 0.25 * (wide[0] + wide[1]) + 1e-9
+        slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
+    if not np.isfinite(slopes).all():
+        return False
+    precise = PreciseBalance(balance, given[:, 0], BITS, {vary: (Fraction(-float(box[0, -1])), Fraction(float(box[1, -1])))})
+    whole = [(Fraction(-float(wide[0, i])), Fraction(float(wide[1, i]))) for i in range(n)]
+    try:
+        return bool(Balls().sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
+    except Undecided:
+        return False

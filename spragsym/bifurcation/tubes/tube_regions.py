@@ -1,0 +1,146 @@
+"""Parts of boxes of parameters, the places at which tubes stand over them, and the regions that tubes pass through."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...numerics.affine import Affine
+from ...numerics.interval_arrays import FloatArray, Intervals
+from ...numerics.rounded import UNIT
+
+Flags = NDArray[np.bool_]
+
+#: A sum of a few products of floats, rounded up.
+UP = 1 + 2.0**-40
+
+
+@dataclass(frozen=True)
+class ByColumn:
+    """Arrays of which each column, along the last axis, is of one box."""
+
+    def __getitem__(self, rows: Any) -> Self:
+        parts = {field.name: getattr(self, field.name) for field in fields(self)}
+        return replace(
+            self, **{name: part[rows] if isinstance(part, ByColumn) else part[..., rows] for name, part in parts.items()}
+        )
+
+    def then(self, others: Self) -> Self:
+        """These, and others."""
+        parts = {field.name: (getattr(self, field.name), getattr(others, field.name)) for field in fields(self)}
+        return replace(self, **{
+            name: one.then(other) if isinstance(one, ByColumn) else np.concatenate([one, other], axis=-1)
+            for name, (one, other) in parts.items()
+        })  # fmt: skip
+
+
+def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
+    """Boxes, one a column, cut in the middle of their side of most weight: its number, and the
+    upper ends of one half and the lower ones of the other.
+
+    A side between whose ends there is no float is cut last.
+    """
+    column = np.arange(low.shape[1])
+    some = slice(len(weight))
+    side = np.where(np.nextafter(low[some], np.inf) < high[some], weight, -1.0).argmax(axis=0)
+    middle = 0.5 * (low[side, column] + high[side, column])
+    top, bottom = high.copy(), low.copy()
+    top[side, column], bottom[side, column] = middle, middle
+    return side, top, bottom
+
+
+@dataclass(frozen=True)
+class Region(ByColumn):
+    """States z = m + a s + D (p − c) + u of boxes of parameters p, |s| ≤ moved and |u| ≤ off; ``box`` holds all of them.
+
+    ``middle``, ``along`` and ``off`` have the shape (n + 1, N), ``moved`` (N,), ``by_p`` (n + 1, free, N).
+    """
+
+    box: Intervals
+    middle: FloatArray
+    along: FloatArray
+    moved: FloatArray
+    by_p: FloatArray
+    off: FloatArray
+
+    def numbers(self, apart: FloatArray) -> list[Affine]:
+        """The coordinates and what moves, with s, then each p over its half-width, then each u for the sides."""
+        size, free, count = self.by_p.shape
+        found = []
+        for i in range(size):
+            terms = np.zeros((1 + free + size, count))
+            terms[0], terms[1 : 1 + free], terms[1 + free + i] = self.along[i] * self.moved, self.by_p[i] * apart, self.off[i]
+            found.append(Affine(self.middle[i], terms, 2 * UNIT * np.abs(terms).sum(axis=0)))
+        return found
+
+
+@dataclass(frozen=True)
+class Parts(ByColumn):
+    """Boxes of parameters, one a column: all of them, and middle and half-width of those that have a width or move.
+
+    ``fixed`` has the shape (parameters, N), ``centre`` and ``half`` have (free, N).
+    """
+
+    fixed: FloatArray
+    centre: FloatArray
+    half: FloatArray
+
+    def middles(self) -> Parts:
+        """The same without width."""
+        return replace(self, half=np.zeros_like(self.half))
+
+
+@dataclass(frozen=True)
+class Place(ByColumn):
+    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
+
+    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies within ``off`` of it, and
+    within ``held`` of the middle. ``z``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N);
+    ``sure`` where it is proved.
+    """
+
+    z: FloatArray
+    held: FloatArray
+    off: FloatArray
+    room: FloatArray
+    by_p: FloatArray
+    sure: Flags
+
+    def put(self, rows: Any, other: Place) -> None:
+        """Take the places of some rows over."""
+        for field in fields(self):
+            getattr(self, field.name)[..., rows] = getattr(other, field.name)
+
+    def box(self) -> Intervals:
+        """All states there."""
+        return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
+
+    def region(self) -> Region:
+        """The same, as the slopes over it are asked for."""
+        return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
+
+    def lies_in(self, other: Place, n: int, shift: Any = 0.0, turned: Any = 0.0) -> Flags:
+        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates.
+
+        ``shift`` is how far the states of the other move from its middle to this one's, ``turned`` how much the slopes of the
+        two differ by over the box.
+        """
+        apart = np.abs(self.z - other.z - shift) + turned
+        within = apart * UP + self.off * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
+        same: Flags = self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
+        return same
+
+
+def beside_tube(
+    place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray, apart: FloatArray, pivot: int
+) -> FloatArray:  # fmt: skip
+    """How far the states of a place lie from where a tube's middle moves to with the pivot and the parameters."""
+    off = np.abs(place.z - middle - along * (place.z[pivot] - middle[pivot]))
+    turned = np.abs(place.by_p - by_p - along[:, None] * (place.by_p[pivot] - by_p[pivot]))
+    size = np.abs(place.z) + np.abs(middle) + place.held
+    out = (off + (turned * apart).sum(axis=1) + place.off + np.abs(along) * place.off[pivot]) * UP + 4 * np.spacing(size)
+    out[pivot] = 0.0
+    return np.where(np.isfinite(out), out, np.inf)

@@ -1,0 +1,157 @@
+"""Folds at the end of tubes: where states that are followed along a parameter turn back, proved, for many points at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...numerics.interval_arrays import FloatArray
+from .tube_regions import Flags, Parts, Place
+from .tubes import SMALL, Tubes
+
+#: First step towards the fold, over the size of the coordinate, and how much farther the next one may go.
+PROBE, FARTHER = 1e-4, 8.0
+#: Steps of the secant method, and how near to one another the last two are, over the size of the coordinate.
+SECANTS, MET = 40, 1e-9
+#: Half the width of the last segment, over the size of the coordinate: v differs by its square there.
+LAST = 1e-6
+#: Share of the way to the fold of a segment, the smallest one that is tried, and segments at most.
+SHARE, LEAST, SEGMENTS = 0.65, 1e-4, 400
+#: The first step where the curve is steep, over the way there if it stayed as steep, and over the size of the coordinate at
+#: most; the least one over the first, and steps at most.
+STEEP, WIDE, SMALLEST, STEPS = 0.25, 0.1, 1e-4, 100
+
+
+@dataclass(frozen=True)
+class Turned:
+    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there; ``sure`` where that is proved."""
+
+    z: FloatArray
+    low: FloatArray
+    high: FloatArray
+    sure: Flags
+
+
+def turned(tubes: Tubes, parts: Parts, start: Place, forward: int, segments: int = SEGMENTS) -> Turned:
+    """The first folds of states at a place as v moves on, up or down, where it turns back; points without width.
+
+    The pivot is the coordinate that moves most. Newton's method along the curve, with secants, gives the fold in floats. Then
+    segments that shrink towards it are proved to hold the curve, v moving on in all of them, and a last one across the fold,
+    beyond which v goes back: the fold is in that one, and its ends bound v.
+    """
+    nothing = np.full(start.sure.size, np.nan)
+    out = Turned(start.z.copy(), nothing, nothing.copy(), np.zeros(start.sure.size, dtype=np.bool_))
+    for pivot, rows, by_v in tubes.pivots(parts, start):
+        towards = forward * np.sign(by_v)
+        z, found = _in_floats(tubes, parts[rows], start.z[:, rows], pivot, towards)
+        some = rows[found]
+        out.z[:, some] = z[:, found]
+        out.low[some], out.high[some], out.sure[some] = _proved(
+            tubes, parts[some], start[some], z[:, found], pivot, towards[found], forward, segments
+        )
+    return out
+
+
+def past(tubes: Tubes, parts: Parts, start: Place, forward: int, by: FloatArray) -> Place:
+    """States carried on where they are steep, until v has moved on by so much, or as far as that is proved, if at all."""
+    out = start[np.arange(start.sure.size)]
+    out.sure[:] = False
+    for pivot, rows, by_v in tubes.pivots(parts, start):
+        here, some, towards = start[rows], parts[rows], forward * np.sign(by_v)
+        by_s = tubes.tangents(some, here.z, pivot)[0]
+        step = np.minimum(STEEP * np.abs(by_v * by[rows]), WIDE * _size(here.z[pivot]))
+        goal = start.z[tubes.n, rows] + forward * by[rows]
+        open_ = tubes.rises(some, here.region(), by_s, pivot) == forward * towards
+        least = SMALLEST * step
+        for _ in range(STEPS):
+            on = np.flatnonzero(open_ & ((goal - here.z[tubes.n]) * forward > 0) & (step > least))
+            if not on.size:
+                break
+            good, end, by_s[:, on] = _on(
+                tubes, some[on], here[on], by_s[:, on], (towards * step)[on], pivot, forward * towards[on]
+            )
+            step[on] *= np.where(good, 1.5, 0.25)
+            here.put(on[good], end[good])
+        here.sure[:] = open_ & (here.z[tubes.n] != start.z[tubes.n, rows])
+        out.put(rows, here)
+    return out
+
+
+def _on(
+    tubes: Tubes, parts: Parts, at: Place, by_s: FloatArray, step: FloatArray, pivot: int, moving: FloatArray
+) -> tuple[Flags, Place, FloatArray]:
+    """One segment in which v moves on: whether that is proved, its end, and dz/ds there, or at the start where it is not."""
+    good, end, tube = tubes.segment(parts, at, at.z + by_s * step, pivot)
+    then = tubes.tangents(parts, end.z, pivot)[0]
+    mean = 0.5 * (by_s + then)
+    good[good] = tubes.rises(parts[good], tube[good], mean[:, good], pivot) == moving[good]
+    return good, end, np.where(good, then, by_s)
+
+
+def _size(z: FloatArray) -> FloatArray:
+    size: FloatArray = np.maximum(np.abs(z), SMALL)
+    return size
+
+
+def _in_floats(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: FloatArray) -> tuple[FloatArray, Flags]:
+    """Where dv/ds = 0, by secants from a state on the curve; whether that was found, on the side where v moves on."""
+    begun = z[pivot]
+    z, met = secants(tubes, parts, z, pivot, towards)
+    return z, met & ((z[pivot] - begun) * towards > 0)
+
+
+def secants(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: FloatArray) -> tuple[FloatArray, Flags]:
+    """Where dv/ds = 0, from states on the curve, of which it is the first slope, to one that is a step ``towards`` it, and on."""
+    size = _size(z[pivot])
+    step = towards * PROBE * size
+    by_s = tubes.tangents(parts, z, pivot)[0]
+    slope = by_s[tubes.n]
+    for _ in range(SECANTS):
+        z = tubes.corrected(parts, z + by_s * step, pivot)
+        by_s = tubes.tangents(parts, z, pivot)[0]
+        with np.errstate(all="ignore"):
+            ahead = -by_s[tubes.n] * step / (by_s[tubes.n] - slope)
+        longest = FARTHER * np.abs(step)
+        slope, step = by_s[tubes.n], np.where(np.isfinite(ahead), np.clip(ahead, -longest, longest), 0.0)
+        if (np.abs(step) <= MET * size).all():
+            break
+    return z, (np.abs(step) <= MET * size) & np.isfinite(z).all(axis=0)
+
+
+def _proved(
+    tubes: Tubes,
+    parts: Parts,
+    here: Place,
+    fold: FloatArray,
+    pivot: int,
+    towards: FloatArray,
+    forward: int,
+    segments: int,
+) -> tuple[FloatArray, FloatArray, Flags]:
+    """Between which values v lies where it turns back, and whether that is proved."""
+    n, last, moving = tubes.n, LAST * _size(fold[pivot]), forward * towards
+    by_s = tubes.tangents(parts, here.z, pivot)[0]
+    open_ = tubes.rises(parts, here.region(), by_s, pivot) == moving
+    share = np.full(fold.shape[1:], SHARE)
+    for _ in range(segments):
+        rest = fold[pivot] - here.z[pivot]
+        rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > LEAST))
+        if not rows.size:
+            break
+        good, end, by_s[:, rows] = _on(
+            tubes, parts[rows], here[rows], by_s[:, rows], (share * rest)[rows], pivot, moving[rows]
+        )  # fmt: skip
+        share[rows] = np.where(good, np.minimum(1.1 * share[rows], SHARE), 0.6 * share[rows])
+        here.put(rows[good], end[good])
+    low, high, sure = *np.full((2, share.size), np.nan), np.zeros(share.size, dtype=np.bool_)
+    rows = np.flatnonzero(open_ & (np.abs(fold[pivot] - here.z[pivot]) <= last))
+    if rows.size:
+        across = fold[:, rows] + (fold - here.z)[:, rows]
+        good, end, tube = tubes.segment(parts[rows], here[rows], across, pivot)
+        beyond = tubes.tangents(parts[rows], end.z, pivot)[0]
+        good &= tubes.rises(parts[rows], end.region(), beyond, pivot) == -moving[rows]
+        reached = here[rows].box()[n]
+        low[rows], high[rows] = (reached.low, tube.box.high[n]) if forward > 0 else (tube.box.low[n], reached.high)
+        sure[rows] = good
+    return low, high, sure

@@ -1,0 +1,323 @@
+"""Jump values of any model: where the followed state ends as a parameter moves, and their gradients; many points at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ..bifurcation.paths import first_end
+from ..bifurcation.points import FAR
+from ..bifurcation.tubes.tube_regions import Parts, Place
+from ..bifurcation.tubes.tubes import Tubes
+from ..bifurcation.tubes.turning_points import SEGMENTS, past, turned
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import ParameterSet, Range, as_numbers
+from ..numerics.interval_arrays import FloatArray
+from ..questions import Method, model_of, question
+from ..statics.equilibria import equilibria
+from ..statics.mechanics.balance import Balance
+from ..statics.reference_state import reference_state
+from ..statics.stability import filled
+from .gradients import JumpGradient
+from .jump_ends import Ends
+from .values import FROM_LOWER_END, told
+
+#: Points at a time.
+BLOCK = 4096
+#: The least step of a tube, over the whole way.
+THIN = 2.0**-14
+#: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
+ROUNDS, PAST = 4, 2.0**-8
+#: Segments towards a fold where an answer in haste is asked for: beside a cusp more are needed.
+HASTY = 60
+
+
+@question
+def first_ends(
+    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    method: Method = "auto",
+) -> Ends:  # fmt: skip
+    """Where the followed state of each point ends first, and the state there; arguments as of :func:`jump_value`."""
+    return Followed(p, p.model.rising(vary, 0.0)[0], direction, begin, until).ends()
+
+
+def jump_value(
+    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    method: Method = "auto",
+) -> float | FloatArray:  # fmt: skip
+    """Where the followed state ends first as one parameter moves: the state of small deformation jumps there.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of any model and shape. Of ``theta0`` and ``mu0`` the one that varies is not used, and may be left out.
+    vary : str, optional
+        What moves, ``mu0`` unless told otherwise: ``mu0`` and ``theta0`` from the lower end of their range, others from the value
+        in ``p``.
+    direction : {"up", "down"}
+        Which way; ``mu0`` and ``theta0`` rise.
+    begin, until : float, optional
+        From where to where instead. Without ``until`` to the end of the range; where that has no end up to 10 times the base
+        value, 10 at least, of the article's model without end.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or tubes around curves of states.
+
+    Returns
+    -------
+    float or ndarray
+        Of the shape of the parameters that are used; NaN where the state is proved to go on, up to a fold that lies within its
+        error of ``until``, if there is one.
+
+    Raises
+    ------
+    ParameterError
+        For a parameter that the model does not have, a direction or an end that it can't take.
+    ConvergenceError
+        For a single point of which this is not decided; in an array such a point is NaN, with an
+        :class:`~spragsym.errors.UndecidedWarning`.
+
+    Notes
+    -----
+    Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.bifurcation.tubes.turning_points`,
+    from the reference state at the first value, see :mod:`spragsym.statics.reference_state`. What tubes don't decide is
+    followed between all folds that are found by search, see :func:`spragsym.bifurcation.paths.first_end`; an end there
+    may also be where the state leaves the contact. Of the article's model: f = f′ = 0, see
+    :mod:`spragsym.kang_nam.jumps.jump_values`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians([30.0, 44.5593177, 80.0]))
+    >>> np.round(ss.jump_value(p), 6)
+    array([0.850303, 0.5     ,      nan])
+    >>> round(float(np.degrees(ss.jump_value(ss.Parameters.article(mu0=0.7), "theta0"))), 6)
+    35.353706
+    >>> np.round(ss.jump_value(ss.load("cubic_contact").Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
+    array([0.597422, 0.385931,      nan])
+    """
+    found = told(first_ends(p, vary, direction=direction, begin=begin, until=until, method=method)).value
+    return found if found.ndim else float(found)
+
+
+def jump_gradient(
+    p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
+    method: Method = "auto",
+) -> JumpGradient:  # fmt: skip
+    """Derivatives of :func:`jump_value` by all parameters.
+
+    Parameters
+    ----------
+    p, vary, direction, begin, until, method
+        As for :func:`jump_value`.
+
+    Returns
+    -------
+    JumpGradient
+        NaN where the state goes on or leaves the contact.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense.
+
+    Notes
+    -----
+    Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w · ∂F/∂v). At a cusp digits are
+    lost, and beyond it there is no jump.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> slopes = ss.jump_gradient(ss.Parameters.article(theta0=np.radians(30.0)))
+    >>> print(f"{slopes.theta0 * np.radians(1.0):.4f} for each degree, {slopes.sigma * 0.01:.4f} for each 0.01 of sigma")
+    -0.0313 for each degree, 0.0186 for each 0.01 of sigma
+    """
+    found = told(first_ends(p, vary, direction=direction, begin=begin, until=until, method=method))
+    name = model_of(p).rising(vary, 0.0)[0]
+    return JumpGradient(name, found.value, slopes_of(p, name, found))
+
+
+@question
+def have_jumped(
+    p: ParameterSet, vary: str | None = None, begin: float | FloatArray | None = None, *, hasty: bool = False,
+    method: Method = "auto",
+) -> FloatArray:  # fmt: skip
+    """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where that is not known.
+
+    It rises from ``begin``, one value for all points or one for each; the lower end of its range where left out. A ``hasty``
+    answer is NaN beside cusps too, which take longest.
+
+    Returns
+    -------
+    ndarray
+        Of the shape of the points.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> have_jumped(ss.Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7]))
+    array([0., 1., 1.])
+    """
+    model = p.model
+    vary, begin = model.rising(vary, begin)
+    names = [name for name in model.parameters if getattr(p, name) is not None]
+    p = p.replace(**dict(zip(names, p.broadcast(*names), strict=True)))  # each of the shape of all, without mu0 too
+    return Followed(p, vary, "up", begin, np.maximum(begin, getattr(p, vary))).have_ended(hasty=hasty)
+
+
+def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
+    """dv/dp by name at the folds at which the states of points end."""
+    balance = Balance(p.model, contact=True)
+    names, shape = list(balance.parameters), found.value.shape
+    value, state = found.value.reshape(-1), found.state.reshape(balance.n, -1)
+    out = {name: np.full(value.shape, np.nan) for name in names}
+    rows = np.flatnonzero(np.isfinite(state).all(axis=0))
+    if rows.size:
+        at = p.replace(**{vary: np.where(np.isnan(value), 0.0, value).reshape(shape)})
+        values, q = balance.floats(np.stack([column.reshape(-1)[rows] for column in at.broadcast(*names)])), list(state[:, rows])
+        directions = balance.plain_directions(q, values, np)
+        K, moved = (
+            np.moveaxis(filled(matrix, rows.shape), -1, 0)
+            for matrix in (
+                balance.by_coordinate("forces_jacobian", q, directions, values, np),
+                balance.by_parameters(names, q, directions, values, np),
+            )
+        )
+        w = np.linalg.svd(K)[0][:, :, -1]
+        along = np.einsum("Ni,Nij->jN", w, moved)
+        with np.errstate(all="ignore"):
+            for name, one in zip(names, along, strict=True):
+                out[name][rows] = 0.0 if name == vary else 0.0 - one / along[names.index(vary)]
+    return {name: one.reshape(shape) for name, one in out.items()}
+
+
+class Followed:
+    """States of many points, followed as one parameter moves, up or down, from where to where: see :func:`jump_value`."""
+
+    def __init__(
+        self, p: ParameterSet, vary: str, direction: str, begin: float | FloatArray | None, until: float | FloatArray | None
+    ) -> None:
+        if direction not in ("up", "down"):
+            raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
+        model = p.model
+        model.require_parameter(vary)
+        self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
+        self.near = p.followed
+        allowed = model.Parameters.ranges[vary]
+        if begin is None and vary in FROM_LOWER_END:
+            if self.forward < 0:
+                raise ParameterError(f"direction = 'down': {vary} rises from its lower end; give begin, or direction = 'up'")
+            begin = allowed.reached(allowed.low)
+        if begin is not None:
+            p = p.replace(**{vary: as_numbers("begin", begin, allowed)})
+        # Where the parameter that moves is the only one of several values, its ends alone say of how many points it is.
+        self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
+        self.balance = Balance(model, contact=True)
+        columns = p.broadcast(*self.balance.parameters)
+        self.fixed = np.stack([np.broadcast_to(column, self.shape).reshape(-1) for column in columns])
+        self.begin = self.fixed[self.balance.parameters.index(vary)]
+        self.until = self._until(allowed, until)
+        self.tubes = Tubes(self.balance, vary)
+
+    def _until(self, allowed: Range, until: float | FloatArray | None) -> FloatArray:
+        if until is None:
+            far = FAR * max(1.0, abs(self.model.base.get(self.vary) or 0.0))
+            end = allowed.high if self.forward > 0 else allowed.low
+            until = (
+                allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max(initial=0.0)))
+            )
+        ends = np.broadcast_to(as_numbers("until", until, allowed), self.shape).reshape(-1)
+        if ((ends - self.begin) * self.forward < 0).any():
+            way = "below" if self.forward > 0 else "above"
+            raise ParameterError(
+                f"until = {ends.min():g} is {way} where {self.vary} begins; give one beyond it, or another direction"
+            )
+        return ends
+
+    def have_ended(self, *, hasty: bool = False) -> FloatArray:
+        """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide it, in haste beside cusps too.
+
+        Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing, the fold itself is asked for.
+        """
+        found, out = np.full(self.begin.size, np.nan), self._nothing()
+        for rows in self._blocks():
+            parts, start, goal = self._start(rows)
+            safe, top, _ = self.tubes.passed(parts, start, goal)
+            ended = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
+            left = np.flatnonzero(np.isnan(ended))
+            left = left[self._block(rows[left], (parts[left], start[left], goal[left]), out, hasty=hasty)]
+            ended[left] = np.isfinite(out.value[rows[left]])
+            found[rows] = ended
+        return found.reshape(self.shape)
+
+    def _blocks(self) -> Iterator[Any]:
+        count = self.begin.size
+        return (np.arange(first, min(first + BLOCK, count)) for first in range(0, count, BLOCK))
+
+    def _nothing(self) -> Ends:
+        count = self.begin.size
+        return Ends(np.full(count, np.nan), np.zeros(count), np.full((self.balance.n, count), np.nan), {})
+
+    def ends(self) -> Ends:
+        """Where the state of each point ends."""
+        n, out, reasons = self.balance.n, self._nothing(), dict[int, str]()
+        for rows in self._blocks():
+            for i in rows[~self._block(rows, self._start(rows), out)].tolist():
+                span = float(self.begin[i]), float(self.until[i])
+                try:
+                    end = first_end(self._point(i), self.vary, span) if span[0] != span[1] else None
+                except ConvergenceError as error:
+                    reasons[i] = str(error)
+                    continue
+                if end is not None:
+                    out.value[i], out.error[i] = end.value, end.error
+                    if end.kind == "fold":
+                        out.state[:, i] = [end.before[name] for name in self.balance.coordinates]
+        return Ends(out.value.reshape(self.shape), out.error.reshape(self.shape), out.state.reshape(n, *self.shape), reasons)
+
+    def _point(self, i: int) -> Any:
+        p: ParameterSet = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
+        return p if self.near is None else p.following(**self.near)
+
+    def _start(self, rows: Any) -> tuple[Parts, Place, FloatArray]:
+        """Some points, the reference states from which they are followed, where these are known, and up to where."""
+        n, begin = self.balance.n, self.begin[rows]
+        p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
+        eq = equilibria(p)
+        slot = reference_state(self.model, eq, self.near)
+        z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
+        known = eq.decided & np.isfinite(z).all(axis=0)
+        z[:, ~known] = 0.0
+        none = np.zeros((0, rows.size))
+        parts = Parts(self.fixed[:, rows], none, none)
+        start = self.tubes.place(parts, z, n)
+        start.sure[~known] = False
+        return parts, start, self.until[rows]
+
+    def _block(self, rows: Any, started: tuple[Parts, Place, FloatArray], out: Ends, *, hasty: bool = False) -> Any:
+        """Fold or no fold by tubes, for some points; of which of them that is decided."""
+        n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
+        parts, start, goal = started
+        rounds, segments = (1, HASTY) if hasty else (ROUNDS, SEGMENTS)
+        left = np.arange(rows.size)
+        decided, at = np.zeros(rows.size, dtype=np.bool_), start
+        for _ in range(rounds):
+            at = tubes.followed(parts[left], at, goal[left], THIN)
+            arrived = at.sure & (at.z[n] == goal[left])
+            decided[left[arrived]] = True
+            left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
+            if not left.size:
+                break
+            fold = turned(tubes, parts[left], at, self.forward, segments)
+            found = fold.sure & (fold.high <= goal[left] if self.forward > 0 else fold.low >= goal[left])
+            to = rows[left[found]]
+            out.value[to], out.state[:, to] = fold.z[n, found], fold.z[:n, found]
+            out.error[to] = np.maximum(fold.high - fold.z[n], fold.z[n] - fold.low)[found]
+            # What turns back beyond the goal has come to it.
+            known = found | (fold.sure & (fold.low > goal[left] if self.forward > 0 else fold.high < goal[left]))
+            decided[left[known]] = True
+            left, at = left[~known], at[~known]
+            at = past(tubes, parts[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
+        return decided

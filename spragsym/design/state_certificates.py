@@ -1,0 +1,223 @@
+"""Certificates over boxes of parameters about all states in contact of any model: that there is one, that none flutters.
+
+A box of parameters is searched for equilibria as one point is, see :mod:`spragsym.numerics.boxes`: a box of coordinates in which
+interval Newton proves one root holds one for every point of it. What a claim asks is decided over these boxes, and over those
+that are left. A part of the box that stays open is halved across the parameter that moves the states most; its states lie where
+those of the whole do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..bifurcation.tubes.tube_regions import ByColumn, Flags, halves
+from ..errors import ParameterError
+from ..numerics import boxes, certified_roots
+from ..numerics.certified_roots import Roots
+from ..numerics.interval_arrays import FloatArray, Intervals, raised
+from ..progress import doing
+from ..results.equilibria import Equilibria, Stability
+from ..statics import spectrum
+from ..statics.equilibria import equilibria
+from ..statics.mechanics.balance import Balance
+from ..statics.mechanics.border import on_side
+from ..statics.mechanics.periodic_coordinates import once_around
+from ..statics.regions import region
+from .certificates import Certificate
+
+#: Parts that are searched at once, and boxes of coordinates of one of them: what needs more is halved sooner.
+BATCH, BUDGET = 64, 600
+#: Relative width of boxes of coordinates that are not halved any more.
+NARROW = 2.0**-20
+#: What the relative width of a side counts beside its effect on the states.
+SLIGHT = 1e-6
+#: Room around the states of a part where those of its halves are looked for.
+ROOM = 1e-6
+#: Most corners of a box that are looked at for a counterexample.
+CORNERS = 64
+
+
+@dataclass(frozen=True)
+class Found:
+    """States of some parts: ``roots`` have their parts as points, with those alone that are in contact all over them.
+
+    ``open`` are the parts with states that are not known to be in contact or not, and with boxes that are left.
+    """
+
+    bounds: Intervals
+    roots: Roots
+    open: Flags
+
+
+Claim: TypeAlias = Callable[[Balance, Found], Flags]
+
+
+def _one(balance: Balance, found: Found) -> Flags:
+    """Parts with one state at each point."""
+    return np.asarray((np.bincount(found.roots.point, minlength=found.open.size) == 1) & ~found.open)
+
+
+def _none_flutters(balance: Balance, found: Found) -> Flags:
+    """Parts all of whose states have real κ only, those in boxes that are left included."""
+    roots = found.roots
+    every = np.concatenate([roots.ends, roots.left], axis=2)
+    point = np.concatenate([roots.point, roots.left_point])
+    real = spectrum.real(balance, balance.prepared(found.bounds[:, point]), every)
+    return np.asarray(np.bincount(point[~real], minlength=found.open.size) == 0)
+
+
+def _not_one(eq: Equilibria) -> Flags:
+    """Points at which there are several, or proved to be none."""
+    return np.asarray((eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole))
+
+
+def _flutters(eq: Equilibria) -> Flags:
+    """Points at which a state is proved to flutter."""
+    return np.asarray(((eq.stability == Stability.FLUTTER) & ~eq.marginal).any(axis=-1))
+
+
+#: For each claim where it holds, and at which points it is refuted.
+STATES: dict[str, tuple[Claim, Callable[[Equilibria], Flags]]] = {
+    "one equilibrium": (_one, _not_one),
+    "no flutter": (_none_flutters, _flutters),
+}
+
+
+def certify_states(low: Any, high: Any, claim: str, max_boxes: int, refute: bool) -> Certificate:
+    """As :func:`spragsym.design.tube_certificates.certify`, for the claims of :data:`STATES`."""
+    box = _Box(low, high, claim)
+    if claim == "no flutter" and box.without_flutter():
+        return Certificate(claim, "proved", None, 0.0, 1)
+    if refute and (found := box.refuting(box.corners())) is not None:
+        return Certificate(claim, "refuted", found, 1.0, 1)
+    pending, seen, proved, thin = box.whole, 0, 0.0, 0.0
+    while pending.share.size and seen < max_boxes:
+        order = np.argsort(-pending.share, kind="stable")
+        taken = order[: min(BATCH, max_boxes - seen)]
+        some, rest = pending[taken], pending[order[taken.size :]]
+        with doing("{} of at most {} parts of the box looked at, {} open", seen, max_boxes, pending.share.size):
+            holds, states, around = box.settled(some)
+        seen += taken.size
+        proved += float(some.share[holds].sum())
+        open_ = np.flatnonzero(~holds)
+        divisible = (np.nextafter(some.low, np.inf) < some.high).any(axis=0)
+        thin += float(some.share[~holds & ~divisible].sum())
+        if refute and open_.size and (found := box.refuting(0.5 * (some.low + some.high)[:, open_])) is not None:
+            return Certificate(claim, "refuted", found, max(1.0 - proved, 0.0), seen)
+        pending = rest.then(box.halved(replace(some, around=around), states, np.flatnonzero(~holds & divisible)))
+    left = thin + float(pending.share.sum())
+    return Certificate(claim, "undecided" if left else "proved", None, left, seen)
+
+
+@dataclass(frozen=True)
+class Parts(ByColumn):
+    """Parts of a box, one a column: ends of all parameters, shape (P, N), their share of it, and where their states are.
+
+    ``around``, shape (2, n, N), is infinite where nothing is known of that.
+    """
+
+    low: FloatArray
+    high: FloatArray
+    share: FloatArray
+    around: FloatArray
+
+
+class _Box:
+    """A box of parameters, and a claim about it."""
+
+    def __init__(self, low: Any, high: Any, claim: str) -> None:
+        self.model = low.model
+        self.balance = Balance(self.model, contact=True)
+        self.holds, self.fails = STATES[claim]
+        ends = corner_values(self.balance.parameters, low, high)
+        nowhere = np.full((2, self.balance.n, 1), np.inf)
+        self.whole = Parts(ends[0][:, None], ends[1][:, None], np.ones(1), nowhere)
+
+    def without_flutter(self) -> bool:
+        """Whether no state of the box can flutter, wherever it is."""
+        bounds = self.balance.prepared(Intervals.between(self.whole.low, self.whole.high))
+        return bool(spectrum.without_flutter(self.balance, bounds).all())
+
+    def corners(self) -> FloatArray:
+        """The middle and corners of the box, shape (P, N)."""
+        low, high = self.whole.low, self.whole.high
+        free = np.flatnonzero(low[:, 0] < high[:, 0])[: CORNERS.bit_length() - 1]
+        out = np.repeat(0.5 * (low + high), 1 + (1 << free.size), axis=1)
+        for place, row in enumerate(free):
+            upper = (np.arange(1 << free.size) >> place) & 1
+            out[row, 1:] = np.where(upper == 1, high[row], low[row])
+        return out
+
+    def refuting(self, points: FloatArray) -> Any:
+        """The first of some points at which the claim is proved to be false, or None."""
+        p = self.model.Parameters(**dict(zip(self.balance.parameters, points, strict=True)))
+        fails = np.flatnonzero(self.fails(equilibria(p)))
+        if not fails.size:
+            return None
+        values = points[:, fails[0]].tolist()
+        return self.model.Parameters(**dict(zip(self.balance.parameters, values, strict=True)))
+
+    def settled(self, parts: Parts) -> tuple[Flags, Roots, FloatArray]:
+        """Of which parts the claim holds; their states; and the boxes in which those are, infinite where that is not known."""
+        balance, bounds = self.balance, Intervals.between(parts.low, parts.high)
+        around: FloatArray = parts.around
+        whole = np.asarray(np.isfinite(around).all(axis=(0, 1)))
+        new = np.flatnonzero(~whole)
+        if new.size:
+            around = around.copy()
+            around[:, :, new], whole[new] = region(balance, bounds[:, new])
+        outcome = boxes.search(balance, around, parts.low, parts.high, limits=balance.limits, budget=BUDGET, narrow=NARROW)
+        found = once_around(balance, certified_roots.roots(balance, outcome, around, parts.low, parts.high))
+        ends, point = np.concatenate([found.ends, found.left], axis=2), np.concatenate([found.point, found.left_point])
+        in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
+        proved = np.arange(point.size) < found.point.size
+        kept, left = proved & in_contact, ~beyond & ~(proved & in_contact)
+        states = Roots(ends[:, :, kept], ends[:, :, kept], point[kept], ends[:, :, left], point[left])
+        open_ = np.bincount(states.left_point, minlength=whole.size) > 0
+        where = np.full(around.shape, -np.inf)
+        for box, row in zip(np.moveaxis(ends[:, :, ~beyond], 2, 0), point[~beyond], strict=True):
+            where[:, :, row] = np.maximum(where[:, :, row], box)
+        room = ROOM + boxes.MARGIN * np.maximum(where[0] + where[1], 0.0)
+        where = np.where(whole, np.fmin(raised(where + room), around), np.inf)
+        with np.errstate(all="ignore"):
+            holds = whole & self.holds(balance, Found(bounds, states, open_))
+        return holds, states, where
+
+    def halved(self, parts: Parts, states: Roots, which: NDArray[np.int64]) -> Parts:
+        """Some parts, each cut across the side that matters most."""
+        some, weight = parts[which], self._weights(parts, states)[:, which]
+        _, high, low = halves(some.low, some.high, weight)
+        half = replace(some, share=0.5 * some.share)
+        return replace(half, high=high).then(replace(half, low=low))
+
+    def _weights(self, parts: Parts, states: Roots) -> FloatArray:
+        """By how far each parameter moves the states of each part, shape (P, N)."""
+        balance, middle = self.balance, 0.5 * (parts.low + parts.high)
+        width = parts.high - parts.low
+        out = SLIGHT * width / np.maximum(np.abs(parts.high) + np.abs(parts.low), 1e-300)
+        q = np.concatenate([states.middle, Intervals(states.left).middle], axis=1)
+        point = np.concatenate([states.point, states.left_point])
+        with np.errstate(all="ignore"):
+            K = balance.jacobian(Intervals.point(q), balance.prepared(Intervals.point(middle[:, point]))).middle
+            back = np.abs(np.linalg.pinv(np.nan_to_num(np.moveaxis(K, -1, 0))))
+            for row in np.flatnonzero(width.any(axis=1)):
+                low, high = middle[:, point], middle[:, point]
+                low[row], high[row] = parts.low[row, point], parts.high[row, point]
+                pushed = balance.residuals(Intervals.point(q), balance.prepared(Intervals.between(low, high))).width
+                moved = np.einsum("Nij,jN->iN", back, pushed) / np.maximum(1.0, np.abs(q))
+                np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))
+        return np.asarray(out)
+
+
+def corner_values(names: Sequence[str], low: Any, high: Any) -> tuple[FloatArray, FloatArray]:
+    """Parameters of two corners of a box, each of shape (P,)."""
+    one, other = (np.array(p.scalars(*names)) for p in (low, high))
+    for name, least, most in zip(names, one, other, strict=True):
+        if least > most:
+            raise ParameterError(f"low.{name} = {least:g} is above high.{name} = {most:g}; exchange the two")
+    return one, other

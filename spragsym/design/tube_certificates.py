@@ -1,0 +1,338 @@
+"""Certificates over boxes of parameters of any model: parts on which the followed state is proved to go on, or proved to end."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..bifurcation.tubes.tube_regions import ByColumn, Flags, Parts, Place, halves
+from ..bifurcation.tubes.tubes import SMALL, Tubes
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import ParameterSet
+from ..numerics.interval_arrays import FloatArray
+from ..progress import doing
+from ..questions import Method, question
+from ..results.equilibria import Stability
+from ..statics.equilibria import equilibria
+from ..statics.mechanics.varying_units import BalanceInUnits
+from ..statics.reference_state import reference_state
+from .certificates import Certificate, Unit, checked_units
+from .state_certificates import STATES, certify_states, corner_values
+
+#: Parts at a time, and points at a time.
+BATCH, POINTS = 1024, 1024
+#: Fewer parts than this take as long as so many.
+FEW = 256
+#: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
+WIDE, THIN = 2.0**-6, 2.0**-14
+#: What the relative width of a side counts beside its effect on the state.
+SLIGHT = 1e-6
+#: Most corners of a box that are looked at for a counterexample.
+CORNERS = 64
+#: Outcomes of a part.
+OPEN, SAFE, ENDS = 0, 1, -1
+
+Outcomes: TypeAlias = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Pieces(ByColumn):
+    """Parts of a box, one a column: their ends, and the place at which the followed state begins, here or in what holds these.
+
+    ``low`` and ``high`` have the shape (free + 1, N), the parameter that moves last; ``of``, (2, free, N), are the ends of the
+    parameters for which ``base`` is proved. Up to ``safe`` of what moves the state is proved to go on, and above ``top`` to have
+    ended, for all of the piece; −inf and inf where nothing is known.
+    """
+
+    low: FloatArray
+    high: FloatArray
+    base: Place
+    of: FloatArray
+    safe: FloatArray
+    top: FloatArray
+
+    @property
+    def outcome(self) -> Outcomes:
+        """Whether the state goes on to the upper end, or has ended below the lower one, of what moves."""
+        return np.where(self.safe >= self.high[-1], SAFE, np.where(self.top < self.low[-1], ENDS, OPEN))
+
+    def __len__(self) -> int:
+        return int(self.low.shape[1])
+
+    def divisible(self) -> NDArray[np.bool_]:
+        """Sides of the free parameters that have floats between their ends."""
+        return np.nextafter(self.low[:-1], np.inf) < self.high[:-1]
+
+    def divided(self, weight: FloatArray, most: int) -> Pieces:
+        """Each cut across the side that matters most, and few of them again and again, as often as one step takes them all."""
+        pieces, weight = self._halved(weight)
+        while 0 < len(pieces) < FEW and 2 * len(pieces) <= most and pieces.divisible().any(axis=0).all():
+            pieces, weight = pieces._halved(weight)
+        return pieces
+
+    def _halved(self, weight: FloatArray) -> tuple[Pieces, FloatArray]:
+        side, high, low = halves(self.low, self.high, weight)
+        weight = weight.copy()
+        weight[side, np.arange(side.size)] *= 0.5
+        return replace(self, high=high).then(replace(self, low=low)), np.concatenate([weight, weight], axis=1)
+
+
+class Splitting:
+    """A state followed over a box of parameters, from one value of the parameter that moves to those in the box."""
+
+    def __init__(self, low: Any, high: Any, vary: str, begin: float, units: Mapping[str, Unit] | None = None) -> None:
+        model = low.model
+        self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed
+        self.balance = BalanceInUnits(model, True, units or {})
+        corner = corner_values(model.parameters, low, high)
+        ends = [dict(zip(model.parameters, values.tolist(), strict=True)) for values in corner]
+        for end, side in zip(ends, ("low", "high"), strict=True):
+            end |= {name: getattr(unit, side) for name, unit in self.balance.units.items()}
+        if begin > ends[0][vary]:
+            raise ParameterError(f"begin = {begin:g} is above low.{vary} = {ends[0][vary]:g}; begin where {vary} is lower")
+        matter = {*self.balance.balanced, *self.balance.matter} - {vary}
+        self.free = tuple(name for name in self.balance.parameters if name in matter and ends[0][name] != ends[1][name])
+        self.tubes = Tubes(self.balance, vary, self.free)
+        self.fixed = np.array([[ends[0][name]] for name in self.balance.parameters])
+        one, other = (np.array([[end[name]] for name in (*self.free, vary)]) for end in ends)
+        middle = 0.5 * (one + other)[:-1]
+        parts = self._parts(one, other)
+        start = self.tubes.place(parts.middles(), np.append(self._first(middle[:, 0]), begin)[:, None], self.tubes.n)
+        start = replace(start, by_p=self.tubes.tangents(parts, start.z, self.tubes.n)[1])
+        self.whole = Pieces(one, other, start, np.stack([middle, middle]), np.full(1, -np.inf), np.full(1, np.inf))
+
+    def _parts(self, low: FloatArray, high: FloatArray) -> Parts:
+        centre = 0.5 * (low[:-1] + high[:-1])
+        half = np.maximum(high[:-1] - centre, centre - low[:-1])
+        return Parts(np.repeat(self.fixed, low.shape[1], axis=1), centre, half)
+
+    def _first(self, middle: FloatArray) -> FloatArray:
+        """The reference state in the middle of the box, where what moves begins."""
+        eq = equilibria(self.point(np.append(middle, self.begin)))
+        stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
+        if not eq.decided or not stable.size:
+            raise ConvergenceError(f"no state in the middle of the box is known to be stable at {self.vary} = {self.begin:g}")
+        slot = reference_state(self.model, eq, self.near)
+        return np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
+
+    def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
+        """Whether the state that is taken up at one point becomes, while all moves to another, the one that is taken up there."""
+        places = []
+        for free in (one, other):
+            at = np.append(free, self.begin)[:, None]
+            places.append(self.tubes.place(self._parts(at, at), np.append(self._first(free), self.begin)[:, None], self.tubes.n))
+        return bool(self._linked(one[:, None], places[0], other[:, None], places[1])[0])
+
+    def point(self, values: FloatArray) -> Any:
+        """The parameters at a point of the box."""
+        fixed = dict(zip(self.balance.parameters, self.fixed[:, 0].tolist(), strict=True))
+        moved = dict(zip((*self.free, self.vary), values.tolist(), strict=True))
+        found = self.balance.scaled({**fixed, **moved})
+        return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
+
+    def points(self, values: FloatArray) -> Pieces:
+        """Points of the box, shape (free + 1, N), as pieces of it."""
+        return replace(self.whole[np.zeros(values.shape[1], dtype=np.int64)], low=values, high=values)
+
+    # ---------------------------------------------------------------------------------------------------- decisions
+
+    def settled(self, pieces: Pieces, least: float, sharp: bool = False) -> tuple[Pieces, FloatArray]:
+        """The pieces with what is proved of them and with their own beginnings, and how much each free side matters.
+
+        ``sharp`` asks for the narrowest ``safe`` and ``top``; else they only tell where the state ends from the pieces' ends.
+        """
+        parts, start = self._begun(pieces)
+        last, goal = self.tubes.n, pieces.high[-1]
+        reached = self.tubes.followed(parts, start, goal, least)
+        safe, top = np.where(reached.sure, reached.z[last], -np.inf), np.full(goal.size, np.inf)
+        width = (pieces.high - pieces.low)[:-1]
+        # As far as it got, by how far each parameter moves the state.
+        weight = SLIGHT * width / np.maximum(np.abs(pieces.high) + np.abs(pieces.low), 1e-300)[:-1]
+        moves = (np.abs(reached.by_p) / np.maximum(np.abs(reached.z), SMALL)[:, None]).max(axis=0)
+        weight += np.where(np.isfinite(moves), moves, 0.0) * width
+        rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.z[last]))
+        if rows.size:
+            safe[rows], top[rows], moves = self.tubes.passed(parts[rows], reached[rows], goal[rows], sharp)
+            weight[:, rows] = width[:, rows] * moves
+        own = np.flatnonzero(start.sure)
+        base, of = pieces.base[np.arange(len(pieces))], pieces.of.copy()
+        base.put(own, start[own])
+        of[:, :, own] = np.stack([pieces.low[:-1, own], pieces.high[:-1, own]])
+        # What holds of a piece holds of its halves.
+        known = {"safe": np.maximum(pieces.safe, safe), "top": np.minimum(pieces.top, top)}
+        return replace(pieces, base=base, of=of, **known), weight
+
+    def _begun(self, pieces: Pieces) -> tuple[Parts, Place]:
+        """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't be."""
+        parts, middle = self._parts(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
+        shift = np.einsum("ikN,kN->iN", pieces.base.by_p, parts.centre - middle)
+        here = self.tubes.place(parts, pieces.base.z + shift, self.tubes.n)
+        turned = (np.abs(here.by_p - pieces.base.by_p) * self.tubes.apart(parts)).sum(axis=1)
+        held = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(axis=0)
+        same = held & here.lies_in(pieces.base, self.balance.n, shift, turned)
+        rows = np.flatnonzero(here.sure & pieces.base.sure & ~same)
+        same[rows] = self._linked(middle[:, rows], pieces.base[rows], parts.centre[:, rows], here[rows])
+        return parts, replace(here, sure=same)
+
+    def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> Flags:
+        """Whether the states of a place become those of another, as one parameter after the other moves between their middles."""
+        n, last = self.balance.n, before
+        at = np.repeat(self.fixed, one.shape[1], axis=1)
+        at[self.tubes.places], at[self.tubes.moving] = one, self.begin
+        out = np.ones(one.shape[1], dtype=np.bool_)
+        for k, name in enumerate(self.free):
+            tubes, none = Tubes(self.balance, name), np.zeros((0, one.shape[1]))
+            parts = Parts(at, none, none)
+            start = tubes.place(parts, np.concatenate([last.z[:-1], one[k : k + 1]]), n)
+            out &= start.lies_in(last, n)
+            last = tubes.followed(parts, start, other[k])
+            out &= last.z[n] == other[k]
+            at[self.tubes.places[k]] = other[k]
+        same: Flags = out & last.lies_in(after, n)
+        return same
+
+    def run(
+        self, share: Callable[[Pieces], FloatArray], most: int, sharp: bool = False
+    ) -> Iterator[tuple[Pieces, NDArray[np.bool_], int]]:
+        """Pieces in turn, those of which most is open first: which of them are not halved any more, and how many were looked at.
+
+        ``share`` is how much of a piece is open. What is open is halved, unless it is as thin as floats are or ``most`` pieces
+        were looked at: those that are left then come last.
+        """
+        pending, seen = self.whole, 0
+        while len(pending) and seen < most:
+            order = np.argsort(-share(pending), kind="stable")
+            taken = order[: min(BATCH, most - seen)]
+            with doing("{} of at most {} parts of the box looked at, {} open", seen, most, len(pending)):
+                some, weight = self.settled(pending[taken], WIDE, sharp)
+            seen += taken.size
+            last = (share(some) <= 0) | ~some.divisible().any(axis=0)
+            yield some, last, int(taken.size)
+            pending = pending[order[taken.size :]]
+            if not last.all():
+                pending = pending.then(some[~last].divided(weight[:, ~last], most - seen))
+        if len(pending):
+            yield pending, np.ones(len(pending), dtype=np.bool_), 0
+
+    def ending(self, values: FloatArray) -> Any:
+        """Parameters at the first of some points, shape (free + 1, N), at which the state is proved to end, or None."""
+        ends = np.flatnonzero(self.settled(self.points(values), THIN)[0].outcome == ENDS)
+        return self.point(values[:, ends[0]]) if ends.size else None
+
+
+def corners(low: FloatArray, high: FloatArray) -> FloatArray:
+    """The middle and corners of a box, shape (free + 1, N), what moves at its upper end."""
+    sides = [(one,) if one == other else (one, other) for one, other in zip(low[:-1], high[:-1], strict=True)]
+    some = list(itertools.islice(itertools.product(*sides), CORNERS))
+    return np.array([[*(0.5 * (low + high))[:-1], high[-1]], *((*one, high[-1]) for one in some)]).T
+
+
+@question
+def certify(
+    low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None, begin: float | None = None,
+    max_boxes: int | None = None, refute: bool = True, units: Mapping[str, Unit] | None = None, method: Method = "auto",
+) -> Certificate:  # fmt: skip
+    """Prove a claim for every point of a box of parameters, or find a point at which it is false.
+
+    Parameters
+    ----------
+    low, high : Parameters
+        Two corners, scalars, of one model; a parameter may have the same value in both.
+    claim : {"no jump", "one equilibrium", "no flutter"}
+        ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of the box where ``vary`` begins,
+        and what it becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact,
+        and meets no other state. ``"one equilibrium"``: there is one in contact. ``"no flutter"``: of no equilibrium in contact
+        does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27): without dampers and the slope of the
+        friction law, with which a state may grow all the same, see :func:`spragsym.flutter_onsets`.
+    vary : str, optional
+        The parameter that rises, mu0 unless told otherwise, for ``"no jump"`` only.
+    begin : float, optional
+        Its value where the state is taken up, the lower end of its range unless told otherwise.
+    max_boxes : int, optional
+        Parts of the box to look at before what is left is given back as undecided: 20 000 of closed forms, else 2000.
+    refute : bool
+        Also look for a point where the claim is false.
+    units : mapping of str to Unit, optional
+        Units of measure that have tolerances too, as :class:`spragsym.design.certificates.Unit`: the corners are those at their
+        base values. The search takes them for ``"no jump"`` only.
+    method : {"auto", "closed", "search"}
+        A closed form if the model brings one for these arguments, the closed form only, or tubes and boxes of states.
+
+    Returns
+    -------
+    Certificate
+        ``boxes`` counts the parts.
+
+    Raises
+    ------
+    ParameterError
+        For corners that are not scalars or in the wrong order, or another claim.
+
+    Notes
+    -----
+    Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes.tubes`. A part is proved where the tube of all its
+    points comes to the upper end of ``vary``; at a counterexample the tube of the point passes a fold below. A part that a fold
+    crosses is halved; a box that touches the border of the claim can't be decided there. The other claims:
+    :mod:`spragsym.design.state_certificates`. Of the article's model: f, f′ and the eigenvalues of K over boxes, in affine
+    arithmetic, see :mod:`spragsym.kang_nam.jumps.certificates`.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> base = ss.Parameters.article(theta0=np.radians(30.0), mu0=0.6)
+    >>> ss.certify(base, base.replace(theta0=np.radians(32.0), mu0=0.7), "no jump").outcome
+    'proved'
+    >>> ss.certify(base, base.replace(mu0=0.9), "no jump").outcome
+    'refuted'
+    >>> low = ss.load("two_springs").Parameters(theta0=0.5, mu0=0.2)
+    >>> ss.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
+    'proved'
+    """
+    model, max_boxes = low.model, 2000 if max_boxes is None else max_boxes
+    if claim in STATES:
+        if vary is not None:
+            raise ParameterError(f"vary = {vary!r}: {claim!r} is about all states of the box, and nothing rises; leave vary out")
+        if units:
+            raise ParameterError(f"units: a search takes them for 'no jump' only; for {claim!r} give corners that hold them")
+        return certify_states(low, high, claim, max_boxes, refute)
+    if claim != "no jump":
+        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, ('no jump', *STATES)))}")
+    vary, begin = model.rising(vary, begin)
+    box = Splitting(low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"]))
+    # What goes on to the upper end goes on to every value below.
+    box.whole.low[-1] = box.whole.high[-1]
+    volume = _volume(box.whole)[0]
+    found = box.ending(corners(box.whole.low[:, 0], box.whole.high[:, 0])) if refute else None
+    if found is not None:
+        return Certificate(claim, "refuted", found, 1.0, 1)
+    seen, proved, left, decided = 0, 0.0, 0.0, True
+
+    def share(pieces: Pieces) -> FloatArray:
+        return np.where(pieces.outcome == OPEN, _volume(pieces) / volume, 0.0)
+
+    for pieces, last, looked in box.run(share, max_boxes):
+        seen += looked
+        outcome, ends, rest = pieces.outcome, np.flatnonzero(pieces.outcome == ENDS), last & (pieces.outcome == OPEN)
+        proved += float((_volume(pieces) / volume)[outcome == SAFE].sum())
+        left += float(share(pieces)[rest].sum())
+        decided &= not rest.any()
+        if ends.size:
+            found = box.point(pieces.high[:, ends[0]])
+        elif refute and rest.any():
+            middles = np.concatenate([0.5 * (pieces.low + pieces.high)[:-1], pieces.high[-1:]])
+            found = box.ending(middles[:, rest][:, :POINTS])
+        if found is not None:
+            return Certificate(claim, "refuted", found, max(1.0 - proved, 0.0), seen)
+    return Certificate(claim, "proved" if decided else "undecided", None, left, seen)
+
+
+def _volume(pieces: Pieces) -> FloatArray:
+    """Of each piece, over the sides that have a width."""
+    width = pieces.high - pieces.low
+    out: FloatArray = width.prod(axis=0, where=width > 0)
+    return out

@@ -1,0 +1,251 @@
+"""Onsets of flutter of exactly given parameters, with a proof that there are no more: the direction θ by an exact polynomial.
+
+At given θ and μ₀ the two balances give sin θ₀ and α cos θ₀ as lines in the spring length L, and the discriminant of (27) times
+L² is a quadratic in L. So is cos² θ₀ + sin² θ₀ = 1, and the resultant of the two (derived: ``flutter_elimination``) is a
+polynomial of degree 16 in v = tan((θ − π/2)/2). A discriminant of 0 needs K₁₂ K₂₁ ≤ 0, hence π/2 ≤ θ < π where μ₀ > 0: all onsets
+are among its roots 0 ≤ v < 1, which Descartes' rule isolates exactly. α = 0 leaves cos θ₀ free, and a polynomial of degree 8
+(``flutter_without_alpha``). What decides whether a root is an onset is a sign; one that an interval leaves open is 0 only where
+exact algebra says so.
+
+An onset is never a fold, nor the middle one of three equilibria: in contact the trace of K is positive (derived:
+``trace_identity``), and where its discriminant is 0 the determinant is a quarter of the square of that.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from ...generated import stability as _stability
+from ...numerics import polynomials
+from ...numerics.adaptive_bits import angle, decided, sign_or_zero
+from ...numerics.descartes import Root, real_roots
+from ...numerics.half_angle import in_t, on_circle
+from ...numerics.intervals import Arithmetic, Interval, sign
+from ...numerics.polynomials import Undecided
+from ..quartic import kernel
+
+#: Degrees in cos θ, sin θ of the resultant and of L = X/Y over one denominator; half of the degrees in v.
+_DEGREE, _DEGREE_OF_LENGTH = 8, 4
+_DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH_WITHOUT_ALPHA = 4, 1
+
+
+@dataclass(frozen=True)
+class Onset:
+    """An onset in intervals; ``branch`` counts the equilibria from below in θ, of which there are ``count``.
+
+    ``side`` is 1 if flutter is at larger θ₀, −1 if it is at smaller θ₀, and 0 where flutter is on both sides or on none.
+    """
+
+    theta0: Interval
+    theta: Interval
+    L: Interval
+    x: Interval
+    y: Interval
+    branch: int
+    count: int
+    side: int
+
+
+@dataclass(frozen=True)
+class Elimination:
+    """Exact parameters μ₀ > 0, κ, α, σ, β and what is left of the conditions for an onset."""
+
+    mu0: Fraction
+    kappa: Fraction
+    alpha: Fraction
+    sigma: Fraction
+    beta: Fraction
+
+    @cached_property
+    def full(self) -> tuple[int, ...]:
+        """The polynomial in v, multiple roots included."""
+        if self.alpha:
+
+            def resultant(c: Fraction, s: Fraction) -> Fraction:
+                X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
+                return X * X - Y * Z  # type: ignore[no-any-return]  # intervals and arrays alike
+
+            return self.polynomial(resultant, _DEGREE)
+        others = self.mu0, self.kappa, self.sigma, self.beta
+        return self.polynomial(lambda c, s: _stability.flutter_without_alpha(c, s, *others), _DEGREE_WITHOUT_ALPHA)
+
+    @cached_property
+    def repeated(self) -> tuple[int, ...]:
+        """The factor whose roots are the multiple ones; ``(1,)`` where there are none."""
+        return polynomials.common_divisor(self.full, polynomials.derivative(self.full))
+
+    @cached_property
+    def simple(self) -> tuple[int, ...]:
+        """The same roots, each once."""
+        return polynomials.without(self.full, self.repeated)
+
+    def roots(self, bits: int) -> list[Root]:
+        """All of them in 0 ≤ v < 1, to a width below 2^−bits."""
+        upright = [Root(Fraction(0), Fraction(0))] if self.simple[0] == 0 else []
+        return upright + [root for root in real_roots(self.simple, Fraction(0), Fraction(1), bits) if root.low < 1]
+
+    @property
+    def values(self) -> tuple[Fraction, ...]:
+        """The parameters in the order of generated functions."""
+        return self.mu0, self.kappa, self.alpha, self.sigma, self.beta
+
+    @property
+    def degree_of_length(self) -> int:
+        """Degree in cos θ, sin θ of X and Y, over one denominator, in L = X/Y."""
+        return _DEGREE_OF_LENGTH if self.alpha else _DEGREE_OF_LENGTH_WITHOUT_ALPHA
+
+    def polynomial(self, function: Callable[[Fraction, Fraction], Fraction], degree: int) -> tuple[int, ...]:
+        """A polynomial of that degree in cos θ and sin θ, as one in v."""
+        in_v = in_t(lambda c, s: function(-s, c), degree)  # as in direction()
+        # A multiple of it in integers: values over their common denominator, Lagrange's polynomials times (2 degree)!
+        values = {v: in_v(v) for v in map(Fraction, range(-degree, degree + 1))}
+        common = math.lcm(*(value.denominator for value in values.values()))
+        scale = math.factorial(2 * degree)
+        return polynomials.primitive(
+            polynomials.interpolate(lambda v: int(values[v] * common), 2 * degree, lambda weight: int(weight * scale))
+        )
+
+    def length(self, c: Any, s: Any, values: tuple[Any, ...]) -> tuple[Any, Any]:
+        """X and Y of L = X/Y."""
+        if self.alpha:
+            X, Y, _ = _stability.flutter_elimination(c, s, *values)
+            return X, Y
+        _, _, u2, w2 = _stability.reference_lines(c, s, *values)
+        return -u2, w2
+
+    def vanishes(self, root: Root, function: Callable[[Any, Any, Any, Any], Any], degree: int) -> bool:
+        """Whether ``function(c, s, X, Y)``, of that degree in cos θ and sin θ, is exactly 0 at a root."""
+        other = self.polynomial(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
+        return polynomials.has_root(polynomials.common_divisor(self.simple, other), *root)
+
+    def multiplicity(self, root: Root) -> int:
+        """How many of the polynomial and its derivatives vanish at a root, in turn."""
+        multiplicity, derivative = 0, self.full
+        while polynomials.has_root(polynomials.common_divisor(self.simple, derivative), *root):
+            multiplicity, derivative = multiplicity + 1, polynomials.derivative(derivative)
+        return multiplicity
+
+
+def direction(v: Any) -> tuple[Any, Any]:
+    """cos θ and sin θ at v = tan((θ − π/2)/2): θ is a quarter turn more than the angle whose half has the tangent v."""
+    c, s, _ = on_circle(v)
+    return -s, c
+
+
+def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[Onset]:
+    """Every onset with 0 < θ₀ < π, in contact."""
+    values = tuple(map(arith.exact, elimination.values))
+    for root in elimination.roots(bits - 32):
+        spring = _Spring(root, arith.between(*root), *direction(arith.between(*root)))
+        lengths = _lengths(arith, elimination, spring, values)
+        for L in lengths:
+            yield from _at_length(arith, elimination, spring, L, values, alone=len(lengths) == 1)
+
+
+class _Spring(NamedTuple):
+    """A direction of the spring: a root of the polynomial, v around it, cos θ and sin θ."""
+
+    root: Root
+    v: Interval
+    c: Interval
+    s: Interval
+
+
+def _lengths(arith: Arithmetic, elimination: Elimination, spring: _Spring, values: tuple[Interval, ...]) -> list[Interval]:
+    """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
+    root, _, c, s = spring
+    X, Y = elimination.length(c, s, values)
+    if sign_or_zero(arith, Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
+        L = X / Y
+        return [L] if decided(arith, L, "L = 0") > 0 else []
+    mu0, _, alpha, sigma, beta = values
+    e0, e1, e2 = _stability.flutter_quadratic(c, s, mu0, alpha, sigma, beta)
+    square = e1 * e1 - 4 * e0 * e2
+    if decided(arith, square, "a double spring length") < 0 or decided(arith, e1, "e1 = 0") > 0:
+        return []
+    return [(-e1 + way * arith.sqrt(square)) / (2 * e2) for way in (1, -1)]
+
+
+def _at_length(
+    arith: Arithmetic, elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], *, alone: bool
+) -> Iterator[Onset]:
+    """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
+
+    All of them are in contact, as cos θ ≤ 0 and μ₀ > 0 there. Were y ≥ 0, the balance across would need L > 1, and the one along,
+    α x = −μ₀ y + σ (L − 1) cos θ, that x ≤ 0, or y = cos θ = 0 where α = 0. Hence sin θ₀ ≥ L sin θ and, but for cos θ = 0,
+    −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
+    """
+    root, v, c, s = spring
+    mu0, kappa, alpha, sigma, beta = values
+    u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
+    s0 = u1 + w1 * L
+
+    def sine(c: Any, s: Any, X: Any, Y: Any) -> Any:
+        u1, w1, _, _ = _stability.reference_lines(c, s, *elimination.values)
+        return u1 * Y + w1 * X
+
+    degree, stationary = elimination.degree_of_length, False
+    if sign_or_zero(arith, s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, degree + 1)) <= 0:
+        return
+    if elimination.alpha:
+        cosines = [(u2 + w2 * L) / alpha]
+    else:
+
+        def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
+            return Y * Y - sine(c, s, X, Y) ** 2
+
+        above = sign_or_zero(arith, 1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (degree + 1)))
+        width = arith.sqrt(1 - s0 * s0) if above > 0 else arith.exact(Fraction(0))
+        cosines = {1: [width, -width], 0: [width], -1: []}[above]
+        stationary = above == 0
+    for c0 in cosines:
+        L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
+        # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root, where the boundary is touched.
+        change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, alpha, sigma, beta)
+        touches = stationary or (alone and sign(arith, change) == 0 and elimination.multiplicity(root) % 2 == 0)
+        side = 0 if touches else -decided(arith, change, "the discriminant's slope")
+        quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
+        branch, count = rank(arith, quartic, (1 + v) / (1 - v), s0 - kappa / sigma)
+        yield Onset(angle(arith, c0, s0), angle(arith, c, s), L, x, y, branch, count, side)
+
+
+# ------------------------------------------------------------------------------------------------------- rank
+
+
+def rank(arith: Arithmetic, quartic: tuple[Interval, ...], t: Interval, edge: Interval) -> tuple[int, int]:
+    """Place among the equilibria from below in θ of the root t of f's quartic, and their number; contact is sin θ > ``edge``."""
+    rest = _deflated(quartic, t)
+    chain = polynomials.sturm_chain(rest, lambda value: sign(arith, value))
+    start, end = [part[0] for part in chain], [part[-1] for part in chain]
+    if sign(arith, edge) >= 0:
+        tangent = edge / (1 + arith.sqrt(1 - edge * edge))
+        start = [polynomials.evaluate(part, tangent) for part in chain]
+        end = [polynomials.evaluate(part[::-1], tangent) for part in chain]  # at 1/tangent, times a positive power
+    low, here, high = (_variations(arith, values) for values in (start, [polynomials.evaluate(part, t) for part in chain], end))
+    below, above = low - here, here - high
+    if (below, above) not in ((0, 0), (2, 0), (0, 2)):
+        raise Undecided(f"{below} equilibria below an onset and {above} above")
+    return below, 1 + below + above
+
+
+def _deflated(polynomial: tuple[Interval, ...], t: Interval) -> tuple[Interval, ...]:
+    """The polynomial over (· − t), the remainder left out."""
+    quotient = [polynomial[-1]]
+    for coefficient in reversed(polynomial[1:-1]):
+        quotient.append(quotient[-1] * t + coefficient)
+    return tuple(reversed(quotient))
+
+
+def _variations(arith: Arithmetic, values: list[Interval]) -> int:
+    """Changes of sign along Sturm's chain. Between two of opposite sign there is one, whatever the sign of what stands there."""
+    signs = [sign(arith, value) for value in values]
+    for place, value in enumerate(signs):
+        if value == 0 and (place in (0, len(signs) - 1) or signs[place - 1] * signs[place + 1] != -1):
+            raise Undecided("a Sturm function holds 0")
+    kept = [value for value in signs if value]
+    return sum(kept[i] != kept[i + 1] for i in range(len(kept) - 1))

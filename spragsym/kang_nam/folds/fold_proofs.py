@@ -1,0 +1,264 @@
+"""Folds of exactly given parameters, with a proof that there are no more: real-root counting, no starting points.
+
+On a fold two relations hold that are linear in every parameter but θ₀ (derived: ``fold_lines_*``), so that eliminating the one
+that varies leaves a polynomial in t = tan(θ/2). Its real roots are isolated exactly over rationals (Descartes), and with
+intervals where cos θ₀ and sin θ₀ enter (Sturm).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from ...errors import ConvergenceError
+from ...generated import catastrophe as _catastrophe
+from ...models.parameters import NAMES
+from ...numerics import polynomials
+from ...numerics.adaptive_bits import angle, decided, sign_or_zero
+from ...numerics.half_angle import in_t, on_circle
+from ...numerics.intervals import Arithmetic, Interval, sign
+from ...numerics.line_roots import Root, roots_on_the_line
+from ...numerics.polynomials import Undecided
+from ..quartic import kernel
+from .fold_enclosures import Angles, Point, in_contact
+from .fold_successor import landing
+
+_LINES = {
+    "mu0": _catastrophe.fold_lines_mu0,
+    "kappa": _catastrophe.fold_lines_kappa,
+    "alpha": _catastrophe.fold_lines_alpha,
+    "sigma": _catastrophe.fold_lines_sigma,
+    "beta": _catastrophe.fold_lines_beta,
+}
+#: Degree in t of the eliminated fold condition: two cubics in cos θ, sin θ where θ₀ varies, half of that otherwise.
+_DEGREE_IN_THETA0, _DEGREE = 12, 6
+#: The same in cos θ, sin θ.
+_HALF_IN_THETA0, _HALF = _DEGREE_IN_THETA0 // 2, _DEGREE // 2
+
+
+@dataclass(frozen=True)
+class Fold:
+    """A point at which equilibria meet along one parameter, and what the signs of f's derivatives say there, proved.
+
+    f is negative at the lower end of the directions in contact and positive at the upper one (the theorem of
+    one or three), so that at a double root the sign of f″ tells on which side the third root lies.
+    """
+
+    point: Point
+    kind: str  #: "fold", "pitchfork", "cusp" or "touch"
+    side: int  #: 1 where there are three equilibria above the value of the parameter and one below it, −1 the reverse, else 0
+    upper: bool  #: those that meet are the upper two of three in θ
+    after: tuple[Interval, ...] = ()  #: of a "fold", θ, L, x and y of the equilibrium that is left
+
+
+@dataclass(frozen=True)
+class _Direction:
+    """t = tan(θ/2) at a root of the eliminated polynomial: its multiplicity, 3 for more, and whether f″ = 0 there."""
+
+    t: Interval
+    multiplicity: int = 1
+    flat: bool = False
+    polynomial: polynomials.Polynomial = ()
+    root: Root | None = None  #: of the polynomial, which is exact
+
+    def sign_of(self, arith: Arithmetic, value: Interval, exactly: Callable[[Any, Any], Any], what: str) -> int:
+        """The sign of an interval, and 0 where a function of cos θ and sin θ, of the degree of those eliminated, vanishes."""
+
+        def vanishes() -> bool:
+            other = polynomials.interpolate(in_t(exactly, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction)
+            return self.root is not None and self.root.is_of(polynomials.common_divisor(self.polynomial, other))
+
+        return sign_or_zero(arith, value, what, vanishes)
+
+
+def folds(arith: Arithmetic, vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
+    """Every fold in contact with L > 0 along one parameter, the others given exactly; 0 < θ, θ₀ < π, where contact is."""
+    if vary == "theta0":
+        yield from _folds_in_theta0(arith, exact, bits)
+        return
+    fixed = {name: arith.exact(exact[name]) for name in NAMES if name != vary}
+    c0, s0 = arith.cos_sin(fixed.pop("theta0"))
+    others = [fixed[name] for name in NAMES[1:] if name != vary]
+    for direction in _directions(arith, vary, exact, (c0, s0, *others), bits):
+        c, s, _ = on_circle(direction.t)
+        angles = Angles(c, s, c0, s0)
+        u1, w1, u2, w2 = _LINES[vary](*angles, *others)
+        value = -u1 / w1 if sign(arith, w1) else -u2 / w2
+        found = {**fixed, vary: value}
+        for point in in_contact(arith, angles, found["mu0"], tuple(found[name] for name in NAMES[2:])):
+            exactly = replace(point, parameters=(arith.exact(exact["theta0"]), *point.parameters[1:]))
+            yield _classified(arith, vary, exactly, angles, direction)
+
+
+def _directions(
+    arith: Arithmetic, vary: str, exact: dict[str, Fraction], values: tuple[Interval, ...], bits: int
+) -> list[_Direction]:
+    """All folds along a parameter other than θ₀, by their directions."""
+    c0, s0, *others = values
+    try:
+        polynomial = polynomials.interpolate(_eliminated(vary, c0, s0, others, arith.exact), _DEGREE, arith.exact)
+        roots = roots_on_the_line(polynomial, lambda v: sign(arith, v), arith.exact, bits // 2, positive=True)
+        return [_Direction(root.interval(arith)) for root in roots]
+    except Undecided:
+        common = _independent_of_theta0(vary, exact)
+        if common is None:
+            raise
+        return _with_multiplicity(arith, common, _curvature(vary, exact), bits) if common else []
+
+
+def _eliminated(
+    vary: str, c0: Any, s0: Any, others: Sequence[Any], number: Callable[[Fraction], Any]
+) -> Callable[[Fraction], Any]:
+    """u₁ w₂ − u₂ w₁ times (1 + t²)³: zero at the folds, a polynomial in t."""
+
+    def value(t: Fraction) -> Any:
+        c, s, scale = (number(part) for part in on_circle(t))
+        u1, w1, u2, w2 = _LINES[vary](c, s, c0, s0, *others)
+        return (u1 * w2 - u2 * w1) * scale**_HALF
+
+    return value
+
+
+def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials.Polynomial | None:
+    """The eliminated polynomial is g(θ₀) P(t): P, exactly, and () where there is no fold; nothing where it is not of that form.
+
+    This is the form that it takes where it has multiple roots whatever θ₀ is, as for μ₀ = α = 0 and for μ₀ = 0, α = 1 + β.
+    Its coefficients are of degree 4 in v = tan(θ₀/2), so that five values of v prove the form, or that all of it is 0.
+    g(θ₀) ≠ 0, since v is transcendental for a rational θ₀ (Lindemann).
+    """
+    others = [exact[name] for name in NAMES[1:] if name != vary]
+    common: polynomials.Polynomial = ()
+    for v in _SAMPLES:
+        c0, s0, _ = on_circle(v)
+        polynomial = polynomials.primitive(
+            polynomials.interpolate(_eliminated(vary, c0, s0, others, Fraction), _DEGREE, Fraction)
+        )
+        if common and polynomial and polynomial not in (common, tuple(-value for value in common)):
+            return None
+        common = common or polynomial
+    if not common and _lines_meet(vary, others):
+        raise ConvergenceError(f"folds along {vary} are not isolated at these parameters: change one of the others a little")
+    return common
+
+
+#: Five different values of v, none of them special.
+_SAMPLES = tuple(Fraction(number, 7) for number in range(1, 6))
+
+
+def _lines_meet(vary: str, others: list[Fraction]) -> bool:
+    """Whether two fold relations that are one and the same can hold at all.
+
+    Where they are w₁ (λ − λ₀) = 0 and w₂ (λ − λ₀) = 0 with one λ₀ for all θ, f would be 0 for all θ at λ₀, and no parameters in
+    their ranges have that (b < 0). What is left is w₁ = w₂ = 0: not for a transcendental v if not for some rational one.
+    """
+    rows = [
+        _LINES[vary](*on_circle(Fraction(number, 5))[:2], *on_circle(v)[:2], *others) for number in range(-3, 4) for v in _SAMPLES
+    ]
+    ratio = next((-u1 / w1 if w1 else -u2 / w2 for u1, w1, u2, w2 in rows if w1 or w2), None)
+    if ratio is None or any(u1 + ratio * w1 or u2 + ratio * w2 for u1, w1, u2, w2 in rows):
+        return True
+    c0, s0, _ = on_circle(_SAMPLES[0])
+
+    def slope(place: int) -> polynomials.Polynomial:
+        return polynomials.interpolate(in_t(lambda c, s: _LINES[vary](c, s, c0, s0, *others)[place], _HALF), _DEGREE, Fraction)
+
+    common = polynomials.squarefree(polynomials.common_divisor(slope(1), slope(3)))
+    return not common or bool(roots_on_the_line(common, polynomials.exact_sign, Fraction, 64, positive=True))
+
+
+def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polynomial]:
+    """Polynomials in t, all zero where f″ = 0 on a fold: μ₀ (3 sin² θ − 2) = 3 (1 + β − α) sin θ cos θ, times (1 + t²)²."""
+    even, odd = tuple(map(Fraction, (-2, 0, 8, 0, -2))), tuple(map(Fraction, (0, 2, 0, -2, 0)))
+    if vary in ("alpha", "beta"):  # 1 + β − α is no rational there
+        return [tuple(exact["mu0"] * value for value in even), odd]
+    gap = 1 + exact["beta"] - exact["alpha"]
+    return [tuple(exact["mu0"] * one - 3 * gap * other for one, other in zip(even, odd, strict=True))]
+
+
+def _with_multiplicity(
+    arith: Arithmetic, polynomial: polynomials.Polynomial, curvature: list[polynomials.Polynomial], bits: int
+) -> list[_Direction]:
+    """The positive roots of an exact polynomial, each with its multiplicity."""
+    repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
+    again = polynomials.common_divisor(repeated, polynomials.derivative(repeated))
+    found = []
+    simple = polynomials.without(polynomial, repeated)
+    for root in roots_on_the_line(simple, polynomials.exact_sign, Fraction, bits - 32, positive=True):
+        multiplicity, flat = 1, False
+        if root.is_of(repeated):
+            multiplicity = 3 if root.is_of(again) else 2
+            flat = all(root.is_of(polynomials.common_divisor(repeated, one)) for one in curvature)
+        found.append(_Direction(root.interval(arith), multiplicity, flat, polynomial, root))
+    return found
+
+
+def _classified(arith: Arithmetic, vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
+    """The kind of a fold, from signs of the derivatives of f by θ and by the parameter λ that varies.
+
+    The multiplicity of its root is the number of times that f = 0 and f′ = 0 meet there. Once: then f_λ f″ ≠ 0, a fold.
+    More often: f_λ = 0 ("touch": two equilibria meet, and their number is the same on both sides) or f″ = 0. With f″ = 0 it is 2
+    where f_λ ≠ 0 ("cusp": three meet in one, and one is on both sides), since f‴ ≠ 0 for a quartic in t with a negative root;
+    3 is a pitchfork.
+    """
+    trig = kernel.f_coefficients(angles.c0, angles.s0, *point.parameters[1:], 1)
+    if direction.flat and direction.multiplicity == 2:
+        return Fold(point, "cusp", 0, False)
+    slope, cross = _catastrophe.unfolding(*angles, *point.parameters[1:])[NAMES.index(vary)]
+    if direction.flat:
+        third = decided(arith, kernel.f_third(angles.c, angles.s, *trig), "f‴ on a pitchfork")
+        return Fold(point, "pitchfork", -third * decided(arith, cross, "f′ by the parameter on a pitchfork"), False)
+    curvature = decided(arith, kernel.f_curvature(angles.c, angles.s, *trig), "f″ on a fold")
+    if direction.multiplicity > 1:
+        return Fold(point, "touch", 0, curvature > 0)
+    side = -curvature * decided(arith, slope, "f by the parameter on a fold")
+    return Fold(point, "fold", side, curvature > 0, _after(arith, point, angles, direction, trig))
+
+
+def _after(
+    arith: Arithmetic, point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]
+) -> tuple[Interval, ...]:
+    c, s, _ = on_circle(landing(direction.t, trig, arith.sqrt))
+    kappa, _, sigma, beta = point.parameters[2:]
+    return (angle(arith, c, s), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
+
+
+def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
+    """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the second relation."""
+    given = tuple(exact[name] for name in ("mu0", "kappa", "alpha", "sigma", "beta"))
+    mu0, kappa, alpha, sigma, beta = given
+
+    def sine(c: Any, s: Any, values: tuple[Any, ...]) -> Any:
+        friction, kappa, alpha, sigma, beta = values
+        return _catastrophe.fold_sine(c, s, friction, kappa, alpha, sigma, beta)
+
+    def eliminated(c: Fraction, s: Fraction) -> Fraction:
+        if alpha:
+            s0, c0 = _catastrophe.fold_angles(c, s, mu0, kappa, alpha, sigma, beta)
+            return Fraction(s0**2 + c0**2 - 1)
+        e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
+        return Fraction(e0 + mu0 * (e1 + mu0 * e2))
+
+    polynomial = polynomials.primitive(polynomials.interpolate(in_t(eliminated, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction))
+    if not polynomial and (mu0 or alpha != 1 + beta):  # for μ₀ = 0 and α = 1 + β tan θ is a number: there is no fold
+        raise ConvergenceError("folds along theta0 are not isolated at these parameters: change one of them a little")
+    values = tuple(map(arith.exact, given))
+    for direction in _with_multiplicity(arith, polynomial, _curvature("theta0", exact), bits):
+        c, s, _ = on_circle(direction.t)
+        s0 = sine(c, s, values)
+        if direction.sign_of(arith, s0, lambda c, s: sine(c, s, given), "sin θ₀ = 0 on a fold") <= 0:
+            continue
+        if alpha:
+            cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
+        else:
+            # With sin θ₀ = 1, B = 1 + β: f = f′ = 0 gives μ₀ s² c = B (1 − s³) + κ, so that c > 0 where μ₀ > 0, and
+            # μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For μ₀ = 0 f = σ c (B s − B − κ)
+            # is 0 at c = 0 only, where f′ = σ κ.
+            gap = 1 - s0 * s0
+            inside = direction.sign_of(arith, gap, lambda c, s: 1 - sine(c, s, given), "sin θ₀ = 1 on a fold") > 0
+            cosines = [arith.sqrt(gap), -arith.sqrt(gap)] if inside else []
+        for c0 in cosines:
+            angles = Angles(c, s, c0, s0)
+            for point in in_contact(arith, angles, values[0], values[1:]):
+                yield _classified(arith, "theta0", point, angles, direction)

@@ -1,0 +1,106 @@
+"""A claim about every point of a box of parameters: proved, refuted by a point, or left open in a share of the volume."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ...design.certificates import Certificate, Unit, checked_units
+from ...errors import ParameterError
+from ...models.parameters import NAMES, FloatArray, Parameters
+from ...questions import NotInClosedForm
+from .cells import Boxes
+from .claims import CLAIMS, Claim
+from .jump_values import is_usual
+
+#: Boxes at a time.
+_BATCH = 2048
+
+
+def certify(
+    low: Parameters, high: Parameters, claim: str = "no jump", *, vary: str | None = None, begin: float | None = None,
+    max_boxes: int | None = None, refute: bool = True, units: Mapping[str, Unit] | None = None,
+) -> Certificate:  # fmt: skip
+    """The closed form of :func:`spragsym.certify`, for friction that rises.
+
+    Notes
+    -----
+    Source: f, f′ and the eigenvalues of K over boxes, in affine arithmetic with every rounding bounded; boxes are halved until
+    they are decided. A box that touches the border of the claim, a fold or an onset of flutter, can't be decided there: it ends
+    after ``max_boxes``.
+    """
+    rises = vary is None or (vary == "mu0" and claim == "no jump")
+    if not rises or not is_usual("mu0", begin):
+        raise NotInClosedForm
+    max_boxes = 20_000 if max_boxes is None else max_boxes
+    if claim not in CLAIMS:
+        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, CLAIMS))}")
+    if isinstance(max_boxes, bool) or not isinstance(max_boxes, int | np.integer) or max_boxes < 1:
+        raise ParameterError(f"max_boxes = {max_boxes!r} is not a number of boxes; give an integer of 1 or more")
+    chosen = CLAIMS[claim]
+    pending = _whole(low, high, chosen, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
+    seen, open_share = 0, 0.0
+    while pending.share.size:
+        batch, rest = (
+            pending.rows(np.arange(min(_BATCH, pending.share.size))),
+            pending.rows(np.arange(_BATCH, pending.share.size)),
+        )
+        seen += batch.share.size
+        point = chosen.refute(batch) if refute else None
+        if point is not None:
+            return Certificate(claim, "refuted", point, float(batch.share.sum() + rest.share.sum()), seen)
+        proved, weight = chosen.prove(batch)
+        open_ones = np.flatnonzero(~proved)
+        if seen + rest.share.size >= max_boxes:
+            open_share = float(batch.share[open_ones].sum() + rest.share.sum())
+            break
+        pending = rest.then(halved(batch.rows(open_ones), weight[:, open_ones]))
+    return Certificate(claim, "undecided" if open_share else "proved", None, open_share, seen)
+
+
+def _whole(low: Parameters, high: Parameters, chosen: Claim, units: Mapping[str, Unit]) -> Boxes:
+    """The box of parameters and units, one box."""
+    ends = []
+    for what, corner in (("low", low), ("high", high)):
+        if corner.shape:
+            raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
+        ends.append(np.array(corner.scalars(*NAMES))[:, None])
+    for name, one, other in zip(NAMES, ends[0][:, 0], ends[1][:, 0], strict=True):
+        if one > other:
+            raise ParameterError(f"low.{name} = {one:g} is above high.{name} = {other:g}; exchange the two")
+    for name in chosen.from_above:
+        ends[0][NAMES.index(name)] = ends[1][NAMES.index(name)]
+    matter = [unit for unit in units.values() if set(unit.powers) & set(NAMES)]
+    powers: dict[str, list[tuple[int, int]]] = {name: [] for name in NAMES}
+    for side, unit in enumerate(matter, len(NAMES)):
+        for name, power in unit.powers.items():
+            if name in powers:
+                powers[name].append((side, _whole_number(name, power)))
+    low_ends, high_ends = (
+        np.concatenate([end, [[getattr(unit, what)] for unit in matter]]) if matter else end
+        for end, what in zip(ends, ("low", "high"), strict=True)
+    )
+    return Boxes(low_ends, high_ends, np.ones(1), {name: tuple(found) for name, found in powers.items() if found})
+
+
+def _whole_number(name: str, power: float) -> int:
+    if int(power) != power or name == "mu0":
+        raise ParameterError(f"units: {name} has the power {power:g} of one; closed forms take whole numbers, and none for mu0; "
+                             "method='search' takes others")  # fmt: skip
+    return int(power)
+
+
+def halved(boxes: Boxes, weight: FloatArray) -> Boxes:
+    """Each box cut across the side that matters most; one without width is not cut, and where none is known the widest is."""
+    width = boxes.high - boxes.low
+    relative = width / np.maximum(boxes.high, 1e-300)
+    useful = np.where(width > 0, weight, -1.0)
+    known = (useful > 0).any(axis=0)
+    side = np.where(known, np.argmax(useful, axis=0), np.argmax(relative, axis=0))
+    column = np.arange(side.size)
+    middle = 0.5 * (boxes.low[side, column] + boxes.high[side, column])
+    high, low = boxes.high.copy(), boxes.low.copy()
+    high[side, column], low[side, column] = middle, middle
+    # A box that is a point, or as thin as floats are, has no halves: both are the same, and it stays open.
+    return Boxes(boxes.low, high, boxes.share / 2, boxes.powers).then(Boxes(low, boxes.high, boxes.share / 2, boxes.powers))

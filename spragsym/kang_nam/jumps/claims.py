@@ -1,0 +1,264 @@
+"""What can be certified over a box of parameters: for each claim a proof for many boxes, and a search for counterexamples."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...generated import catastrophe as _catastrophe
+from ...models.parameters import NAMES, FloatArray, Parameters
+from ...numerics.affine import Affine
+from ...results.equilibria import Stability
+from ..folds.paths import quasi_static_path
+from ..quartic import kernel
+from ..quartic.solver import count, equilibria
+from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
+from .jump_values import first_jumps, small
+
+_in_differences = inspect.unwrap(_catastrophe.f_in_differences)
+_MU0 = NAMES.index("mu0")
+#: A little more than π, beyond which no direction is in contact.
+_ALL = math.pi + 1e-15
+#: How far a trial direction lies from the state it stands for, in units of how far that state moves within the box: the wide one
+#: leaves room for terms of second order, the narrow one is for boxes near a fold.
+_MARGINS = (0.7, 0.25)
+
+
+def by_parameter(values: dict[str, Any], theta: FloatArray) -> dict[str, FloatArray]:
+    """∂f/∂π in contact for each parameter π, at the direction θ of the spring."""
+    with np.errstate(invalid="ignore"):
+        c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(values["theta0"]), np.sin(values["theta0"])
+        pairs = _catastrophe.unfolding(c, s, c0, s0, *(values[name] for name in NAMES[1:]))
+    return {name: pair[0] for name, pair in zip(NAMES, pairs, strict=True)}
+
+
+@dataclass(frozen=True)
+class Claim:
+    """``prove`` says of which boxes it holds, and which side to cut of the others; ``refute`` gives a counterexample or none."""
+
+    prove: Callable[[Boxes], tuple[NDArray[np.bool_], FloatArray]]
+    refute: Callable[[Boxes], Parameters | None]
+    #: Parameters of which only the upper end matters.
+    from_above: tuple[str, ...] = ()
+
+
+def _point(values: dict[str, FloatArray], i: int) -> Parameters:
+    return Parameters(**{name: float(column[i]) for name, column in values.items()})
+
+
+def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
+    """f, f′, f_μ₀ and f_μ₀′."""
+    return _in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)  # type: ignore[no-any-return]
+
+
+def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:
+    """y ≥ 0 for the state of any direction here: κ ≤ σ (sin θ₀ − sin θ)."""
+    return (others[1] - others[3] * (ground.s0 - ground.s)).sign() < 0
+
+
+# --------------------------------------------------------------------------------------------------- one equilibrium
+
+
+def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+    """Every equilibrium has f′ > 0. Of three the middle one has not, and of two that meet neither has: so there is one."""
+
+    def test(ground: Ground) -> Verdict:
+        others = ground.others()
+        value, slope, _, _ = _balance(ground, others)
+        return Verdict((value.sign() != 0) | (slope.sign() > 0) | _not_in_contact(ground, others), (value, slope))
+
+    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
+
+
+def _three(boxes: Boxes) -> Parameters | None:
+    middle = boxes.middle()
+    many = np.flatnonzero(count(Parameters(**middle)) == 3)
+    return _point(middle, int(many[0])) if many.size else None
+
+
+# --------------------------------------------------------------------------------------------------------- no flutter
+
+
+def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+    """Every equilibrium in contact has f′ < 0, which is divergence, or a positive discriminant of K in λ²."""
+
+    def test(ground: Ground) -> Verdict:
+        others = ground.others()
+        value, slope, _, _ = _balance(ground, others)
+        done = (value.sign() != 0) | (slope.sign() < 0) | _not_in_contact(ground, others)
+        L, _, _ = kernel.state(ground.c, ground.s, ground.c0, ground.s0, others[1], others[3], others[4], 1)
+        K = kernel.stiffness(ground.c, ground.s, L, others[0], others[2], others[3], others[4], 1)
+        discriminant = kernel.invariants(*K[0], *K[1])[2]
+        return Verdict(done | (discriminant.sign() > 0), (value, slope, discriminant))
+
+    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
+
+
+def _flutters(boxes: Boxes) -> Parameters | None:
+    middle = boxes.middle()
+    many = np.flatnonzero((equilibria(Parameters(**middle)).stability == Stability.FLUTTER).any(axis=-1))
+    return _point(middle, int(many[0])) if many.size else None
+
+
+# ------------------------------------------------------------------------------------------------------------ no jump
+
+
+def _no_jump(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+    """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at another, and is 0 once between,
+    at the state of small deformation: so that is followed without a fold.
+
+    Candidates for the two directions come from the middle of a box, and the proof does not depend on how.
+    """
+    result, weight = _followed_with(boxes, _MARGINS[0])
+    for margin in _MARGINS[1:]:
+        left = np.flatnonzero(~result)
+        if left.size:
+            result[left], weight[:, left] = _followed_with(boxes.rows(left), margin)
+    return result, weight
+
+
+def _followed_with(boxes: Boxes, margin: float) -> tuple[NDArray[np.bool_], FloatArray]:
+    with np.errstate(all="ignore"):
+        *lines, known = _directions(boxes, margin)
+    result, weight = known.copy(), np.zeros_like(boxes.low)
+    for check in (_ends_hold, _rises, _is_small):
+        some = np.flatnonzero(result)
+        if some.size:
+            result[some], weight[:, some] = check(boxes.rows(some), *(line.rows(some) for line in lines))
+    return result, weight
+
+
+def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[np.bool_]]:
+    """A direction below the state at μ₀ = 0, one above it, one above the state at the largest friction; where they exist."""
+    middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
+    bare = equilibria(Parameters(**middle).replace(mu0=0.0))
+    full = equilibria(Parameters(**middle))
+    first = np.take_along_axis(bare.theta, small(bare)[:, None], axis=-1)
+    later = np.where(full.theta >= first, full.theta, np.inf).min(axis=-1)
+    low, above = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
+    high = _moved(boxes, middle, later, margin)
+    known = np.isfinite(later) & bare.decided & full.decided
+    known &= (low.value - low.reach() > 0) & (high.value + high.reach() < math.pi)
+    return low, above, high, known
+
+
+def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
+    """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
+    slopes = 0.5 * (boxes.high - boxes.low) * boxes.by_side(_motion(values, theta))
+    slopes[_MU0] = 0.0
+    line = Line(theta, slopes)
+    return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
+
+
+def _motion(values: dict[str, FloatArray], theta: FloatArray) -> dict[str, FloatArray]:
+    """How an equilibrium moves with each parameter: dθ/dp by name."""
+    trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
+    slope = kernel.f_slope(np.cos(theta), np.sin(theta), *trig)
+    return {name: -change / slope for name, change in by_parameter(values, theta).items()}
+
+
+def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
+    others = ground.others()
+    others[0] = Affine(friction, np.zeros_like(others[1].terms), np.zeros_like(friction))
+    return others
+
+
+def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+    """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
+    result, weight = np.ones(boxes.share.size, dtype=np.bool_), np.zeros_like(boxes.low)
+    none, half = np.zeros(boxes.share.size), 0.5 * (boxes.high - boxes.low)
+    for line, friction, wanted in ((lowest, none, -1), (highest, boxes.high[_MU0], 1)):
+        ground = at(boxes, line)
+        others = _with_friction(ground, friction)
+        value = _balance(ground, others)[0]
+        inside = others[1] - others[3] * (ground.s0 - ground.s)
+        known = value.sign() == wanted, inside.sign() > 0
+        result &= known[0] & known[1]
+        # A direction that follows the state leaves what is of second order, in each of the parameters that a side changes.
+        second = half * boxes.apart(_motion(boxes.middle() | {"mu0": friction}, line.value))
+        second[_MU0] = 0.0
+        first = np.abs(inside.terms[:-1])
+        straight = known[0] & ~known[1] & (first.sum(axis=0) > inside.error)
+        weight = np.maximum(weight, np.where(straight, first / np.maximum(first.sum(axis=0), 1e-300), second**2))
+    return result, weight
+
+
+def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+    """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
+
+    def test(ground: Ground) -> Verdict:
+        others = _with_friction(ground, np.zeros_like(ground.c.value))
+        value, slope, change, change_slope = _balance(ground, others)
+        rise = slope * change - value * change_slope
+        return Verdict(rise.sign() < 0, (rise,))
+
+    return covered(boxes, lowest, highest, test)
+
+
+def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+    """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
+
+    Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has \\|x\\| ≥ \\|cos θ₀\\|: see
+    ``smallest_without_friction`` in derive/kang_nam/theorem.py. So L \\|cos θ\\| < 2 \\|cos θ₀\\| is enough, or that there is no
+    other.
+    """
+    ground = at(boxes, start)
+    others = _with_friction(ground, np.zeros(boxes.share.size))
+    above = _balance(ground, others)[0].sign() > 0
+    side = ground.c0.sign()
+    near = lowest.where(side > 0, start)
+    ground = at(boxes, near)
+    L, _, _ = kernel.state(
+        ground.c, ground.s, ground.c0, ground.s0, *(ground.parameters[n] for n in ("kappa", "sigma", "beta")), 1
+    )
+    reach = 2 * ground.c0 - L * ground.c
+    far = at(boxes, start.where(side > 0, lowest)).c.sign() * side > 0
+    result = above & far & (side != 0) & (reach.sign() * side > 0)
+    left = np.flatnonzero(above & ~result)
+    if left.size:
+        some = boxes.rows(left)
+        below = _alone(some, constant(0.0, some), lowest.rows(left))
+        result[left] = below & _alone(some, start.rows(left), constant(_ALL, some))
+    return result, np.abs(reach.terms[:-1])
+
+
+def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
+    """No equilibrium in contact without friction between two directions."""
+
+    def test(ground: Ground) -> Verdict:
+        others = _with_friction(ground, np.zeros_like(ground.c.value))
+        value = _balance(ground, others)[0]
+        return Verdict((value.sign() != 0) | _not_in_contact(ground, others), (value,))
+
+    return covered(boxes, low, high, test)[0]
+
+
+def _jumps(boxes: Boxes) -> Parameters | None:
+    """A point whose state jumps below its friction: the middle of a box, or the corner to which the jump comes down fastest."""
+    middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
+    found = first_jumps(Parameters(**middle), "mu0", apart_from=middle["mu0"])
+    with np.errstate(all="ignore"):
+        changes = by_parameter(middle | {"mu0": found.value}, found.theta)
+        slopes = boxes.by_side({name: -change / changes["mu0"] for name, change in changes.items()})
+    sides = np.where(slopes > 0, boxes.low, np.where(slopes < 0, boxes.high, 0.5 * (boxes.low + boxes.high)))
+    corner = boxes.parameters(sides) | {"mu0": boxes.high[_MU0]}
+    in_corner = first_jumps(Parameters(**corner), "mu0", apart_from=corner["mu0"])
+    for values, jumps in ((middle, found.value), (corner, in_corner.value)):
+        for i in np.flatnonzero(jumps < values["mu0"] * (1 - 1e-11))[:1]:
+            point = _point(values, int(i))
+            if quasi_static_path(point, "mu0", [0.0, float(point.mu0)]).jumps:
+                return point
+    return None
+
+
+CLAIMS = {
+    "no jump": Claim(_no_jump, _jumps, ("mu0",)),
+    "one equilibrium": Claim(_one_equilibrium, _three),
+    "no flutter": Claim(_no_flutter, _flutters),
+}

@@ -1,0 +1,215 @@
+"""Where the state of small deformation jumps first as one parameter moves, for many points at once.
+
+All folds along the parameter are found with proof (:mod:`spragsym.kang_nam.folds.fold_arrays`). Between two folds the
+equilibria keep their order in θ, and each fold says which two of them meet and on which side: so the state followed is a rank,
+and it jumps at the first fold at which it is one of the two that vanish. Points that float64 can't decide go the same way in
+exact arithmetic.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...design.jump_ends import Ends
+from ...design.values import FIRST_ANGLE, FROM_LOWER_END
+from ...errors import ConvergenceError, ParameterError
+from ...models.parameters import NAMES, RANGES, FloatArray, Parameters
+from ...numerics.polynomials import Undecided
+from ...questions import NotInClosedForm
+from ...results.equilibria import Equilibria, Stability
+from ..folds import fold_arrays
+from ..folds.fold_digits import sharpened
+from ..folds.fold_points import turns
+from ..folds.paths import quasi_static_path
+from ..quartic import kernel
+from ..quartic.solver import equilibria
+
+#: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
+BLOCK = 1 << 13
+#: Largest error of a value over max(1, |value|), proved.
+_LARGEST_ERROR = 1e-12
+
+
+@dataclass(frozen=True)
+class FirstJumps:
+    """For many points the value at which the state jumps and the direction of the spring there; NaN where it never does.
+
+    ``reasons`` says of which points, by their position in ``value.flat``, nothing is known, and why.
+    """
+
+    value: FloatArray
+    theta: FloatArray
+    reasons: Mapping[int, str]
+
+
+def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up", begin: float | None = None) -> Ends:
+    """The closed form of :func:`spragsym.design.jumps.first_ends`, along any of the six parameters, to 1e-12.
+
+    Notes
+    -----
+    Source: f = f′ = 0; the first jump of :func:`spragsym.quasi_static_path` from ``start="small"``.
+    """
+    vary = vary or "mu0"
+    if vary not in NAMES or not is_usual(vary, begin):
+        raise NotInClosedForm
+    found = first_jumps(p, vary, direction)
+    at = {name: getattr(p, name) for name in NAMES} | {vary: found.value}
+    with np.errstate(invalid="ignore"):
+        c, s, c0, s0 = np.cos(found.theta), np.sin(found.theta), np.cos(at["theta0"]), np.sin(at["theta0"])
+        _, x, y = kernel.state(c, s, c0, s0, *(at[name] for name in ("kappa", "sigma", "beta")), 1)
+    state = np.stack(np.broadcast_arrays(x, y, found.value)[:2])
+    return Ends(found.value, np.full(found.value.shape, _LARGEST_ERROR), state, found.reasons)
+
+
+def is_usual(vary: str, begin: FloatArray | float | None) -> bool:
+    """Whether a parameter rises from where closed forms follow it: from its lower end, or from the value in the set."""
+    return begin is None or (vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary])))
+
+
+def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> FirstJumps:
+    """Where the state of small deformation jumps first, with the direction of the spring on the fold at which it ends.
+
+    With ``apart_from``, an array of the shape of ``p``, a value need only be known well enough to say on which side of that
+    number it lies.
+    """
+    forward = _checked(p, vary, direction)
+    shape = p.replace(**{vary: None}).shape if vary in FROM_LOWER_END else p.shape
+    size = math.prod(shape)
+    needed = [name for name in NAMES if not (name == vary and vary in FROM_LOWER_END)]
+    given = {name: np.broadcast_to(getattr(p, name), shape).reshape(-1) for name in needed}
+    value, theta = np.empty(size), np.empty(size)
+    hopeless: dict[int, str] = {}
+    for begin in range(0, size, BLOCK):
+        part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
+        here = slice(begin, begin + BLOCK)
+        marks = None if apart_from is None else apart_from.reshape(-1)[here]
+        value[here], theta[here], reasons = _block(part, vary, forward, marks)
+        hopeless |= {begin + i: reason for i, reason in reasons.items()}
+    return FirstJumps(value.reshape(shape), theta.reshape(shape), hopeless)
+
+
+def _checked(p: Parameters, vary: str, direction: str) -> int:
+    if vary not in NAMES:
+        raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
+    if direction not in ("up", "down"):
+        raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
+    if vary in FROM_LOWER_END and direction == "down":
+        raise ParameterError(f"direction = 'down': {vary} rises from its lower end; leave the direction out")
+    p.require(*(name for name in ("theta0", "mu0") if name != vary))
+    return 1 if direction == "up" else -1
+
+
+def _block(
+    given: Mapping[str, FloatArray], vary: str, forward: int, marks: FloatArray | None
+) -> tuple[FloatArray, FloatArray, dict[int, str]]:
+    size = next(iter(given.values())).size
+    start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
+    eq = equilibria(Parameters(**{**given, vary: start}))
+    # What all points share is one number, of which the polynomials' coefficients are computed once.
+    others = {name: column[0] if (column == column[0]).all() else column for name, column in given.items() if name != vary}
+    found = fold_arrays.folds(vary, others, size)
+    undecided = found.undecided | ~eq.decided | eq.fold
+    value, theta, coarse = _walk(found, start, forward, small(eq), eq.count, undecided)
+    if marks is not None:
+        at = found.row[coarse]
+        wide = ~(np.abs(found.value.value[coarse] - marks[at]) > 1.01 * found.value.error[coarse])
+        value[at] = np.where(wide, value[at], found.value.value[coarse])
+        coarse = coarse[wide]
+    if vary != "theta0":
+        _with_more_digits(vary, given, found, coarse, value)
+        coarse = coarse[np.isnan(value[found.row[coarse]])]
+    undecided[found.row[coarse]] = True
+    reasons = {}
+    for i in np.flatnonzero(undecided):
+        point = Parameters(**{name: float(column[i]) for name, column in given.items()})
+        try:
+            value[i], theta[i] = exactly(point, vary, forward)
+        except ConvergenceError as reason:
+            value[i] = theta[i] = np.nan
+            reasons[int(i)] = str(reason)
+    return value, theta, reasons
+
+
+def small(eq: Equilibria) -> NDArray[np.intp]:
+    """The slot of the stable equilibrium of smallest \\|x\\|, or of the smallest if none is stable, of each of many points."""
+    size = np.where(np.isnan(eq.x), np.inf, np.abs(eq.x))
+    stable = np.where(eq.stability == Stability.STABLE, size, np.inf)
+    return np.asarray(np.argmin(np.where(np.isfinite(stable).any(axis=-1, keepdims=True), stable, size), axis=-1))
+
+
+def _walk(
+    found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: NDArray[np.intp], count: NDArray[np.int8],
+    undecided: NDArray[np.bool_],
+) -> tuple[FloatArray, FloatArray, NDArray[np.intp]]:  # fmt: skip
+    """Carry ranks over the folds in their order; points whose order is not certain are added to ``undecided``.
+
+    Gives the value and θ of each jump, and which folds among those jumped at are known to too few digits.
+    """
+    ahead = forward * (found.value.value - start[found.row])
+    near = np.abs(ahead) <= found.value.error * 1.01 + 1e-300
+    undecided[found.row[near]] = True
+    keep = np.flatnonzero((ahead > 0) & ~near)
+    keep = keep[np.lexsort((ahead[keep], found.row[keep]))]
+    row, value, best = found.row[keep], found.value.rows(keep), found.best.rows(keep)
+    same = row[1:] == row[:-1]
+    apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
+    undecided[row[1:][same & ~apart]] = True
+    result, theta = np.full(start.size, np.nan), np.full(start.size, np.nan)
+    rank, count = rank.astype(np.int64), count.astype(np.int64)
+    place = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
+    at = 2 * np.arctan(found.t.value[keep])
+    opens, upper = forward * found.side[keep], found.upper[keep]
+    done = np.zeros(start.size, dtype=np.bool_)
+    wide = ~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))
+    coarse = np.zeros(row.size, dtype=np.bool_)
+    for k in range(int(place.max(initial=-1)) + 1):
+        now = np.flatnonzero(place == k)
+        points, grows = row[now], opens[now] > 0
+        undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
+        jumps = ~grows & ~done[points] & np.where(upper[now], rank[points] >= 1, rank[points] <= 1)
+        result[points[jumps]], theta[points[jumps]] = best.value[now[jumps]], at[now[jumps]]
+        coarse[now[jumps]] = wide[now[jumps]]
+        done[points[jumps]] = True
+        rank[points] = np.where(grows & ~upper[now], 2, 0)
+        count[points] = np.where(grows, 3, 1)
+    return result, theta, keep[coarse & ~undecided[row]]
+
+
+def _with_more_digits(
+    vary: str, given: Mapping[str, FloatArray], found: fold_arrays.FoldArrays, coarse: NDArray[np.intp], value: FloatArray
+) -> None:
+    """Put the values of some folds in place to the digits that are wanted, NaN where that fails."""
+    for k in coarse:
+        row = found.row[k]
+        point = {name: float(column[row]) for name, column in given.items() if name != vary}
+        t, old = ((float(one.value[k]), float(one.error[k])) for one in (found.t, found.value))
+        try:
+            new, error = sharpened(vary, point, t, old)
+        except Undecided:
+            new, error = math.nan, math.inf
+        value[row] = new if error <= _LARGEST_ERROR * max(abs(new), 1.0) else math.nan
+
+
+def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
+    """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
+    found = [turn.values[NAMES.index(vary)] for turn in turns(p, vary)]
+    if vary == "theta0":
+        start = min([FIRST_ANGLE, *(value / 2 for value in found)])
+    else:
+        start = FROM_LOWER_END[vary] if vary in FROM_LOWER_END else float(getattr(p, vary))
+    ahead = [value for value in found if forward * (value - start) >= 0]
+    if not ahead:
+        return math.nan, math.nan
+    if forward > 0:
+        high = RANGES[vary].high
+        end = 2 * max(ahead) + 1 if math.isinf(high) else (max(ahead) + high) / 2
+    else:
+        end = min(ahead) / 2
+    path = quasi_static_path(p, vary, [start, end])
+    jump = next(iter(path.jumps), None)
+    return (jump.value, jump.before["theta"]) if jump else (math.nan, math.nan)

@@ -1,0 +1,144 @@
+"""A block of points at once in NumPy, in float64 or in double-double arithmetic."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...generated import kernel
+from ...generated._where import where
+from ...numerics.double_double import DoubleDouble, cosine_and_sine
+from ...results.state_columns import Slots, gathered
+
+#: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
+TOLERANCE = 1e-12
+
+
+#: Roundings of a double that θ, L, x and y in double-double arithmetic are off by when they are stored: the arc tangent is within
+#: one unit in the last place, and its argument is rounded.
+_STORED = 4 * 2.0**-53
+
+
+def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np.floating[Any]]) -> NDArray[np.int64]:
+    """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
+
+    Settled: every root is an equilibrium with its digits or certainly none, all of them are different, and in contact their
+    number is odd. One root of every point comes first, then all of those that have more.
+
+    Parameters
+    ----------
+    point : Point
+        Each an array of length ``size`` or one number for all.
+    """
+    u = dtype(np.finfo(dtype).eps / 2)
+    contact = point.nbar > 0
+    line = kernel.Balance(*np.broadcast_arrays(*kernel.balance(point), np.empty(size))[:-1])
+    trig = line.a, line.b, line.d, line.m
+    quartic, cubic = kernel.quartic(*trig), kernel.cubic(*trig)
+    D = kernel.discriminant(line, cubic, u)
+    halves = kernel.factors(quartic, cubic)
+    large, small, _ = kernel.root_pair(halves.p1, halves.q1)
+    upper: NDArray[Any] = where(large > 0.0, large, small)
+
+    # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
+    # where these may be positive, since no equilibrium in contact has sin θ < 0.
+    paired = ~(D.value > D.error)
+    if contact:
+        paired &= ~kernel.one_positive(line, quartic, u)
+        settled = _one_each(upper, point, line, out, begin, u)
+    else:
+        settled = _some(np.stack([np.where(large > 0.0, small, large), upper]), point, line, out, begin + np.arange(size), u)
+    pairs = np.flatnonzero(paired)
+    if pairs.size:
+        t = [upper] if contact else [large, small]
+        one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
+        roots = _ascending([*(value[pairs] for value in t), one, other])
+        settled[pairs] = _some(roots, rows_of(point, pairs), rows_of(line, pairs), out, begin + pairs, u)
+    return np.flatnonzero(~settled)
+
+
+def solve_widely(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    """As :func:`solve`, in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
+    theta0, *others = values
+    u = np.float64(kernel.WIDE_ROUNDOFF)
+    cos0, sin0 = cosine_and_sine(theta0)
+    mu0, kappa, alpha, sigma, beta = map(DoubleDouble, others)
+    point = kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
+    line = kernel.balance(point)
+    found = kernel.guesses(point, line, u)
+    apart_from_all = kernel.moderate(point) & kernel.representable(line) & found.certain
+    settled = np.zeros(size, dtype=np.bool_)
+    for roots in range(1, 5):
+        rows = np.flatnonzero(apart_from_all & (found.count == roots))
+        if rows.size:
+            t = _stacked([value[rows] for value in found[:roots]])
+            settled[rows] = _some(t, rows_of(point, rows), rows_of(line, rows), out, begin + rows, u)
+    return np.flatnonzero(~settled)
+
+
+@kernel.rough.register
+def _leading(value: DoubleDouble) -> NDArray[np.float64]:
+    return value.high
+
+
+def _stacked(values: list[DoubleDouble]) -> DoubleDouble:
+    return DoubleDouble(np.stack([value.high for value in values]), np.stack([value.low for value in values]))
+
+
+def _ascending(values: list[NDArray[Any]]) -> NDArray[Any]:
+    """Some values of each point in ascending order along the first axis; NaN anywhere, where one of them is."""
+    for end in range(len(values) - 1, 0, -1):
+        for k in range(end):
+            one, other = values[k : k + 2]
+            values[k : k + 2] = np.minimum(one, other), np.maximum(one, other)
+    return np.stack(values)
+
+
+def rows_of(record: Any, rows: NDArray[np.int64]) -> Any:
+    """Some of the points of a record."""
+    return type(record)(*(value[rows] if getattr(value, "ndim", 0) else value for value in record))
+
+
+def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
+    theta = 2.0 * kernel.arctangent(t.high) if isinstance(t, DoubleDouble) else 2.0 * np.arctan(t)
+    return {"theta": theta, "L": root.L, "x": root.x, "y": root.y, "error": _error(t, root), "stability": root.code}
+
+
+def _error(t: Any, root: kernel.Root) -> Any:
+    return root.error + _STORED if isinstance(t, DoubleDouble) else root.error
+
+
+def _sure(t: Any, root: kernel.Root) -> Any:
+    """Whether an equilibrium has its digits."""
+    return root.member & root.known & (_error(t, root) <= TOLERANCE)
+
+
+def _one_each(
+    t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, begin: int, u: np.floating[Any]
+) -> NDArray[np.bool_]:
+    """Points in contact with one root: settle those where the root certainly is an equilibrium."""
+    root = kernel.at_root(t, point, line, u)
+    settled: NDArray[np.bool_] = _sure(t, root) & (t > 0.0)
+    rows = slice(begin, begin + t.size)
+    # What is not settled is written again by whoever settles it: there is always a first equilibrium.
+    for name, values in _columns(t, root).items():
+        out.first[name][rows] = values
+    out.count[rows] = settled
+    return settled
+
+
+def _some(
+    t: Any, point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
+) -> NDArray[np.bool_]:
+    """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
+    root = kernel.at_root(t, point, line, u)  # what depends on the point alone is computed once for all of its roots
+    sure = _sure(t, root) | root.outsider
+    # Two proved roots are different when the intervals that hold them are.
+    settled: NDArray[np.bool_] = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
+    count, packed = gathered(root.member, _columns(t, root), out.slots)
+    if point.nbar > 0:
+        settled &= (count % 2 == 1) & (t[0] > 0.0)
+    out.put(rows, np.where(settled, count, 0), packed)
+    return settled

@@ -1,0 +1,281 @@
+"""All equilibria of many parameter points, each with its stability and a bound on its error."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import ConvergenceError
+from ...generated import kernel
+from ...generated import stability as _stability
+from ...models.parameters import NAMES, Parameters
+from ...results.equilibria import Equilibria, Undecided
+from ...results.state_columns import COLUMNS, Columns, Slots, empty
+from . import backends, block, compiled
+
+if TYPE_CHECKING:
+    from .adaptive_precision import Settled
+
+T = TypeVar("T")
+
+#: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for NumPy to compute in place, which
+#: it does in arrays of 256 KB and more; few enough for the arrays in between to stay in cache.
+BLOCK = 1 << 15
+#: Points that are worth a thread of their own, by what solves them, and the same where they are only counted.
+A_THREAD = {"compiled": 1 << 15, "numpy": 1 << 16}
+A_COUNTING_THREAD = {"compiled": 1 << 17, "numpy": 1 << 19}
+#: The same in double-double arithmetic, which has more in between.
+WIDE_BLOCK = 1 << 12
+
+
+@dataclass(frozen=True)
+class _Closed:
+    """What closed forms know of equilibria."""
+
+    p: Parameters
+    contact: bool
+    slots: Slots
+    escalated: NDArray[np.int64]  #: points
+    folds: NDArray[np.int64]
+    around: None = None
+
+    def column(self, name: str) -> NDArray[Any] | None:
+        """A column of the kernel's, or made of these; None for another name."""
+        if name in COLUMNS:
+            return np.moveaxis(self.slots.padded(name).T.reshape(self.slots.slots, *self.p.shape), 0, -1)
+        if name in ("escalated", "fold"):
+            return _flags(self.p.shape, self.escalated if name == "escalated" else self.folds)
+        made = {"eigenvalues": self._eigenvalues, "marginal": self._marginal}.get(name)
+        return None if made is None else made()
+
+    def _known(self, *names: str) -> list[NDArray[Any]]:
+        return [column for name in names if (column := self.column(name)) is not None]
+
+    def _marginal(self) -> NDArray[np.bool_]:
+        """At a fold the two slots that hold one state."""
+        (theta,) = self._known("theta")
+        out = np.zeros(theta.shape, dtype=np.bool_)
+        out[..., :-1] |= theta[..., :-1] == theta[..., 1:]
+        out[..., 1:] |= out[..., :-1]
+        return out & _flags(self.p.shape, self.folds)[..., None]
+
+    def _eigenvalues(self) -> NDArray[np.complex128]:
+        """The four λ of (27)."""
+        mu0, alpha, sigma, beta = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
+        theta, L = self._known("theta", "L")
+        with np.errstate(all="ignore"):  # empty slots; parameters near the largest floats overflow
+            K = _stability.stiffness(np.cos(theta), np.sin(theta), L, mu0, alpha, sigma, beta, int(self.contact))
+            trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
+            # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
+            root = np.sqrt(discriminant.astype(complex))
+            large = 0.5 * (trace + np.where(trace < 0, -root, root))
+            frequencies = np.stack([np.sqrt(-large), np.sqrt(-determinant / large)], axis=-1)
+        return np.concatenate([frequencies, -frequencies], axis=-1)
+
+
+def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
+    """The closed form of :func:`spragsym.equilibria`: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x.
+
+    Notes
+    -----
+    Source: (12)–(13) eliminated; stability by (27)–(28). The count is proved: the sign of the discriminant with a bound on its
+    rounding error, each root by Newton–Kantorovich. Where float64 can't, the point is solved again with more digits: in
+    double-double arithmetic, and what that can't settle in intervals.
+    """
+    p.require("theta0", "mu0")
+    out = Slots(math.prod(p.shape), 3 if contact else 4)
+    compiled_or_not, threads = backends.chosen()
+    solve = _compiled if compiled_or_not == "compiled" else _numpy
+    unsettled = _in_blocks(
+        p, threads, A_THREAD[compiled_or_not], lambda values, begin, size: begin + solve(values, contact, out, begin, size)
+    )
+    left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
+    fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
+    out.clear()
+    if reasons and not p.shape:
+        raise ConvergenceError(reasons[0])
+    return _answer(p, contact, out, left, fold, reasons)
+
+
+def _answer(
+    p: Parameters, contact: bool, out: Slots, escalated: NDArray[np.int64], folds: NDArray[np.int64], reasons: Mapping[int, str]
+) -> Equilibria:
+    decided = np.ones(p.shape, dtype=np.bool_)
+    undecided: tuple[Undecided, ...] = ()
+    remarks: tuple[str, ...] = ()
+    if reasons:
+        decided.reshape(-1)[list(reasons)] = False
+        anywhere = (-math.inf,) * 2, (math.inf,) * 2
+        places = (tuple(int(i) for i in np.unravel_index(number, p.shape)) for number in reasons)
+        undecided = tuple(Undecided(at, *anywhere, reason) for at, reason in zip(places, reasons.values(), strict=True))
+        remarks = (f"{len(reasons)} of {decided.size} points have no answer; the first: {undecided[0].reason}",)
+    counts = out.count.reshape(p.shape)
+    return Equilibria(p, contact, counts, decided, undecided, remarks, _Closed(p, contact, out, escalated, folds))
+
+
+def _flags(shape: tuple[int, ...], rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+    flags = np.zeros(math.prod(shape), dtype=np.bool_)
+    flags[rows] = True
+    return flags.reshape(shape)
+
+
+def count(p: Parameters) -> NDArray[np.int8]:
+    """The closed form of :func:`spragsym.count`.
+
+    Notes
+    -----
+    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say how many of its roots are
+    positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
+    """
+    p.require("theta0", "mu0")
+    compiled_or_not, threads = backends.chosen()
+    method = compiled.count if compiled_or_not == "compiled" else _count
+    blocks = _in_blocks(p, threads, A_COUNTING_THREAD[compiled_or_not], lambda values, _, size: method(values, size))
+    counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
+    open_ones = np.flatnonzero(counts == 0)
+    if open_ones.size:
+        some = Parameters(*(np.broadcast_to(getattr(p, name), p.shape).flat[open_ones] for name in NAMES))
+        counts[open_ones] = equilibria(some).require_decided().count
+    return counts.reshape(p.shape)
+
+
+# ----------------------------------------------------------------------------------------------------- float64
+
+
+def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[NDArray[np.float64]], int, int], T]) -> list[T]:
+    """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number.
+
+    No more threads than have ``a_thread`` points each.
+    """
+    given = [_column(p, name) for name in NAMES]
+    size = math.prod(p.shape)
+    threads = max(1, min(threads, size // a_thread))
+    length = _block(size, threads)
+
+    def one(begin: int) -> T:
+        end = min(begin + length, size)
+        return work([_part(values, begin, end) for values in given], begin, end - begin)
+
+    # glibc returns freed memory to the system, which must then map it again, beyond twice the largest piece freed before: that
+    # has to be more than all arrays in between take.
+    np.empty(1 << 21)
+    begins = range(0, size, length)
+    if threads > 1:
+        with ThreadPoolExecutor(threads) as pool:
+            return list(pool.map(one, begins))
+    return [one(begin) for begin in begins]
+
+
+def _block(size: int, threads: int) -> int:
+    """The length of a block: as many blocks for each thread, all alike, and none shorter than BLOCK while there are points."""
+    share = size / threads
+    return max(1, math.ceil(share / max(1, share // BLOCK)))
+
+
+def _column(p: Parameters, name: str) -> NDArray[np.float64]:
+    """A parameter as it was given if it is one number or has the common shape; otherwise broadcast to that shape."""
+    value = getattr(p, name)
+    if value.size == 1 or value.shape == p.shape:
+        return np.ascontiguousarray(value).reshape(-1)
+    return np.broadcast_to(value, p.shape)
+
+
+def _part(values: NDArray[np.float64], begin: int, end: int) -> NDArray[np.float64]:
+    """A range of points in C order, contiguous: one number as it is, and of a broadcast array a copy of this range only."""
+    if values.size == 1:
+        return values
+    return values[begin:end] if values.ndim == 1 else values.flat[begin:end]
+
+
+def _compiled(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    return compiled.solve(values, contact, out, begin, size)
+
+
+def _numpy(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    with np.errstate(all="ignore"):
+        return block.solve(_point(values, contact), size, out, begin, np.float64)
+
+
+def _count(values: list[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
+    u = np.float64(2.0**-53)
+    with np.errstate(all="ignore"):
+        return np.array(np.broadcast_to(kernel.one_or_three(_point(values, True), u), size), dtype=np.int8)
+
+
+def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
+    theta0, mu0, kappa, alpha, sigma, beta = (value if value.size > 1 else value[0] for value in values)
+    cos0, sin0 = kernel.cosine_and_sine(theta0)
+    return kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
+
+
+# -------------------------------------------------------------------------------------------------- more digits
+
+
+def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]) -> tuple[NDArray[np.int64], dict[int, str]]:
+    """Solve the given points again, in double-double arithmetic and then, what that can't settle, in intervals.
+
+    Returns which of them are folds, and why points are left without an answer, by row.
+    """
+    given = [np.ascontiguousarray(np.broadcast_to(getattr(p, name), p.shape).flat[rows]) for name in NAMES]
+    left = _solve_widely(given, contact, out, rows)
+    folds: list[int] = []
+    reasons: dict[int, str] = {}
+    if left.size:
+        from . import adaptive_precision
+
+        count, columns = np.zeros(left.size, dtype=np.int8), empty(out.slots, left.size)
+        for place, row in enumerate(left):
+            parameters = dict(zip(NAMES, (float(value[row]) for value in given), strict=True))
+            try:
+                found = adaptive_precision.equilibria(*parameters.values(), contact=contact)
+                _store(columns, place, found, parameters)
+            except ConvergenceError as reason:
+                reasons[int(rows[row])] = str(reason)
+            else:
+                count[place] = len(found.states)
+                folds += [int(rows[row])] * found.fold
+        out.put(rows[left], count, columns)
+    return np.array(folds, dtype=np.int64), reasons
+
+
+def _solve_widely(
+    given: list[NDArray[np.float64]], contact: bool, out: Slots, rows: NDArray[np.int64]
+) -> NDArray[np.int64]:  # fmt: skip
+    """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
+    compiled_or_not, _ = backends.chosen()
+    solve = compiled.solve_widely if compiled_or_not == "compiled" else block.solve_widely
+    again = Slots(rows.size, out.slots)
+    left = []
+    for begin in range(0, rows.size, WIDE_BLOCK):
+        values = [value[begin : begin + WIDE_BLOCK] for value in given]
+        with np.errstate(all="ignore"):
+            left.append(begin + solve(values, contact, again, begin, values[0].size))
+    out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
+    return np.concatenate(left)
+
+
+def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:
+    """States rounded to float64, by at most half a unit in the last place, which the error includes."""
+    for state in found.states:
+        if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
+            raise ConvergenceError(
+                f"log10 L = {_log10(state.L):.6g} at an equilibrium of "
+                f"{', '.join(f'{name}={value}' for name, value in parameters.items())} is beyond float64; "
+                "spragsym.precise carries it"
+            )
+    for slot, state in enumerate(found.states):
+        for name, values in columns.items():
+            values[slot, place] = float(getattr(state, name))
+        columns["error"][slot, place] += 1.2e-16
+
+
+def _log10(value: Any) -> float:
+    """The logarithm of an mpf, of any size."""
+    _, mantissa, exponent, _ = value._mpf_
+    return math.log10(mantissa) + int(exponent) * math.log10(2)

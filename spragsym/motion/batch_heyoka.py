@@ -1,0 +1,323 @@
+"""Batch integration by heyoka's Taylor method: many motions at a time, one in each lane of vector instructions.
+
+A lane takes its own steps, meets its own borders, and does the same arithmetic whatever runs beside it, so that the bits of a
+motion depend on the motion alone. One that has ended makes room for the next. One that breaks off stops the others: these are
+begun again without it, since nothing says what its last step has done to them.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from .field import Field, Mode
+from .heyoka_library import library
+from .measures import Course
+from .motions import Measured, Motions, Turns
+from .problem import Event, event_at, out_of_range, too_many_steps
+from .with_heyoka import Approach, Equations, tolerance, watched, ways_out
+
+#: Motions in flight. Another number compiles other code, and may give other last bits.
+LANES = 8
+
+#: Steps after which lanes that have ended are filled anew; also between two looks at signals, for Python hears Ctrl-C only then.
+BURST = 128
+
+#: Kinds of event.
+EVENTS = len(Event)
+
+_ALL = list(range(LANES))
+
+#: Numbers of events of a motion that did not arrive.
+_NEVER = [0] * EVENTS
+
+#: What crossing a border does in a mode: in which direction it is crossed, the mode beyond, which parameters become what, and
+#: what a user calls it.
+_Passed: TypeAlias = tuple[int, Mode, list[tuple[int, float]], Event | None]
+
+
+@dataclass
+class Stage:
+    """Motions on their way: what is carried of each (rows), its mode, its steps so far, and why those stopped that did."""
+
+    motions: Motions
+    carried: FloatArray
+    modes: list[Mode]
+    steps: list[int]
+    turns: list[Turns | None] = field(default_factory=list)
+    counts: list[list[int]] = field(default_factory=list)
+    errors: dict[int, Exception] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, motions: Motions) -> Stage:
+        """All of them at their starts."""
+        modes = motions.field.initial_modes(motions.starts, motions.constants)
+        return cls(motions, motions.starts, modes, [0] * len(modes))
+
+
+@dataclass
+class _Run:
+    """A stage that is being carried: what all begin with (columns), who waits, who is in which lane, and who has arrived."""
+
+    stage: Stage
+    state: FloatArray
+    pars: FloatArray
+    waiting: list[int]
+    carried: FloatArray
+    modes: list[Mode]
+    steps: list[int]
+    turns: list[Turns | None]
+    counts: list[list[int]]
+    running: dict[int, int] = field(default_factory=dict)
+
+
+class Lanes:
+    """A compiled integrator of :data:`LANES` motions, used again and again.
+
+    With ``watch`` it also carries the integrals of a :class:`~spragsym.motion.measures.Course`, and notes where x' = 0.
+    """
+
+    def __init__(self, field: Field, constants: int, rtol: float, watch: bool) -> None:
+        hy = library()
+
+        equations = Equations.of(field, constants, watch=watch)
+        self.size, self.constants, self.watch = field.size, constants, watch
+        self.modes: list[Mode] = [field.modes[0]] * LANES
+        self.turns: list[Turns | None] = [None] * LANES
+        self.counts = [[0] * EVENTS for _ in range(LANES)]
+        #: Lanes in which a crossing was missed, with the time.
+        self.strays: dict[int, float] = {}
+        # The gap keeps one crossing from being found twice, which is what a cooldown is for.
+        self.solver = solver = hy.taylor_adaptive_batch(
+            equations.system, np.zeros((len(equations.system), LANES)), tol=tolerance(field, rtol),
+            t_events=[
+                hy.t_event_batch(
+                    watched(border, *equations.seen), callback=self._crossing(field, row), cooldown=0.0,
+                    direction=ways_out(border),
+                )
+                for row, border in enumerate(field.borders)
+            ] + [
+                hy.t_event_batch(each.watched, callback=self._passing(each), direction=hy.event_direction.positive)
+                for each in equations.approaches
+            ],
+            nt_events=[hy.nt_event_batch(1e-3 * equations.seen[0][self.size // 2], self._turning())] if watch else [],
+        )  # fmt: skip
+        # Views of what the integrator holds: each look at an attribute makes one anew.
+        self.state, self.pars, self.dense, self.look = solver.state, solver.pars, solver.d_output, solver.update_d_output
+        #: heyoka has no cooldowns where there are no events.
+        self.eventful = solver.with_events
+        #: How many parameters there are: none beyond the last that the field takes.
+        self.held = len(self.pars)
+
+    def _crossing(self, field: Field, row: int) -> Callable[[Any, int, int], bool]:
+        """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
+        border, table = field.borders[row], dict[Mode, _Passed]()
+        for mode in field.modes:
+            inside, after = int(border.sign(mode)), border.beyond(mode)
+            places = range(self.constants, self.constants + len(mode))
+            changed = [(place, float(new)) for place, old, new in zip(places, mode, after, strict=True) if old != new]
+            table[mode] = (-inside, after, changed, event_at(border, upward=inside < 0))
+
+        def cross(solver: Any, direction: int, lane: int) -> bool:
+            leaving, after, changed, kind = table[self.modes[lane]]
+            if direction != leaving:
+                self.strays[lane] = float(solver.time[lane])
+                return False
+            self.modes[lane] = after
+            for place, value in changed:
+                if place < self.held:
+                    self.pars[place, lane] = value
+            if kind is not None:
+                self.counts[lane][kind] += 1
+            return True
+
+        return cross
+
+    def _passing(self, approach: Approach) -> Callable[[Any, int, int], bool]:
+        def passing(_: Any, __: int, lane: int) -> bool:
+            state = self.state[: self.size, lane].copy()
+            if approach.passed(state, self.pars[:, lane].copy()):
+                self.state[: self.size, lane] = state
+            return True
+
+        return passing
+
+    def _turning(self) -> Callable[[Any, float, int, int], None]:
+        def turn(_: Any, t: float, direction: int, lane: int) -> None:
+            self.look(t)
+            seen = self.turns[lane]
+            if seen is None:
+                self.turns[lane] = seen = Turns()
+            seen.add(t, direction, self.dense[:, lane].tolist())
+
+        return turn
+
+    def carry(self, stage: Stage, begin: float, end: float) -> None:
+        """Carry the motions of a stage from ``begin`` to ``end``, except those that have stopped or stop on the way."""
+        run = self._run(stage, end - begin)
+        while run.waiting or run.running:
+            if len(run.running) < LANES:
+                self._fill(run, begin, end)
+            self.solver.propagate_until(end, max_steps=BURST)
+            results, times = self.solver.propagate_res, self.solver.time.tolist()
+            if not self.strays and times.count(end) == LANES:
+                self._arrive(run, sorted(run.running), results)
+            else:
+                self._sort_out(run, results, [lane for lane in run.running if times[lane] == end])
+        stage.carried, stage.modes, stage.steps = run.carried, run.modes, run.steps
+        stage.turns, stage.counts = run.turns, run.counts
+        self._check(stage, end)
+
+    def _run(self, stage: Stage, duration: float) -> _Run:
+        count = len(stage.modes)
+        state = np.zeros((len(self.state), count))
+        state[: self.size] = stage.carried[:, : self.size].T
+        watching = [stage.carried[:, 0], np.full(count, _scale(duration))] if self.watch else []
+        pars = np.vstack([stage.motions.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
+        pars = pars[: self.held]
+        waiting = [row for row in reversed(range(count)) if row not in stage.errors]
+        arrived = np.full((count, len(self.state)), np.nan), stage.modes.copy(), stage.steps.copy()
+        return _Run(stage, state, pars, waiting, *arrived, [None] * count, [_NEVER] * count)
+
+    def _fill(self, run: _Run, begin: float, end: float) -> None:
+        """Put waiting motions into lanes that are free; what else is free stands still at the end, where another lane is."""
+        solver, running = self.solver, run.running
+        if not running and len(run.waiting) >= LANES:
+            rows = run.waiting[: -LANES - 1 : -1]
+            del run.waiting[-LANES:]
+            self.state[:], self.pars[:] = run.state[:, _span(rows)], run.pars[:, _span(rows)]
+            solver.set_time(begin)
+            if self.eventful:
+                solver.reset_cooldowns()
+            running |= enumerate(rows)
+            self.modes[:] = [run.stage.modes[row] for row in rows]
+            self.turns[:], self.counts[:] = [None] * LANES, [[0] * EVENTS for _ in rows]
+            return
+        free = [lane for lane in range(LANES) if lane not in running]
+        lanes = free[: len(run.waiting)]
+        rows = [run.waiting.pop() for _ in lanes]
+        late, early = (part.copy() for part in solver.dtime)
+        late[free], early[free], late[lanes] = end, 0.0, begin
+        self.state[:, lanes], self.pars[:, lanes] = run.state[:, rows], run.pars[:, rows]
+        source, still = lanes[0] if lanes else next(iter(running)), free[len(lanes) :]
+        self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
+        solver.set_dtime(late, early)
+        for lane in free if self.eventful else ():
+            solver.reset_cooldowns(lane)
+        for lane, row in zip(lanes, rows, strict=True):
+            running[lane] = row
+            self.modes[lane], self.turns[lane], self.counts[lane] = run.stage.modes[row], None, [0] * EVENTS
+
+    def _arrive(self, run: _Run, lanes: list[int], results: Any) -> None:
+        rows = [run.running.pop(lane) for lane in lanes]
+        run.carried[_span(rows)] = self.state.T if lanes == _ALL else self.state.T[lanes]
+        for lane, row in zip(lanes, rows, strict=True):
+            self._count(run, lane, row, results)
+            run.modes[row] = self.modes[lane]
+            if self.watch:
+                run.turns[row], run.counts[row] = self.turns[lane], self.counts[lane]
+
+    def _count(self, run: _Run, lane: int, row: int, results: Any) -> bool:
+        """Count the steps of a motion; whether they are too many."""
+        run.steps[row] += results[lane][3]
+        many = run.steps[row] > run.stage.motions.max_steps
+        if many:
+            run.stage.errors[row] = too_many_steps(run.stage.motions.problem(row), float(self.solver.time[lane]))
+        return many
+
+    def _sort_out(self, run: _Run, results: Any, arrived: list[int]) -> None:
+        """Free the lanes of motions that have ended; where one broke off, the others under way begin the stage again."""
+        hy = library()
+        overflow, running = hy.taylor_outcome.err_nf_state, run.running
+        bad = [lane for lane in running if lane in self.strays or results[lane][0] == overflow]
+        if bad:
+            for lane in bad:
+                stray = self.strays.get(lane)
+                run.stage.errors[running.pop(lane)] = out_of_range() if stray is None else _missed(stray)
+            for row in running.values():
+                run.steps[row] = run.stage.steps[row]
+            run.waiting += running.values()
+            running.clear()
+            self.strays.clear()
+            return
+        if arrived:
+            self._arrive(run, arrived, results)
+        for lane, row in list(running.items()):
+            if self._count(run, lane, row, results):
+                del running[lane]
+
+    def _check(self, stage: Stage, end: float) -> None:
+        """Refuse motions that stand outside their modes."""
+        states, constants, modes = stage.carried[:, : self.size].T, stage.motions.constants.T, np.array(stage.modes).T
+        for row in np.flatnonzero(~stage.motions.field.are_inside(states, constants, modes)).tolist():
+            stage.errors.setdefault(row, _missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
+
+
+def _span(rows: list[int]) -> Any:
+    """Rows as a slice where they follow each other: that is faster."""
+    return slice(rows[0], rows[-1] + 1) if rows == list(range(rows[0], rows[0] + len(rows))) else rows
+
+
+def _missed(t: float) -> ConvergenceError:
+    return ConvergenceError(f"heyoka missed a kink before t = {t:.6g}; use backend='scipy'")
+
+
+def _scale(duration: float) -> float:
+    """What the integrals are multiplied by."""
+    return 1e-3 / duration
+
+
+_CACHE = threading.local()
+
+
+def _compiled(motions: Motions, watch: bool) -> Lanes:
+    """Compiled once per model, tolerance and thread."""
+    known: dict[tuple[str, float, bool], Lanes] = _CACHE.__dict__.setdefault("compiled", {})
+    key = motions.field.name, motions.rtol, watch
+    if key not in known:
+        known[key] = Lanes(motions.field, motions.constants.shape[1], motions.rtol, watch)
+    return known[key]
+
+
+def ends(motions: Motions) -> FloatArray:
+    """States at ``t_end``; an error where one of them stops."""
+    stage = Stage.of(motions)
+    _compiled(motions, watch=False).carry(stage, 0.0, motions.t_end)
+    for error in stage.errors.values():
+        raise error
+    return stage.carried
+
+
+def watch(motions: Motions) -> Measured:
+    """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept."""
+    stage = Stage.of(motions)
+    if motions.t_record > 0:
+        _compiled(motions, watch=False).carry(stage, 0.0, motions.t_record)
+    first, begin, end = stage.carried, motions.t_record, motions.t_end
+    _compiled(motions, watch=True).carry(stage, begin, end)
+    size = first.shape[1]
+    last, integrals = stage.carried[:, :size], stage.carried[:, size:] / _scale(end - begin)
+    low, high = np.fmin(first[:, 0], last[:, 0]), np.fmax(first[:, 0], last[:, 0])
+    maxima = np.zeros(len(low), dtype=np.intp)
+    for row, seen in enumerate(stage.turns):
+        if seen is not None:
+            low[row], high[row], maxima[row] = min(low[row], seen.low), max(high[row], seen.high), len(seen.tops)
+
+    def course(row: int) -> Course:
+        seen = stage.turns[row] or Turns()
+        tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + stage.carried.shape[1])
+        lows = np.array([carried[:size] for _, carried in seen.lows]).reshape(-1, size)
+        sums = np.vstack([tops[:, 1 + size :] / _scale(end - begin), integrals[row]])
+        return Course(
+            begin, end, first[row], last[row], tops[:, 0], tops[:, 1 : 1 + size], sums, lows, events[row],
+            (float(low[row]), float(high[row])),
+        )  # fmt: skip
+
+    events = np.array(stage.counts)
+    return Measured(begin, end, first, last, integrals, low, high, maxima, events, course, stage.errors)

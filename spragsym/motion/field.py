@@ -1,0 +1,189 @@
+"""What integrators and the search for cycles know of a model: a field of second order that is smooth in each of its modes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import FloatArray
+
+#: What is said of an orbit on which the field jumps.
+JUMPED = (
+    "the orbit passes behind the end of a torsion spring, or through the anchor of a spring, where its force jumps: derivatives "
+    "are not carried across a jump; simulate the motion, or look for another orbit"
+)
+
+#: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
+Mode: TypeAlias = tuple[int, ...]
+
+#: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the order of its square.
+GAP = 1e-12
+
+#: How far apart an exponential of the friction law is left out and taken in again, in units of its exponent.
+WIDTH = 5.0
+
+#: Where a turn of a coordinate that comes around begins: no angle that models have, so that rounding decides no state's turn.
+TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
+
+#: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law out: far below rounding.
+REACH = 42.0
+
+
+@dataclass(frozen=True)
+class Border:
+    """Where a mode ends: at a zero of ``level``.
+
+    Attributes
+    ----------
+    name : str
+    level : callable
+        ``level(state, constants, mode)``, algebra of any number type.
+    rate : callable
+        ``rate(state, accelerations, constants, mode)``: the derivative of the level in time.
+    sign : callable
+        ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers that is 1 or −1.
+    beyond : callable
+        ``beyond(mode)``: the mode on the other side.
+    kink : bool
+        Whether the field has a kink there; False where two modes differ by less than rounding.
+    crossings : tuple of str
+        What crossing it is called, to positive and to negative levels.
+    watched : callable or None
+        ``watched(state, constants, mode)``: what a Taylor method watches in the place of the level, zero where the mode is left.
+    jumps : callable or None
+        ``jumps(state, constants)``: whether the field jumps where a motion leaves through the border; None where it never does.
+    """
+
+    name: str
+    level: Callable[..., Any]
+    rate: Callable[..., Any]
+    sign: Callable[[Any], Any]
+    beyond: Callable[[Mode], Mode]
+    kink: bool = True
+    crossings: tuple[str, str] = ("", "")
+    watched: Callable[..., Any] | None = None
+    jumps: Callable[..., bool] | None = None
+
+
+def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
+    """One state less another, numbers along the last axis; of coordinates that come ``around`` the shorter way."""
+    off: FloatArray = np.subtract(one, other, dtype=float)
+    for place in around:
+        off[..., place] -= TURN * np.round(off[..., place] / TURN)
+    return off
+
+
+def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
+    """The same state with coordinates that come ``around`` in the turn from :data:`BEGIN` on."""
+    found = np.array(state, dtype=float)
+    for place in around:
+        found[..., place] -= TURN * np.floor((found[..., place] - BEGIN) / TURN)
+    return found
+
+
+def never(constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+    """That no motion is known to stay above the belt."""
+    return np.zeros(len(states), dtype=bool)
+
+
+@dataclass(frozen=True)
+class Field:
+    """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across the borders between modes
+    but where a border ``jumps``.
+
+    Attributes
+    ----------
+    name : str
+        Unique to the model: compiled integrators are kept by it.
+    coordinates : tuple of str, length n
+    parameters : tuple of str, length P
+        Those that can be varied.
+    constants : callable
+        ``constants(values)``: what the functions below take, from the values of the parameters; of a fixed length. With
+        ``xp`` as a second argument from other numbers than floats.
+    acceleration, jacobian, by_parameters : callable
+        ``f(state, constants, mode, xp)``: n accelerations; n rows of derivatives by the 2 n numbers of the state; n rows of
+        derivatives by the P parameters.
+    borders : tuple of Border
+    initial_mode : callable
+        ``initial_mode(state, constants)``; on a border either side is right; of columns for many states.
+    modes : tuple of Mode
+        All there are.
+    check : callable
+        ``check(name, value)`` raises where a parameter may not have a value.
+    simulate : callable
+        ``simulate(values, state, t_end)``: the model's own trajectory.
+    exact : callable
+        ``exact(mode)``: the mode without what is left out below rounding, for proofs.
+    forces : tuple of (str, callable)
+        Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
+    again : tuple of str
+        Module, function and arguments that make the field once more in another process; empty where none do.
+    ways : int
+        How many numbers at the end of a mode go with the place alone.
+    curved : bool
+        Whether a level is no linear function of the state.
+    around : tuple of int
+        Places of coordinates that are angles after a turn of which all is as before.
+    is_angle : callable
+        ``is_angle(name)`` of a parameter or a coordinate.
+    aloft : callable
+        ``aloft(constants, states)`` of many motions, (N, C) and (N, m): whether each is above the belt for good; never where that
+        is not known.
+    """
+
+    name: str
+    coordinates: tuple[str, ...]
+    parameters: tuple[str, ...]
+    constants: Callable[..., tuple[float, ...]]
+    acceleration: Callable[..., Any]
+    jacobian: Callable[..., Any]
+    by_parameters: Callable[..., Any]
+    borders: tuple[Border, ...]
+    initial_mode: Callable[..., Mode]
+    modes: tuple[Mode, ...]
+    check: Callable[[str, float], None]
+    simulate: Callable[..., Any]
+    exact: Callable[[Mode], Mode] = tuple
+    forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
+    again: tuple[str, ...] = ()
+    ways: int = 0
+    curved: bool = False
+    around: tuple[int, ...] = ()
+    is_angle: Callable[[str], bool] = "".__eq__
+    aloft: Callable[[FloatArray, FloatArray], NDArray[np.bool_]] = never
+
+    def mode_at_rest(self, state: Any, constants: Any) -> Mode:
+        """The first mode, but for its last numbers, which are as at the state."""
+        first = self.modes[0]
+        return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of the numbers in a state: the coordinates, then their rates as pages call them."""
+        return (*self.coordinates, *(f"v{name}" for name in self.coordinates))
+
+    @property
+    def size(self) -> int:
+        """Numbers in a state."""
+        return 2 * len(self.coordinates)
+
+    def initial_modes(self, states: FloatArray, constants: FloatArray) -> list[Mode]:
+        """Modes of many states, a row each."""
+        columns: Any = self.initial_mode(states.T, constants.T)
+        return list(zip(*(np.broadcast_to(numbers, len(states)).tolist() for numbers in columns), strict=True))
+
+    def is_inside(self, state: Any, constants: Any, mode: Any) -> bool:
+        """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
+        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)
+
+    def are_inside(self, states: Any, constants: Any, modes: Any) -> NDArray[np.bool_]:
+        """The same of many at once, a column each."""
+        within = np.ones(np.shape(states)[1:], dtype=bool)
+        for border in self.borders:
+            within &= border.sign(modes) * border.level(states, constants, modes) >= -2 * GAP
+        return within

@@ -1,0 +1,109 @@
+"""The available integrators, and the choice between them.
+
+All are existing methods, restarted wherever the field of (8)–(11) has a kink: they integrate the analytic continuation of
+one mode of the field (:mod:`~spragsym.motion.problem`), find where the motion leaves it, and go on in the next.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import importlib.util
+from types import ModuleType
+
+import numpy as np
+
+from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
+from ..models.parameters import FloatArray
+from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
+from .measures import Course, Courses, Ends, course_of
+from .motions import Measured, Motions
+from .problem import Event, Problem, StiffError
+from .solution import Solution, without_chatter
+from .variations_scipy import implicit_motion
+
+#: In the order in which they are preferred.
+BACKENDS = ("heyoka", "compiled", "scipy")
+#: Those that take the field of any model; what is compiled on installation is the article's.
+OF_ANY_MODEL = ("heyoka", "scipy")
+
+_INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_compiled, "scipy": with_scipy}
+
+
+def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
+    """The backend that will run: the first of those offered that is there, or the one that is named, or an error."""
+    if backend is None:
+        return next(name for name in offered if _is_there(name))
+    if backend not in offered:
+        raise ParameterError(f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the fastest")
+    if not _is_there(backend):
+        raise _missing(backend)
+    return backend
+
+
+def _is_there(backend: str) -> bool:
+    if backend == "compiled":
+        return with_compiled.available()
+    return backend != "heyoka" or importlib.util.find_spec("heyoka") is not None
+
+
+def _missing(backend: str) -> Exception:
+    if backend == "heyoka":
+        return MissingExtraError("backend='heyoka'", "heyoka", "fast")
+    return BackendError(
+        "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+        "install spragsym again, with a compiler, or install a wheel"
+    )
+
+
+def version(backend: str) -> str:
+    """Name and version of the integrator, which decide the last bits of a result."""
+    return with_compiled.version() if backend == "compiled" else f"{backend} {importlib.metadata.version(backend)}"
+
+
+def integrate(problem: Problem, backend: str) -> Solution:
+    """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``."""
+    try:
+        solution: Solution = _INTEGRATORS[backend].integrate(problem)
+    except StiffError:
+        solution = implicit_motion(problem)
+    return without_chatter(solution, problem)
+
+
+def measure(motions: Motions, backend: str) -> Measured:
+    """Quantities of many motions after ``t_record``: heyoka measures them while it integrates, the others from the samples."""
+    if backend == "heyoka":
+        return batch_heyoka.watch(motions)
+    courses: dict[int, Course] = {}
+    errors: dict[int, Exception] = {}
+    for row in range(len(motions)):
+        try:
+            solution = integrate(motions.problem(row), backend)
+        except (ConvergenceError, ArithmeticError) as error:
+            errors[row] = error
+        else:
+            courses[row] = course_of(solution.samples, np.bincount(solution.event_kinds, minlength=len(Event)))
+    return Measured.of(motions, courses, errors)
+
+
+def flows(problem: Problem, backend: str) -> tuple[Courses, Ends]:
+    """Functions that integrate a problem from any states for any time: what is measured on the way, and where they end."""
+
+    one = Motions.of([problem])
+    field = one.field
+
+    def motions(states: FloatArray, duration: float) -> Motions:
+        constants = one.constants[[0] * len(states)]
+        return Motions(constants, states, duration, 0.0, one.rtol, one.max_steps, lambda _: field)
+
+    def courses(states: FloatArray, duration: float) -> list[Course]:
+        found = measure(motions(states, duration), backend)
+        for error in found.errors.values():
+            raise error
+        return [found.course(row) for row in range(len(states))]
+
+    def ends(states: FloatArray, duration: float) -> FloatArray:
+        if backend == "heyoka":
+            return batch_heyoka.ends(motions(states, duration))
+        return np.array([course.last for course in courses(states, duration)])
+
+    return courses, ends

@@ -1,0 +1,142 @@
+"""Polynomials step by step, each by its values at the Gauss–Lobatto points of its step: values, integrals, zeros."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import FloatArray
+
+#: Polynomial degree of a stored step: 12 holds a Taylor step of order 20 to rounding; DOP853's is 7.
+DEGREE = 12
+
+
+@cache
+def lobatto() -> tuple[FloatArray, FloatArray]:
+    """Gauss–Lobatto points in [−1, 1], ends included, and their weights."""
+    legendre = np.polynomial.Legendre.basis(DEGREE)
+    points = np.concatenate([[-1.0], np.sort(legendre.deriv().roots().real), [1.0]])
+    weights = 2 / (DEGREE * (DEGREE + 1) * legendre(points) ** 2)
+    return points, weights
+
+
+def unit_points() -> FloatArray:
+    """The Lobatto points in [0, 1]."""
+    return (lobatto()[0] + 1) / 2
+
+
+def _barycentric() -> FloatArray:
+    """Barycentric weights of the Lobatto points."""
+    points, weights = lobatto()
+    barycentric: FloatArray = np.sqrt(weights) * (-1.0) ** np.arange(len(points))
+    return barycentric
+
+
+@cache
+def _differentiation() -> FloatArray:
+    """The matrix that takes values at the Lobatto points in [−1, 1] to the derivatives of their polynomial there."""
+    points, _ = lobatto()
+    weights, apart = _barycentric(), points[:, None] - points
+    np.fill_diagonal(apart, 1.0)
+    matrix: FloatArray = weights / weights[:, None] / apart
+    np.fill_diagonal(matrix, 0.0)
+    np.fill_diagonal(matrix, -matrix.sum(axis=1))
+    return matrix
+
+
+@dataclass(frozen=True)
+class PiecewisePolynomial:
+    """States x, y, x', y' over time: polynomials of degree :data:`DEGREE`, consecutive steps sharing a sample.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        The Lobatto points of all steps.
+    states : ndarray, shape (4, n)
+        The values there.
+    """
+
+    t: FloatArray
+    states: FloatArray
+
+    def __call__(self, times: FloatArray) -> FloatArray:
+        """States at times, which are not checked, shape (4, …)."""
+        return self.at(self.step_of(times), times)
+
+    def step_of(self, times: FloatArray) -> NDArray[np.intp]:
+        """Indices of the steps that contain these times."""
+        steps = self.t[::DEGREE]
+        return np.clip(np.searchsorted(steps, times, side="right") - 1, 0, len(steps) - 2)
+
+    def at(self, step: NDArray[np.intp], times: FloatArray) -> FloatArray:
+        """States at times within given steps, by Lagrange's polynomials in barycentric form."""
+        points, _ = lobatto()
+        index = step[..., None] * DEGREE + np.arange(DEGREE + 1)
+        begin, end = self.t[index[..., 0]], self.t[index[..., -1]]
+        distance = (2 * (times - begin) / (end - begin) - 1)[..., None] - points
+        hit = distance == 0
+        share = _barycentric() / np.where(hit, 1.0, distance)
+        share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
+        states: FloatArray = (self.states[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
+        return states
+
+    def slopes(self, row: int) -> FloatArray:
+        """Derivative of a component at the samples; where two steps meet that of the later one."""
+        steps = self.t[::DEGREE]
+        inside = self.states[row, np.arange(len(steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
+        slopes = inside @ _differentiation().T * (2 / np.diff(steps))[:, None]
+        return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
+
+    def after(self, begin: float) -> PiecewisePolynomial:
+        """The part after a given time; the step that contains this time is shortened."""
+        step = int(self.step_of(np.array(begin)))
+        end = (step + 1) * DEGREE
+        t = begin + unit_points() * (self.t[end] - begin)
+        t[-1] = self.t[end]
+        states = np.concatenate([self.at(np.full(t.shape, step), t)[:, :-1], self.states[:, end:]], axis=1)
+        return PiecewisePolynomial(np.concatenate([t[:-1], self.t[end:]]), states)
+
+    def passages(self, values: FloatArray, function: Callable[[FloatArray], FloatArray]) -> FloatArray:
+        """Times where ``values``, a ``function`` of the state, cease to be negative: Illinois method."""
+        (before,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
+        step, low, high = before // DEGREE, self.t[before], self.t[before + 1]
+        below, above = values[before], values[before + 1]
+        root, was_left, was_right = high, np.zeros(len(high), dtype=bool), np.zeros(len(high), dtype=bool)
+        for _ in range(60):
+            last, root = root, high - above * (high - low) / (above - below)
+            value = function(self.at(step, root))
+            left = value < 0
+            # Where an end of the interval stays twice in a row, its value is halved: that draws the next root to its side.
+            above = np.where(left, np.where(was_left, above / 2, above), value)
+            below = np.where(left, value, np.where(was_right, below / 2, below))
+            low, high = np.where(left, root, low), np.where(left, high, root)
+            was_left, was_right = left, ~left
+            if np.all(np.abs(root - last) <= 1e-15 * (1 + np.abs(root))):
+                break
+        return root
+
+    def weights(self) -> FloatArray:
+        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
+        _, unit = lobatto()
+        weights = np.zeros_like(self.t)
+        steps = self.t[::DEGREE]
+        for j, weight in enumerate(unit):
+            weights[j : len(self.t) - DEGREE + j : DEGREE] += weight * np.diff(steps) / 2
+        return weights
+
+    def integrals_to(self, times: FloatArray, integrands: Callable[[FloatArray], FloatArray]) -> FloatArray:
+        """Integrals of k functions of the state from the first sample to each time, shape (len(times), k)."""
+        points, unit = lobatto()
+        steps = self.t[::DEGREE]
+        inside = integrands(self.states)[:, np.arange(len(steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
+        whole = np.cumsum((inside * unit).sum(axis=2) * np.diff(steps) / 2, axis=1)
+        step = self.step_of(times)
+        half = (times - steps[step])[:, None] / 2
+        begun = steps[step][:, None] + half * (points + 1)
+        part = (integrands(self.at(np.repeat(step[:, None], len(points), axis=1), begun)) * unit * half).sum(axis=2)
+        integrals: FloatArray = (np.concatenate([np.zeros((len(whole), 1)), whole], axis=1)[:, step] + part).T
+        return integrals

@@ -1,0 +1,96 @@
+"""Quantities measured on a motion while it runs, or from its samples afterwards."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import FloatArray
+from .lobatto import PiecewisePolynomial
+
+#: Turning points that are kept of a motion, the latest: what is known of it needs no more memory the longer it runs.
+KEPT = 5000
+
+
+@dataclass(frozen=True)
+class Course:
+    """Quantities measured on a motion while it runs; its steps are not kept, nor turning points before the latest KEPT of a kind.
+
+    Attributes
+    ----------
+    begin, end : float
+        Times between which it was measured.
+    first, last : ndarray, shape (2 n,)
+        The n coordinates and their rates at these; x stands for the first coordinate, x' for its rate.
+    maxima_t : ndarray, shape (k,)
+        Times at which x is largest: x' = 0 on the way down.
+    maxima : ndarray, shape (k, 2 n)
+        States there.
+    integrals : ndarray, shape (k + 1, n + 1)
+        From ``begin`` to these times, and last to ``end``: of u = x − x(begin), of u², and of the other coordinates.
+    minima : ndarray, shape (l, 2 n)
+        States at which x is least.
+    events : ndarray of int, shape (4,)
+        How often each :class:`~spragsym.motion.problem.Event` happened.
+    reach : tuple of float
+        Least and largest x between ``begin`` and ``end``.
+    """
+
+    begin: float
+    end: float
+    first: FloatArray
+    last: FloatArray
+    maxima_t: FloatArray
+    maxima: FloatArray
+    integrals: FloatArray
+    minima: FloatArray
+    events: NDArray[np.intp]
+    reach: tuple[float, float]
+
+    @property
+    def since(self) -> float:
+        """The time from which on all maxima are kept."""
+        return self.begin if len(self.maxima_t) < KEPT else float(self.maxima_t[0])
+
+    def moments(self, row: int = -1) -> tuple[float, float]:
+        """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
+        end = self.end if row == -1 else self.maxima_t[row]
+        shift, square, *_ = self.integrals[row] / (end - self.begin)
+        mean, spread = moments_of(self.first[0], shift, square)
+        return float(mean), float(spread)
+
+
+def moments_of(first: Any, shift: Any, square: Any) -> tuple[Any, Any]:
+    """Mean of x and root mean square about it, from x at the beginning and the means of u = x − x(begin) and of u²."""
+    return first + shift, np.sqrt(np.maximum(square - shift * shift, 0.0))
+
+
+#: Continue motions from states (k, 2 n) for a given time; an error where one of them cannot be continued.
+Courses: TypeAlias = Callable[[FloatArray, float], list[Course]]
+#: The same where only the states at the end are asked for, (k, 2 n).
+Ends: TypeAlias = Callable[[FloatArray, float], FloatArray]
+
+
+def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
+    """The course of a motion given by its samples, and the number of events of each kind."""
+    t, states = samples.t, samples.states
+    n = len(states) // 2
+
+    def integrands(state: FloatArray) -> FloatArray:
+        shift = state[0] - states[0, 0]
+        return np.array([shift, shift**2, *state[1:n]])
+
+    lowest = samples.passages(states[n], lambda state: state[n])
+    highest = samples.passages(-states[n], lambda state: -state[n])
+    maxima, minima = samples(highest).T, samples(lowest).T
+    extrema = np.concatenate([states[0, [0, -1]], maxima[:, 0], minima[:, 0]])
+    late = highest[-KEPT:]
+    return Course(
+        float(t[0]), float(t[-1]), states[:, 0], states[:, -1], late, maxima[-KEPT:],
+        samples.integrals_to(np.append(late, t[-1]), integrands), minima[-KEPT:], events,
+        (float(extrema.min()), float(extrema.max())),
+    )  # fmt: skip

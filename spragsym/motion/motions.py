@@ -1,0 +1,129 @@
+"""Many motions of one model, and what was measured of each: what :class:`Problem` and :class:`Course` are of one."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import FloatArray
+from .field import Field
+from .measures import KEPT, Course, moments_of
+from .problem import Event, Problem, reach_of
+
+
+@dataclass(frozen=True)
+class Motions:
+    """Motions that share all but their constants (N, C) and initial states (N, 2 n)."""
+
+    constants: FloatArray
+    starts: FloatArray
+    t_end: float
+    t_record: float
+    rtol: float
+    max_steps: int
+    field_of: Callable[[float], Field]
+
+    def __len__(self) -> int:
+        return len(self.starts)
+
+    @classmethod
+    def of(cls, problems: Sequence[Problem]) -> Motions:
+        """Those of problems that share all but constants and starts."""
+        one = problems[0]
+        return cls(
+            np.array([problem.constants for problem in problems], dtype=np.float64),
+            np.array([problem.start for problem in problems], dtype=np.float64),
+            one.t_end, one.t_record, one.rtol, one.max_steps, one.field_of,
+        )  # fmt: skip
+
+    def problem(self, row: int) -> Problem:
+        """One of them."""
+        return Problem(
+            tuple(self.constants[row].tolist()), tuple(self.starts[row].tolist()), self.t_end, self.t_record, self.rtol,
+            self.max_steps, self.field_of,
+        )  # fmt: skip
+
+    @cached_property
+    def field(self) -> Field:
+        """The field of all."""
+        return self.field_of(reach_of(self.rtol))
+
+
+class Turns:
+    """Where x' = 0 on the way of one motion: the latest, and the range of x over all."""
+
+    def __init__(self) -> None:
+        self.low, self.high = np.inf, -np.inf
+        #: Time and all that is carried.
+        self.tops: deque[tuple[float, list[float]]] = deque(maxlen=KEPT)
+        self.lows: deque[tuple[float, list[float]]] = deque(maxlen=KEPT)
+
+    def add(self, t: float, direction: int, carried: list[float]) -> None:
+        """Note one; ``direction`` is negative where x is largest."""
+        if direction < 0:
+            self.tops.append((t, carried))
+            self.high = max(self.high, carried[0])
+        else:
+            self.lows.append((t, carried))
+            self.low = min(self.low, carried[0])
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Courses of many motions, a row each; NaN for those that stopped.
+
+    Attributes
+    ----------
+    begin, end : float
+        Times between which they were measured.
+    first, last : ndarray, shape (N, 2 n)
+        States at these.
+    integrals : ndarray, shape (N, n + 1)
+        Over all of the time: of u = x − x(begin), of u², and of the other coordinates.
+    low, high : ndarray, shape (N,)
+        Least and largest x.
+    maxima : ndarray of int, shape (N,)
+        How many maxima of x there are, of those that are kept.
+    events : ndarray of int, shape (N, 4)
+        How often each :class:`~spragsym.motion.problem.Event` happened.
+    errors : dict
+        Why those stopped that did.
+    course : callable
+        ``course(row)`` of one that did not.
+    """
+
+    begin: float
+    end: float
+    first: FloatArray
+    last: FloatArray
+    integrals: FloatArray
+    low: FloatArray
+    high: FloatArray
+    maxima: NDArray[np.intp]
+    events: NDArray[np.intp]
+    course: Callable[[int], Course]
+    errors: dict[int, Exception] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, motions: Motions, courses: dict[int, Course], errors: dict[int, Exception]) -> Measured:
+        """Made of courses."""
+        size = motions.starts.shape[1]
+        shapes = (size, size, size // 2 + 1, 2)
+        first, last, integrals, reach = (np.full((len(motions), width), np.nan) for width in shapes)
+        events, maxima = np.zeros((len(motions), len(Event)), dtype=np.intp), np.zeros(len(motions), dtype=np.intp)
+        for row, course in courses.items():
+            first[row], last[row], integrals[row], reach[row] = course.first, course.last, course.integrals[-1], course.reach
+            events[row], maxima[row] = course.events, len(course.maxima)
+        begin, end = motions.t_record, motions.t_end
+        return cls(begin, end, first, last, integrals, reach[:, 0], reach[:, 1], maxima, events, courses.__getitem__, errors)
+
+    @property
+    def averages(self) -> FloatArray:
+        """Mean of x, root mean square about it, and means of the other coordinates: shape (n + 1, N)."""
+        shift, square, *others = self.integrals.T / (self.end - self.begin)
+        return np.array([*moments_of(self.first[:, 0], shift, square), *others])

@@ -1,0 +1,114 @@
+"""The periodic orbit near a motion, with the derivative of its return map: Newton's method on the flow and its derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from .field import Field
+from .measures import Courses, Ends
+from .segment import Fly, Passage, Turn
+from .shooting import Conditions, Guess, Loop, once_round, rate, solved
+
+#: Differences of a flow are taken over this, where an integrator carries no derivatives.
+STEP = 1e-5
+
+#: Step of forward differences, and how closely an orbit closes that is found with them.
+COARSE, ROUGH = 1e-5, 1e-4
+
+#: By how much an orbit that is found with differences over STEP may stay open.
+OPEN = 1e-9
+
+
+@dataclass(frozen=True)
+class Closed:
+    """A closed orbit.
+
+    Attributes
+    ----------
+    state : ndarray, shape (2 n,)
+        On the section: where x is extremal, x' = 0, or where x has a value.
+    period : float
+        The least one.
+    slope : ndarray, shape (2 n − 1, 2 n − 1)
+        Derivative of the return to the section, in the numbers of a state but ``fixed``. Its eigenvalues are the multipliers.
+    fixed : int
+        Place of the number that has one value all over the section.
+    """
+
+    state: FloatArray
+    period: float
+    slope: FloatArray
+    fixed: int
+
+
+def section(states: FloatArray, fixed: int) -> FloatArray:
+    """States of a section without the number that is ``fixed`` there: x, y, y' for two coordinates where x' = 0."""
+    kept: FloatArray = np.delete(states, fixed, axis=-1)
+    return kept
+
+
+def _on_section(state: FloatArray, fixed: int) -> Conditions:
+    """The orbit begins on the section of a state."""
+
+    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        row = np.zeros((1, state.size + 1))
+        row[0, fixed] = 1.0
+        return loop.guess.states[0, fixed : fixed + 1] - state[fixed], row
+
+    return condition
+
+
+def closed_orbit(field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, closed: float) -> Closed:
+    """The closed orbit of about a period near a state of a section; ConvergenceError where there is none within ``reach``."""
+    condition = _on_section(state, fixed)
+    try:
+        loop = solved(field, fly, Guess(state[None], period, ()), condition, reach=reach, precision=closed, closed=closed)
+    except (OverflowError, ValueError) as error:
+        raise ConvergenceError("Newton's method left the range of numbers") from error
+    loop = once_round(loop, fly)
+    place = loop.guess.states[0]
+    flow = rate(field, place, loop.constants)
+    if flow[fixed] == 0:
+        raise ConvergenceError("the orbit does not pass through the section")
+    back = np.eye(field.size)
+    back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
+    slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
+    return Closed(place, loop.guess.period, slope, fixed)
+
+
+def nearly_closed(
+    field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float
+) -> Loop:  # fmt: skip
+    """The loop to a precision, by a flow with rough derivatives that cost little; little is lost where that fails."""
+    guess, condition = Guess(state[None], period, ()), _on_section(state, fixed)
+    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
+
+
+def by_forward_differences(field: Field, ends: Ends) -> Fly:
+    """``fly`` of the plain flow, with its forward differences."""
+    m = field.size
+
+    def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        last, *others = ends(np.vstack([state, state + COARSE * np.eye(m)]), duration)
+        return Passage(last, (np.array(others) - last).T / COARSE, np.zeros((m, 2)), (), ())
+
+    return fly
+
+
+def by_differences(field: Field, courses: Courses) -> Fly:
+    """``fly`` of a flow that carries no derivatives: by central differences; crossings are not reported."""
+    m = field.size
+    unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
+
+    def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        off = STEP * np.eye(m)
+        course, *others = courses(np.vstack([state, state + off, state - off]), duration)
+        last = np.array([other.last for other in others])
+        turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
+        return Passage(course.last, (last[:m] - last[m:]).T / (2 * STEP), np.zeros((m, 2)), (), tuple(turns))
+
+    return fly

@@ -1,0 +1,134 @@
+"""One motion to integrate: its constants, where it starts, how long it runs, and the modes of its field.
+
+The field is continuous, and analytic in each of its modes: contact or not, belt ahead of the mass or behind. A mode is
+left :data:`GAP` beyond its border, so that two crossings are never closer than 2 GAP: that ends chatter by rounding,
+lets a motion start exactly on a kink, and costs an error of the order of GAP², or GAP^1.5 where the motion only grazes
+the border, far below rounding.
+
+An exponential of the friction law, as in (10), makes a layer where the mass nearly sticks that a step from far away cannot
+see: all its derivatives are below rounding there. So it is left out where it is below the tolerance, and the border of the
+layer (``near``) is one more that the integrator stops at.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..models.parameters import Range
+from .field import Border, Field, Mode
+
+RELATIVE_TOLERANCE = Range(
+    1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
+)
+
+#: Default number of steps after which a motion is given up.
+MAX_STEPS = 10_000_000
+
+#: An implicit method takes over where so many steps would follow, and a step times the fastest decay is more than the second.
+MOST, STABLE = 1e6, 0.5
+
+
+class Event(IntEnum):
+    """What happens at an event."""
+
+    CONTACT_LOST = 0
+    CONTACT_REGAINED = 1
+    MASS_OVERTAKES = 2
+    BELT_OVERTAKES = 3
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One motion: its constants and initial state, and what to keep of it."""
+
+    constants: Any
+    start: tuple[float, ...]
+    t_end: float
+    t_record: float
+    rtol: float
+    max_steps: int
+    #: The field, for a given reach of the exponentials of the friction law.
+    field_of: Callable[[float], Field]
+
+    @property
+    def reach(self) -> float:
+        """Minus the exponent of an exponential of the friction law beyond which it is left out."""
+        return reach_of(self.rtol)
+
+    @cached_property
+    def field(self) -> Field:
+        """The field of the motion."""
+        return self.field_of(self.reach)
+
+    @property
+    def belt(self) -> float:
+        """Sliding speed of a mass at rest; 1 for a model without friction."""
+        still = [0.0] * self.field.size
+        slip = next((border for border in self.field.borders if "mass_overtakes" in border.crossings), None)
+        return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
+
+
+def reach_of(rtol: float) -> float:
+    """Minus the exponent of an exponential of the friction law beyond which it is below a tolerance."""
+    return 5 - math.log(rtol)
+
+
+def as_steps(max_steps: int) -> int:
+    """A number of steps, at least one."""
+    if isinstance(max_steps, bool) or not isinstance(max_steps, int | np.integer):
+        raise ParameterTypeError(f"max_steps = {max_steps!r} is not an int")
+    if max_steps < 1:
+        raise ParameterError(f"max_steps = {max_steps} is not at least 1; leave it out for {MAX_STEPS}")
+    return int(max_steps)
+
+
+def too_many_steps(problem: Problem, t: float) -> ConvergenceError:
+    """The error of a motion that has used its steps."""
+    return ConvergenceError(
+        f"max_steps = {problem.max_steps} steps were made by t = {t:.6g} of {problem.t_end:g}; give a larger max_steps, a "
+        f"smaller t_end or a larger rtol than {problem.rtol:g}, or a less steep friction law: creep is stiff where it is steep"
+    )
+
+
+class StiffError(ConvergenceError):
+    """The steps of an explicit method have collapsed."""
+
+
+def check_stiffness(field: Field, state: Any, constants: Any, step: float, left: float) -> None:
+    """Raise where steps of a mean length are bounded by stability, and too many of them would be left."""
+    if not left > MOST * step:
+        return
+    n, values = len(field.coordinates), [float(value) for value in state]
+    lower = field.jacobian(values, constants, field.initial_mode(values, constants), math)
+    matrix = np.vstack([np.eye(n, 2 * n, n), np.array(lower, dtype=float)])
+    if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
+        raise StiffError(f"the motion is stiff: steps of {step:.2g} are bounded by stability, with {left:.6g} to go")
+
+
+def out_of_range() -> ConvergenceError:
+    """The error of a motion whose numbers overflow."""
+    return ConvergenceError(
+        "the motion grows beyond all bounds: it left the range of numbers; give a smaller t_end, or values of a more common size"
+    )
+
+
+# ------------------------------------------------------------------------------------------------------ modes
+
+
+def initial_mode(problem: Problem) -> Mode:
+    """On a border either side is right, as the field is continuous: contact, and the belt ahead."""
+    return problem.field.initial_mode(problem.start, problem.constants)
+
+
+def event_at(border: Border, upward: bool) -> Event | None:
+    """What a user calls crossing a border towards positive or negative levels, if anything."""
+    name = border.crossings[0 if upward else 1]
+    return Event[name.upper()] if name else None

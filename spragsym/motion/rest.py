@@ -1,0 +1,145 @@
+"""Rest: equilibria at μ(V), (10), linearized with the damping of the friction law, and motions that decay to them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import FloatArray
+from .field import in_one_turn
+from .measures import Course
+from .problem import Event, Problem
+from .regimes import Outcome, Regime
+
+#: Fewest maxima of x in a window from which a decay is read.
+FEW = 8
+
+#: Real parts up to this are 0 but for rounding.
+ROUNDING = 1e-12
+
+#: Smallest decay of the squares over half a window that can be measured.
+VISIBLE = 1e-3
+
+#: Squares that are larger than this many times what a linear decay leaves of them have not decayed.
+LEFT = 4.0
+
+#: What an integrator leaves of a motion at rest, in tolerances of a step.
+NOISE = 100.0
+
+#: Newton's method has gone astray beyond this, in L_0.
+FAR = 1e6
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A steady-sliding equilibrium and its linearization with the damping of the friction law."""
+
+    state: FloatArray
+    values: NDArray[np.complex128]
+    vectors: NDArray[np.complex128]
+
+
+def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
+    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none."""
+    field, constants, n = problem.field, problem.constants, len(place)
+    q = place.tolist()
+    still = [0.0] * n
+    mode = field.mode_at_rest([*q, *still], constants)
+    for _ in range(30):
+        pull = field.acceleration([*q, *still], constants, mode, math)
+        rows = field.jacobian([*q, *still], constants, mode, math)
+        step = _solved([row[:n] for row in rows], pull)
+        if step is None:
+            return None
+        q = [value + change for value, change in zip(q, step, strict=True)]
+        if not sum(map(abs, q)) < FAR:
+            return None
+        if sum(map(abs, step)) <= 1e-12:
+            break
+    else:
+        return None
+    if any(border.sign(mode) * border.level([*q, *still], constants, mode) < 0 for border in field.borders if border.kink):
+        return None
+    linear = np.block([[np.zeros((n, n)), np.eye(n)], [np.array(rows)]])
+    return Rest(np.array([*q, *still]), *np.linalg.eig(linear))
+
+
+def _solved(matrix: list[Any], pull: Any) -> list[float] | None:
+    """Newton's step −J⁻¹ pull; None where J is singular."""
+    if len(pull) == 2:
+        (ax, ay), ((xx, xy), (yx, yy)) = pull, matrix
+        determinant = xx * yy - xy * yx
+        return None if determinant == 0 else [(xy * ay - yy * ax) / determinant, (yx * ax - xx * ay) / determinant]
+    try:
+        solved: list[float] = np.linalg.solve(np.array(matrix), -np.array(pull)).tolist()
+    except np.linalg.LinAlgError:
+        return None
+    return solved
+
+
+def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
+    """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
+    still = bool(is_still(course.last[0] - course.first[0], course.reach[1] - course.reach[0], tol))
+    decaying = len(course.maxima) >= FEW and not _kinks(course, problem)
+    if not (still or decaying):
+        return None
+    n = len(course.last) // 2
+    means = np.array([course.moments()[0], *(course.integrals[-1, 2:] / (course.end - course.begin))])
+    rest = rest_near(problem, course.last[:n] if still else means)
+    if rest is None:
+        return None
+    place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())
+    growth = float(rest.values.real.max())
+    late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
+    distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
+    if still and distance <= tol and growth <= ROUNDING and _stays(course, problem, rest):
+        return Outcome(Regime.EQUILIBRIUM, rest=place, rate=max(-growth, 0.0), distance=distance)
+    if decaying and growth < 0 and _decays(course, rest):
+        regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
+        return Outcome(regime, rest=place, rate=-growth, distance=distance)
+    return None
+
+
+def is_still(moved: Any, extent: Any, tol: float) -> Any:
+    """Whether x has hardly moved over a motion, at its ends as in between."""
+    return (np.abs(moved) <= 4 * tol) & (extent <= 4 * tol)
+
+
+def _stays(course: Course, problem: Problem, rest: Rest) -> bool:
+    """Whether as little is left as the linearization says: a cycle beside the equilibrium may be small too, in the model's units.
+
+    Beyond a kink the linearization says nothing, unless the decay is seen.
+    """
+    inverse = np.linalg.pinv(rest.vectors)
+    before, after = (np.sum(np.abs(inverse @ (state - rest.state)) ** 2) for state in (course.first, course.last))
+    noise = NOISE * problem.rtol * (1e-3 + np.abs(rest.state).max()) * np.linalg.norm(inverse, 2)
+    left = LEFT * before * math.exp(2 * rest.values.real.max() * (course.end - course.begin))
+    return bool(after <= noise**2 or (after <= left and (left < before or not _kinks(course, problem))))
+
+
+def _kinks(course: Course, problem: Problem) -> bool:
+    """Whether the motion passed a kink: on a belt that stands still the law of friction is smooth where x' changes its sign."""
+    felt = course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
+    return bool(felt.any())
+
+
+def _decays(course: Course, rest: Rest) -> bool:
+    """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within a factor of two.
+
+    The squares of the two halves are compared under Hann windows, which hide unfinished beats.
+    """
+    modes = np.abs(np.linalg.pinv(rest.vectors) @ (course.maxima - rest.state).T) ** 2
+    window = course.end - course.since
+    share = (course.maxima_t - course.since) / window
+    if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
+        return False
+    hann = np.sin(2 * np.pi * share) ** 2
+    first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
+    expected = first * np.exp(rest.values.real * window)  # two times half the window
+    before, after, linear = first.sum(), second.sum(), expected.sum()
+    # A decay that is too slow to show in the window does not count: the first of the three conditions.
+    return bool(linear < before * (1 - VISIBLE) and after > 0 and 0.5 < np.log(after / before) / np.log(linear / before) < 2)

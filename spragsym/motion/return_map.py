@@ -1,0 +1,304 @@
+"""Cycles: what a motion winds onto, by the closed orbit itself and its multipliers, and whether it nears it at that rate.
+
+Newton's method with the derivative of the flow (:mod:`.periodic_orbit`) gives the cycle from two states that are alike, where x
+is largest, or of an x that turns around and never back, where it passes 0. Coordinates that come around are alike after a turn.
+Of several numbers of rounds the smallest comes first, and the least period is looked for, so that a cycle is never counted twice.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from .field import TURN, apart, in_one_turn
+from .flows import Onward
+from .measures import Course
+from .periodic_orbit import Closed, section
+from .problem import Problem
+from .regimes import Outcome, Regime
+
+#: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
+CLOSE = 0.05
+
+#: Fewest maxima of x in a window in which a cycle can be seen.
+FEWEST = 3
+
+#: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
+NEUTRAL = 1e-6
+
+#: A multiplier beyond this repels, even if it is known to a digit only.
+REPELS = 2.0
+
+#: Cosine between neighbouring steps from which on they go in one direction; distance of the end from which on a drift goes past.
+ALIGNED, AWAY = 0.98, 0.5
+
+#: By how much the linearized map may be wrong about a return, relative to the distance at the return before.
+MISSED = 0.25
+
+#: Passages of an x that turns around which are looked at, and Newton's steps for the time of each; by how much it may be missed.
+PASSAGES, STEPS, MET = 9, 20, 1e-9
+
+#: Cycles that are looked for, of one motion.
+CANDIDATES = 3
+
+#: Multipliers and their vectors.
+Modes: TypeAlias = tuple[NDArray[np.complex128], NDArray[np.complex128]]
+
+
+@dataclass(frozen=True)
+class _Cycle:
+    """A cycle and the motion beside it: sections in units of ``scale``."""
+
+    orbit: Closed
+    onward: Onward
+    scale: FloatArray
+    around: tuple[int, ...]
+
+    @property
+    def place(self) -> FloatArray:
+        """Its own section."""
+        return section(self.orbit.state, self.orbit.fixed) / self.scale
+
+    @property
+    def slope(self) -> FloatArray:
+        """Derivative of the return map there."""
+        return self.orbit.slope * self.scale / self.scale[:, None]
+
+    def returned(self, places: FloatArray) -> FloatArray:
+        """The return map: where motions from places on the section next meet it, after about a period."""
+        fixed, period = self.orbit.fixed, self.orbit.period
+        states = np.insert(places * self.scale, fixed, self.orbit.state[fixed], axis=1)
+        if fixed == 0:
+            ends = self.onward.ends(self.orbit.state[None], period)[0]
+            found = np.array([_passed(self.onward, state, ends[0], period)[1] for state in states])
+            return section(_near(found, self.orbit.state, self.around), fixed) / self.scale
+        courses = self.onward.courses(states, 1.1 * period)
+        return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])
+
+    def _next(self, place: FloatArray, course: Course) -> FloatArray:
+        late = np.flatnonzero(course.maxima_t > 0.5 * self.orbit.period)
+        if not len(late):
+            raise ConvergenceError("the motion does not come back")
+        returns = section(_near(course.maxima[late], self.orbit.state, self.around), self.orbit.fixed) / self.scale
+        off = np.abs(returns - place).max(axis=1) + np.abs(course.maxima_t[late] / self.orbit.period - 1)
+        found: FloatArray = returns[int(np.argmin(off))]
+        return found
+
+
+def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Outcome | None:
+    """The cycle that the motion is on, or winds onto."""
+    around = problem.field.around
+    seen = _returns(course, onward, around)
+    if seen is None:
+        return None
+    times, places, fixed = seen
+    states = section(places, fixed)
+    scale = _scale(states if fixed == 0 else section(_near(np.vstack([places, course.minima]), places[-1], around), fixed), fixed)
+    states /= scale
+    for k in _candidates(states):
+        period = float(times[-1] - times[-1 - k])
+        try:
+            orbit = _orbit(onward, places[-1], fixed, period, scale)
+        except ConvergenceError:
+            continue
+        cycle = _Cycle(orbit, onward, scale, around)
+        largest = float(np.abs(np.linalg.eigvals(orbit.slope)).max())
+        rounds = max(1, round(k * orbit.period / period))
+        off = states[::-1][::rounds] - cycle.place  # latest first
+        distance = float(np.abs(off[0]).max())
+        if largest >= 1 - NEUTRAL or distance > 4 * CLOSE:
+            continue
+        try:
+            near = _nears(cycle, off, tol)
+        except ConvergenceError:
+            continue
+        if near:
+            regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
+            return _described(cycle, regime, -math.log(max(largest, 1e-300)) / orbit.period, distance)
+    return None
+
+
+def _returns(course: Course, onward: Onward, around: tuple[int, ...]) -> tuple[FloatArray, FloatArray, int] | None:
+    """Times and states of a motion's passages of a section, and the place of the number that is fixed there; None for too few.
+
+    Where x is largest; an x that turns around and never back passes 0, and is followed for some turns more.
+    """
+    n = len(course.last) // 2
+    if len(course.maxima) >= FEWEST:
+        places = _near(course.maxima, course.maxima[-1], around)
+        places[:, n] = 0.0
+        return course.maxima_t, places, n
+    moved = float(course.last[0] - course.first[0])
+    if 0 not in around or not abs(moved) > FEWEST * TURN:
+        return None
+    turn = math.copysign(TURN, moved)
+    rest = (-course.last[0] / turn) % 1.0
+    t, state, goal = 0.0, course.last, float(course.last[0]) + (rest if rest > 0 else 1.0) * turn
+    passages = []
+    try:
+        for _ in range(PASSAGES):
+            duration, state = _passed(onward, state, goal, (goal - float(state[0])) * (course.end - course.begin) / moved)
+            t, goal = t + duration, goal + turn
+            passages.append((t, state))
+    except ConvergenceError:
+        return None
+    times, states = (np.array(column) for column in zip(*passages, strict=True))
+    places = _near(states, np.zeros(2 * n), (0,))
+    places = _near(places, places[-1], around)
+    places[:, 0] = 0.0
+    return times, places, 0
+
+
+def _passed(onward: Onward, state: FloatArray, goal: float, duration: float) -> tuple[float, FloatArray]:
+    """When x reaches a value from a state, near a duration, and the state there; Newton's method on the time."""
+    n = len(state) // 2
+    for _ in range(STEPS):
+        if not 0 < duration < math.inf:
+            break
+        end = onward.ends(state[None], duration)[0]
+        left = goal - float(end[0])
+        if abs(left) <= MET:
+            return duration, end
+        duration += left / float(end[n]) if end[n] else math.nan
+    raise ConvergenceError("the motion does not pass the section again")
+
+
+def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> FloatArray:
+    """The same states, coordinates that come around by whole turns nearer to a place."""
+    return place + apart(states, place, around)
+
+
+def _orbit(onward: Onward, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
+    """The closed orbit near a state; ConvergenceError where there is none, or it is soon seen to be far away or to repel."""
+    reach = 4 * CLOSE * float(scale.max())
+    place, period, slope = onward.roughly(state, fixed, period, reach)
+    if np.abs(section(place - state, fixed) / scale).max() > 5 * CLOSE or np.abs(np.linalg.eigvals(slope)).max() > REPELS:
+        raise ConvergenceError("the closed orbit is too far away, or repels")
+    return onward.closed(place, fixed, period, reach)
+
+
+def _scale(turns: FloatArray, fixed: int) -> FloatArray:
+    """Extents of x, y and y' over all turning points, those across the belt at least 1 % of that along it, or of a turn."""
+    extent: FloatArray = np.ptp(turns, axis=0)
+    scale: FloatArray = np.maximum(extent, 1e-2 * (TURN if fixed == 0 else extent[0]) + 1e-300)
+    return scale
+
+
+def _candidates(states: FloatArray) -> Iterator[int]:
+    """Numbers of returns after which the last states came close to what they had been, and closer each time; fewest first.
+
+    A motion that winds onto a cycle from alternate sides is close after two rounds before it is after one: so divisors are
+    tried before the number itself. A multiple of a number that was tried has to be much closer than that.
+    """
+    tried: list[int] = []
+
+    def apart(k: int) -> float:
+        return float(np.abs(states[-1] - states[-1 - k]).max())
+
+    for k in range(1, (len(states) - 1) // 2 + 1):
+        last, before = apart(k), float(np.abs(states[-1 - k] - states[-1 - 2 * k]).max())
+        if max(last, before) > CLOSE or last > 2 * before + CLOSE**3 or _drifts_past(states[::-1][::k]):
+            continue
+        for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * CLOSE), k):
+            multiple = any(number % j == 0 and apart(number) > 0.5 * apart(j) for j in tried)
+            if number not in tried and not multiple and len(tried) < CANDIDATES:
+                tried.append(number)
+                yield number
+
+
+def _drifts_past(states: FloatArray) -> bool:
+    """Whether states, latest first, go on in one direction by steps that shrink too slowly to end near, or not at all."""
+    steps = states[:-1] - states[1:]
+    if len(steps) < 3:
+        return False
+    sizes = np.linalg.norm(steps, axis=1)
+    if not sizes.min() > 0 or ((steps[1:] * steps[:-1]).sum(axis=1) < ALIGNED * sizes[1:] * sizes[:-1]).any():
+        return False
+    shrink = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
+    return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > AWAY)
+
+
+def _nears(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
+    """Whether the motion is at the cycle, or nears it as the linearized map says and will go on doing so.
+
+    ``off`` is what lacked at its returns, latest first.
+    """
+    sizes = np.abs(off).max(axis=1)
+    if sizes[: max(2, len(sizes) // 2)].max() <= tol:
+        return True
+    if len(off) < 2 or np.abs(off[0] - cycle.slope @ off[1]).max() > MISSED * sizes[1] + tol:
+        return False
+    modes = _modes(cycle.slope)
+    return _contracted(modes, off, sizes) and _goes_on(cycle, modes, off[0], tol)
+
+
+def _modes(slope: FloatArray) -> Modes:
+    """Multipliers and their vectors; where the vectors nearly coincide, the three coordinates of the section instead."""
+    values, vectors = np.linalg.eig(slope)
+    return values.astype(complex), (vectors if abs(np.linalg.det(vectors)) > 1e-9 else np.eye(len(vectors))).astype(complex)
+
+
+def _contracted(modes: Modes, off: FloatArray, sizes: FloatArray) -> bool:
+    """Whether what lacks has become smaller at least half as fast as the slowest multiplier says, while it was small."""
+    values, vectors = modes
+    far = np.flatnonzero(sizes > 4 * CLOSE)
+    last = (far[0] if len(far) else len(sizes)) - 1
+    if last < 1:
+        return False
+    now, then = np.linalg.norm(np.linalg.solve(vectors, off[[0, last]].T), axis=0)
+    return bool(now <= then * np.abs(values).max() ** (last / 2))
+
+
+def _goes_on(cycle: _Cycle, modes: Modes, off: FloatArray, tol: float) -> bool:
+    """Whether the return map itself contracts wherever its linearization leads, half as fast at least on the average.
+
+    The linearization maps the states none of whose modal parts is larger than the motion's now into themselves, and a motion
+    that decays slowly turns through all of them. Motions have neared a cycle at its rate 0.04 of its extent away, and left it.
+    """
+    values, vectors = modes
+    slowest = int(np.argmax(np.abs(values)))
+    left = np.abs(np.linalg.solve(vectors, off))[slowest]
+    places = np.array(list(_same_size(off, *modes)))
+    images = cycle.returned(cycle.place + places) - cycle.place
+    missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
+    if not (missed <= MISSED * np.abs(places).max(axis=1) + tol).all():
+        return False
+    growth = [math.log(max(part, tol) / max(left, tol)) for part in np.abs(np.linalg.solve(vectors, images.T))[slowest].tolist()]
+    return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest])))
+
+
+def _same_size(off: FloatArray, values: NDArray[np.complex128], vectors: NDArray[np.complex128]) -> Iterator[FloatArray]:
+    """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones, eight phases of a pair."""
+    parts = np.linalg.solve(vectors, off)
+    turns = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)
+    for turn, *signs in itertools.product(turns, *[(1, -1)] * int(np.sum(values.imag == 0))):
+        factors = np.where(values.imag > 0, turn, np.conj(turn))
+        factors[values.imag == 0] = signs
+        yield (vectors @ (factors * parts)).real
+
+
+def _described(cycle: _Cycle, regime: Regime, rate: float, distance: float) -> Outcome:
+    """The outcome, with averages over the cycle's one period, and the state of the cycle that stands for it."""
+    period, tops, mean, spread = cycle.orbit.period, cycle.orbit.state[None], math.nan, math.nan
+    if cycle.orbit.fixed:
+        (course,) = cycle.onward.courses(cycle.orbit.state[None], 1.1 * period)
+        row = int(np.argmin(np.abs(course.maxima_t - period)))
+        tops = course.maxima[(course.maxima_t > 1e-3 * period) & (course.maxima_t <= course.maxima_t[row])]
+        if not abs(tops[-1, 0] - cycle.orbit.state[0]) > TURN / 2 or 0 not in cycle.around:
+            mean, spread = course.moments(row)
+    tops = in_one_turn(tops, cycle.around)
+    # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle has one such state.
+    for place, scale in zip((i for i in range(tops.shape[1]) if i != cycle.orbit.fixed), cycle.scale, strict=True):
+        tops = tops[tops[:, place] >= tops[:, place].max() - 1e-6 * scale]
+    return Outcome(
+        regime, rate=rate, distance=distance, period=period, cycle_mean=mean, cycle_rms=math.hypot(mean, spread),
+        cycle=tuple(np.where(np.arange(tops.shape[1]) == cycle.orbit.fixed, 0.0, tops[0]).tolist()),
+    )  # fmt: skip

@@ -1,0 +1,62 @@
+"""A segment of motion as an integrator gives it: its end, the derivatives of that, and the events on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+from ..models.parameters import FloatArray
+
+
+class Crossing(NamedTuple):
+    """A border passed: when, which, to which sign of its level, and the state there."""
+
+    t: float
+    border: int
+    sign: int
+    state: FloatArray
+
+
+class Turn(NamedTuple):
+    """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the first coordinate.
+
+    ``direction`` is the sign of the rate's own rate: −1 at a largest value.
+    """
+
+    t: float
+    border: int
+    direction: int
+    state: FloatArray
+    by_state: FloatArray
+    by_parameters: FloatArray
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A stretch of motion.
+
+    Attributes
+    ----------
+    state : ndarray, shape (m,)
+        Where it ends.
+    by_state : ndarray, shape (m, m)
+        Derivatives of that by the state at the start: the product over the smooth pieces, as the field is continuous.
+    by_parameters : ndarray, shape (m, 2)
+        Derivatives along two directions in the space of the parameters.
+    crossings, turns : tuple
+        In order of time.
+    integrals : tuple of two floats or None
+        Of the first coordinate and of its square over time, where the integrator carries them along.
+    """
+
+    state: FloatArray
+    by_state: FloatArray
+    by_parameters: FloatArray
+    crossings: tuple[Crossing, ...]
+    turns: tuple[Turn, ...]
+    integrals: tuple[float, float] | None = None
+
+
+#: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (2, P).
+Fly: TypeAlias = Callable[[FloatArray, tuple[float, ...], float, FloatArray], Passage]

@@ -1,0 +1,354 @@
+"""Closed orbits by multiple shooting: Newton's method on the states between equal stretches of one round, and the period."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import FloatArray
+from .field import TURN, Field, apart
+from .multipliers import Multipliers, multipliers_of
+from .segment import Crossing, Fly, Passage, Turn
+
+#: Closed to this, relative to the largest number of the orbit.
+CLOSED = 1e-12
+
+#: A stretch whose derivatives grow beyond this is cut in two.
+LARGEST_GROWTH = 100.0
+
+#: Stretches in one round, at most.
+MOST_STRETCHES = 64
+
+#: States this close are one, whatever their errors.
+ONE = 1e-10
+
+
+@dataclass(frozen=True)
+class Guess:
+    """A loop that need not close: states (k, m) between its k equal stretches, period, and values of the parameters."""
+
+    states: FloatArray
+    period: float
+    values: tuple[float, ...]
+
+    @property
+    def vector(self) -> FloatArray:
+        """States and period in a row."""
+        return np.append(self.states.ravel(), self.period)
+
+    def moved(self, step: FloatArray, free: tuple[int, ...]) -> Guess:
+        """After a step in states, period and the free parameters."""
+        size = self.states.size
+        values = list(self.values)
+        for index, change in zip(free, step[size + 1 :], strict=True):
+            values[index] += float(change)
+        return Guess(self.states + step[:size].reshape(self.states.shape), self.period + float(step[size]), tuple(values))
+
+    def coordinates(self, free: tuple[int, ...]) -> FloatArray:
+        """What Newton's method moves: states, period, free parameters."""
+        return np.append(self.vector, [self.values[i] for i in free])
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A guess with its stretches integrated."""
+
+    field: Field
+    guess: Guess
+    constants: tuple[float, ...]
+    passages: tuple[Passage, ...]
+
+    @cached_property
+    def gaps(self) -> FloatArray:
+        """Ends of the stretches less the beginnings of the next, shape (k, m): what comes around closes after whole turns."""
+        ends = np.array([each.state for each in self.passages])
+        return apart(ends, np.roll(self.guess.states, -1, axis=0), self.field.around)
+
+    @property
+    def missed(self) -> float:
+        """Largest gap."""
+        return float(np.abs(self.gaps).max())
+
+    @cached_property
+    def winding(self) -> int:
+        """Turns that the first coordinate makes in one round."""
+        moved = sum(float(each.state[0] - start[0]) for each, start in zip(self.passages, self.guess.states, strict=True))
+        return round(moved / TURN) if 0 in self.field.around else 0
+
+    @cached_property
+    def monodromy(self) -> FloatArray:
+        """Derivative of one round by its start."""
+        product = np.eye(self.field.size)
+        for each in self.passages:
+            product = each.by_state @ product
+        return product
+
+    @cached_property
+    def multipliers(self) -> Multipliers:
+        """Its Floquet multipliers."""
+        flows = [rate(self.field, state, self.constants) for state in self.guess.states]
+        return multipliers_of([each.by_state for each in self.passages], flows)
+
+    def slopes(self, parameters: int) -> FloatArray:
+        """Derivatives of the gaps by states, period and ``parameters`` directions: shape (k m, k m + 1 + parameters)."""
+        k, m = self.guess.states.shape
+        matrix = np.zeros((k * m, k * m + 1 + parameters))
+        for i, each in enumerate(self.passages):
+            rows, after = slice(i * m, (i + 1) * m), (i + 1) % k
+            matrix[rows, i * m : (i + 1) * m] += each.by_state
+            matrix[rows, after * m : (after + 1) * m] -= np.eye(m)
+            matrix[rows, k * m] = rate(self.field, each.state, self.constants) / k
+            matrix[rows, k * m + 1 :] = each.by_parameters[:, :parameters]
+        return matrix
+
+    def crossings(self) -> tuple[Crossing, ...]:
+        """All crossings of one round, in time from its start."""
+        stretch = self.guess.period / len(self.passages)
+        return tuple(c._replace(t=c.t + i * stretch) for i, each in enumerate(self.passages) for c in each.crossings)
+
+    def turns(self) -> tuple[Turn, ...]:
+        """All turns of one round, with derivatives by the start of the round."""
+        stretch, found, before = self.guess.period / len(self.passages), [], np.eye(self.field.size)
+        shift = np.zeros((self.field.size, 2))
+        for i, each in enumerate(self.passages):
+            found += [
+                turn._replace(
+                    t=turn.t + i * stretch, by_state=turn.by_state @ before,
+                    by_parameters=turn.by_parameters + turn.by_state @ shift,
+                )
+                for turn in each.turns
+            ]  # fmt: skip
+            before, shift = each.by_state @ before, each.by_parameters + each.by_state @ shift
+        return tuple(found)
+
+
+#: Further equations: ``conditions(loop)`` gives their values (r,) and slopes (r, unknowns).
+Conditions: TypeAlias = Callable[[Loop], tuple[FloatArray, FloatArray]]
+
+
+def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
+    """The derivative of a state in time; not a number where there is none, as at the anchor of a spring."""
+    mode = field.initial_mode(state, constants)
+    n = len(field.coordinates)
+    numbers = [float(value) for value in state]
+    try:
+        return np.array([*numbers[n:], *field.acceleration(numbers, constants, mode, math)])
+    except ZeroDivisionError:
+        return np.full(field.size, np.nan)
+
+
+def directions_of(field: Field, free: tuple[int, ...]) -> FloatArray:
+    """Unit directions of the free parameters, two rows."""
+    directions = np.zeros((2, len(field.parameters)))
+    for row, index in enumerate(free):
+        directions[row, index] = 1.0
+    return directions
+
+
+def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
+    """A guess integrated."""
+    try:
+        for index in free:
+            field.check(field.parameters[index], guess.values[index])
+    except ParameterError as error:
+        raise ConvergenceError(f"Newton's method leaves the parameters that there are: {error}") from error
+    if not guess.period > 0:
+        raise ConvergenceError("the period is not positive")
+    constants = field.constants(guess.values)
+    stretch, directions = guess.period / len(guess.states), directions_of(field, free)
+    return Loop(field, guess, constants, tuple(fly(state, constants, stretch, directions) for state in guess.states))
+
+
+def solved(
+    field: Field, fly: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, reach: float = np.inf,
+    iterations: int = 12, precision: float = 1e-13, closed: float = CLOSED,
+) -> Loop:  # fmt: skip
+    """The closed loop near a guess under further conditions, as many as there are free parameters and one.
+
+    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as small as rounding, end it;
+    ``closed`` is by how much the loop may stay open. Raises ConvergenceError where there is none.
+    """
+    start, size, before = guess, guess.states.size, np.inf
+    loop = looped(field, fly, guess, free)
+    for iteration in range(iterations):
+        values, rows = conditions(loop)
+        residual = np.concatenate([loop.gaps.ravel(), values])
+        if float(np.abs(residual).max()) <= rounding(loop):
+            return loop  # of orbits that are not isolated, as where nothing damps, a step leads anywhere
+        step = newton_step(np.vstack([loop.slopes(len(free)), rows]), residual)
+        width = float(np.abs(step).max())
+        scale = 1 + float(np.abs(loop.guess.vector).max())
+        small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
+        if small and float(np.abs(residual).max()) <= closed * (1 + float(np.abs(loop.guess.states).max())):
+            return loop
+        if iteration and width > 1e3 * before:
+            break
+        guess = loop.guess.moved(step, free)
+        if np.abs(guess.states - start.states).max() > reach or not np.isfinite(step[:size]).all():
+            break
+        if not 0.5 < guess.period / start.period < 2:
+            break
+        loop, before = looped(field, fly, guess, free), width
+    raise ConvergenceError("Newton's method finds no closed orbit there")
+
+
+def chorded(
+    field: Field, fly: Fly, plain: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, steps: int = 4
+) -> Guess:  # fmt: skip
+    """A guess after steps of Newton's method that keep the first matrix: derivatives cost several times a plain integration.
+
+    The steps end once they no longer shrink tenfold; the guess as it was where even the first one is none.
+    """
+    loop, begun = looped(field, fly, guess, free), guess
+    values, rows = conditions(loop)
+    matrix = np.vstack([loop.slopes(len(free)), rows])
+    before = np.inf
+    for _ in range(steps):
+        step = newton_step(matrix, np.concatenate([loop.gaps.ravel(), values]))
+        width = float(np.abs(step).max())
+        if not width < 0.1 * before:
+            break
+        try:
+            ahead = guess.moved(step, free)
+            loop = looped(field, plain, ahead, free)
+        except ConvergenceError:
+            break
+        if not np.isfinite(loop.gaps).all():
+            return begun
+        guess, before = ahead, width
+        if width < 1e-10 * (1 + float(np.abs(guess.vector).max())):
+            break
+        values, _ = conditions(loop)
+    return guess
+
+
+def newton_step(matrix: FloatArray, residual: FloatArray) -> FloatArray:
+    """−matrix⁻¹ residual."""
+    try:
+        return np.asarray(np.linalg.solve(matrix, -residual), dtype=float)
+    except np.linalg.LinAlgError as error:
+        raise ConvergenceError("Newton's method meets a singular matrix") from error
+
+
+def across(field: Field, state: FloatArray, constants: tuple[float, ...], unknowns: int) -> Conditions:
+    """The first state stays in the plane through ``state`` across the flow there: the phase of the orbit."""
+    normal = rate(field, state, constants)
+    normal = normal / np.linalg.norm(normal)
+
+    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        row = np.zeros((1, unknowns))
+        row[0, : field.size] = normal
+        return np.array([normal @ (loop.guess.states[0] - state)]), row
+
+    return condition
+
+
+def at_rest_along(field: Field, unknowns: int) -> Conditions:
+    """The first coordinate's speed is zero at the start: the phase at which it is largest."""
+    n = len(field.coordinates)
+
+    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        row = np.zeros((1, unknowns))
+        row[0, n] = 1.0
+        return loop.guess.states[0, n : n + 1].copy(), row
+
+    return condition
+
+
+def phase(loop: Loop, guess: Guess) -> Conditions:
+    """The phase of a guess at an orbit: where the first coordinate is largest, or as it is where that only turns around."""
+    unknowns = guess.states.size + 1
+    if loop.winding and not any(turn.border == -1 for turn in loop.turns()):
+        return across(loop.field, guess.states[0], loop.constants, unknowns)
+    return at_rest_along(loop.field, unknowns)
+
+
+def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
+    """The same loop cut into ``pieces`` equal stretches, from its first state on."""
+    constants, states = field.constants(guess.values), [guess.states[0]]
+    none = np.zeros((2, len(field.parameters)))
+    for _ in range(pieces - 1):
+        states.append(fly(states[-1], constants, guess.period / pieces, none).state)
+    return Guess(np.array(states), guess.period, guess.values)
+
+
+def recut(loop: Loop, fly: Fly, pieces: int, begin: float = 0.0) -> Guess:
+    """A closed loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest one before it.
+
+    Carried once around from one state, the error of a strongly unstable orbit would grow beyond Newton's reach.
+    """
+    guess, none, states = loop.guess, np.zeros((2, len(loop.field.parameters))), []
+    stretch = guess.period / len(guess.states)
+    for i in range(pieces):
+        t = (begin + i * guess.period / pieces) % guess.period
+        which = min(int(t / stretch), len(guess.states) - 1)
+        left = t - which * stretch
+        start = guess.states[which]
+        states.append(fly(start, loop.constants, left, none).state if left > 1e-14 * stretch else start)
+    return Guess(np.array(states), guess.period, guess.values)
+
+
+def once_round(loop: Loop, fly: Fly) -> Loop:
+    """The same orbit over its least period: rounds are one if they differ by no more than the orbit's error.
+
+    Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little.
+    """
+    period, turns = loop.guess.period, [turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    if not turns:
+        return loop
+    scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
+    first = turns[0]
+    for other in turns[1:]:
+        if (other.t - first.t) * len(turns) < period / 2:
+            continue  # rounds have a turn each at least: this is the same one, at the end of a stretch and where the next begins
+        share = period / (other.t - first.t)
+        off = np.abs(apart(other.state, first.state, loop.field.around))
+        if (off / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
+            if off.max() > max(ONE, 10 * error_of(loop)):
+                continue
+            guess = Guess(first.state[None], period / round(share), loop.guess.values)
+            with suppress(ConvergenceError):
+                return solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
+            with suppress(ConvergenceError):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
+                shorter = looped(loop.field, fly, guess)
+                if shorter.missed <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
+                    return shorter
+    return loop
+
+
+def difference(loop: Loop, plain: Fly) -> float:
+    """By how much another integrator's stretches end elsewhere: what the step control of either has missed."""
+    other = looped(loop.field, plain, loop.guess)
+    return max(float(np.abs(a.state - b.state).max()) for a, b in zip(loop.passages, other.passages, strict=True))
+
+
+def error_of(loop: Loop, differs: float = 0.0) -> float:
+    """Largest row sum of the inverse of Newton's matrix, times what does not close, rounding, or ``differs``."""
+    size = loop.field.size
+    _, rows = phase(loop, loop.guess)(loop)
+    inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
+    wanted = np.r_[0:size, -1]
+    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop), differs))
+
+
+def extent(loop: Loop) -> float:
+    """How far apart the turns of an orbit are: the largest of all components."""
+    states = [*(turn.state for turn in loop.turns()), *loop.guess.states, *(each.state for each in loop.passages)]
+    return float(np.ptp(states, axis=0).max())
+
+
+def growth(loop: Loop) -> float:
+    """Largest derivative over one stretch."""
+    return max(float(np.abs(each.by_state).max()) for each in loop.passages)
+
+
+def rounding(loop: Loop) -> float:
+    """What rounding adds to the gaps of a loop, about."""
+    return 4e-16 * float(np.abs(loop.guess.states).max()) * math.sqrt(loop.guess.period)

@@ -1,0 +1,129 @@
+"""Basins of attraction: which attractor is reached from a grid of initial states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...display import Result, named_fields
+from ...errors import ParameterTypeError
+from ...models.parameters import FloatArray, Parameters, as_numbers
+from ...names import hint
+from ..regimes import Outcome, Regime, same_limit
+from .many import rms_sweep
+from .result import Sweep
+
+
+@dataclass(frozen=True, eq=False)
+class Basin(Result):
+    """Which attractor each initial state reaches, over two axes of starts, which have their names: x, vx.
+
+    Attributes
+    ----------
+    plane : tuple of str
+        What the axes are: two of the coordinates and rates.
+    starts : tuple of ndarray
+        Their values.
+    attractor : ndarray of int
+        Row of ``attractors`` that the motion reaches; −1 where it failed.
+    attractors : tuple of (Regime, int, float, float)
+        EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED, whether reached or approached; index of the equilibrium or −1; for
+        a limit cycle its mean and its RMS of x about that over one period, else NaN.
+    sweep : Sweep
+        Everything that was measured.
+    """
+
+    plane: tuple[str, str]
+    starts: tuple[FloatArray, FloatArray]
+    attractor: NDArray[np.int64]
+    attractors: tuple[tuple[Regime, int, float, float], ...]
+    sweep: Sweep
+
+    @property
+    def table_model(self) -> Any:
+        return self.sweep.table_model
+
+    def table_values(self) -> dict[str, Any]:
+        values = named_fields(self)
+        return dict(zip(values.pop("plane"), values.pop("starts"), strict=True)) | values
+
+    def __getattr__(self, name: str) -> FloatArray:
+        plane = self.__dict__.get("plane", ())  # while it is copied or unpickled there is none
+        if name not in plane:
+            raise AttributeError(f"a basin over {' and '.join(plane)} has no {name!r}{hint(name, plane)}")
+        return self.starts[plane.index(name)]
+
+
+def basin(
+    p: Parameters,
+    V: float | None = None,
+    d: float | None = None,
+    **starts: Any,
+) -> Basin:
+    """Which attractor is reached from a grid of starts: two coordinates or rates, as x and vx.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars, of any model.
+    V, d : float, optional
+        In place of those of ``p``.
+    **starts
+        Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: every value of one with every value of
+        the other. The rest of the initial state, as ``y0=…``, and the options are those of :func:`rms_sweep`. A motion that by
+        ``t_end`` approaches nothing is ``Regime.UNSETTLED``: in the article's model deviations die out at a rate of
+        μ₀ d exp(−d V) n, n the contact force, so that it can take tens of thousands of time units.
+
+    Returns
+    -------
+    Basin
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and parameters that are no scalars.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.motion.sweeps import basin
+    >>> p = ss.Parameters.article(theta0=np.radians(30))
+    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.1, 1.6], vx=[0.0], t_end=2e4, transient=1.9e4)
+    >>> [(regime.name, which) for regime, which, *_ in found.attractors]
+    [('EQUILIBRIUM', 0), ('UNSETTLED', -1)]
+    >>> found.attractor[:, 0]
+    array([0, 0, 1])
+    """
+    p = p.given(V=V, d=d)
+    p.scalars(*p.ranges)
+    names = (*p.model.coordinates, *p.model.rates)
+    plane = tuple(name for name in starts if name in names)
+    if len(plane) != 2:
+        given = ", ".join(starts) or "none"
+        raise ParameterTypeError(f"starts are two axes of {', '.join(names)}, as {names[0]}=[0.0, 1.0]; given: {given}")
+    axes = {name: np.atleast_1d(as_numbers(name, starts.pop(name))) for name in plane}
+    for name, values in axes.items():
+        if values.ndim != 1:
+            raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
+    (one, first), (other, second) = axes.items()
+    options: dict[str, Any] = {one + "0": first[:, None], other + "0": second, **starts}
+    sweep = rms_sweep(p, **options)
+    labels, attractors = _attractors(sweep)
+    return Basin((one, other), (first, second), labels, attractors, sweep)
+
+
+def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, int, float, float], ...]]:
+    """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or of a cycle's one state."""
+    labels = np.full(sweep.regime.shape, -1)
+    known: list[Outcome] = []
+    for index in np.argwhere(sweep.regime != Regime.FAILED):
+        outcome = sweep.outcome(tuple(index))
+        same = (i for i, other in enumerate(known) if same_limit(other, outcome, sweep.model.field.around))
+        labels[tuple(index)] = label = next(same, len(known))
+        if label == len(known):
+            known.append(outcome)
+    return labels, tuple((one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in known)

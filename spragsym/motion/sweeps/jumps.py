@@ -1,0 +1,114 @@
+"""Sensitivity of the article's Figure 7b to V and d, which it does not state."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...display import Result
+from ...errors import ModelError, ParameterError
+from ...models.parameters import FloatArray, Parameters, as_numbers
+from .many import rms_sweep
+from .result import Sweep
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivity(Result):
+    """Where the RMS of x jumps as θ₀ grows, for every V (first axis) with every d (second).
+
+    Attributes
+    ----------
+    V, d : ndarray
+        Belt speeds, steepnesses.
+    theta0 : ndarray, shape (len(V), len(d))
+        Where the RMS jumps, radians: the middle of an interval of half-width ``width``.
+    before, after : ndarray, of that shape
+        RMS on the two sides of the jump.
+    width : float
+        Half-width of the interval, radians.
+    sweep : Sweep
+        The sweep over θ₀ that the jump was looked for in, shape (len(V), len(d), number of angles).
+    """
+
+    table_angles: ClassVar[frozenset[str]] = frozenset({"width"})
+
+    V: FloatArray
+    d: FloatArray
+    theta0: FloatArray
+    before: FloatArray
+    after: FloatArray
+    width: float
+    sweep: Sweep
+
+    @property
+    def table_model(self) -> Any:
+        """That of the sweep."""
+        return self.sweep.model
+
+
+def sensitivity(
+    p: Parameters, V: ArrayLike | None = None, d: ArrayLike | None = None, *, refine: int = 6, **options: Any
+) -> Sensitivity:
+    """What V and d, which the article does not state, do to the jump of its Figure 7b.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of a model with these three: ``theta0`` an ascending axis of at least two angles, and the rest scalars, but V and d.
+    V, d : array_like, one axis each, optional
+        Every V with every d; those of ``p`` where left out.
+    refine : int
+        How often to halve the interval that holds the jump.
+    **options
+        As for :func:`rms_sweep`, but ``store``.
+
+    Returns
+    -------
+    Sensitivity
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, as a ``theta0`` that is no ascending axis.
+
+    Notes
+    -----
+    The jump is where the RMS grows by the largest factor from one angle to the next; bisection keeps the half
+    with the larger one.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.motion.sweeps import sensitivity
+    >>> p = ss.Parameters.article(theta0=np.radians([38, 42, 46]))
+    >>> table = sensitivity(p, V=[0.5], d=[10.0], refine=3)
+    >>> np.round(np.degrees(table.theta0), 1)
+    array([[41.3]])
+    """
+    missing = [name for name in ("theta0", "V", "d") if name not in p.ranges]
+    if missing:
+        raise ModelError(f"{p.model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) takes any axes")
+    p.require("theta0")
+    angles = p.theta0
+    if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
+        raise ParameterError("theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))")
+    p.require(*(name for name, value in (("V", V), ("d", d)) if value is None))
+    speeds, creeps = np.atleast_1d(p.V if V is None else as_numbers("V", V), p.d if d is None else as_numbers("d", d))
+    p = p.replace(V=speeds[:, None, None], d=creeps[None, :, None])
+    sweep = rms_sweep(p, **options)
+    ratio = sweep.rms[..., 1:] / sweep.rms[..., :-1]
+    at = np.argmax(np.where(np.isnan(ratio), 0.0, ratio), axis=-1)[..., None]
+    low, high = angles[at], angles[at + 1]
+    before, after = (np.take_along_axis(sweep.rms, at + k, axis=-1) for k in (0, 1))
+    for _ in range(refine):
+        middle = (low + high) / 2
+        between = rms_sweep(p.replace(theta0=middle), **options).rms
+        upper = after * before > between**2
+        low, before = np.where(upper, middle, low), np.where(upper, between, before)
+        high, after = np.where(upper, high, middle), np.where(upper, after, between)
+    theta0, before, after = ((low + high)[..., 0] / 2, before[..., 0], after[..., 0])
+    return Sensitivity(speeds, creeps, theta0, before, after, float(np.max(high - low)) / 2, sweep)

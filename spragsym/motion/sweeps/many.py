@@ -1,0 +1,204 @@
+"""Many motions: RMS and final regime over parameters and initial states, resumable, on all cores."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from contextlib import closing
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...errors import ParameterError
+from ...files.journal import Record
+from ...files.stored import stored
+from ...models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, common_shape
+from ...progress import advance
+from ...questions import model_of
+from .. import batch_heyoka, integrators
+from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
+from ..trajectory import initial_state
+from . import workers as processes
+from .measure import MotionsOf, Settings, measured
+from .result import Results, Sweep
+from .workers import Workers
+
+#: Motions of one task at most, and their time in all; a few points are one task each.
+TOGETHER, TOGETHER_FOR = 1024, 2e5
+
+#: Tasks that every worker gets at least, where there are points enough.
+PARTS = 16
+
+
+def rms_sweep(
+    p: ParameterSet,
+    V: ArrayLike | None = None,
+    d: ArrayLike | None = None,
+    *,
+    t_end: float = 2000.0,
+    transient: float | None = None,
+    rtol: float = 1e-10,
+    backend: str | None = None,
+    max_steps: int = MAX_STEPS,
+    workers: Workers = 1,
+    progress: bool = False,
+    store: str | os.PathLike[str] | None = None,
+    **initial: ArrayLike,
+) -> Sweep:
+    """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
+
+    Parameters
+    ----------
+    p : Parameters of any model
+        Any shape.
+    V, d : array_like, optional
+        In place of those of ``p``, for models that have them. The article states neither.
+    x0, y0, vx0, vy0, … : array_like, optional
+        As for :func:`~spragsym.simulate`; they broadcast with ``p``.
+    t_end, transient : float
+        Until when to integrate, and what to leave out of every result, by default three quarters of it.
+    rtol : float
+        Relative tolerance.
+    backend : {"heyoka", "compiled", "scipy"}, optional
+        As for :func:`~spragsym.simulate`.
+    max_steps : int
+        As for :func:`~spragsym.simulate`; a motion that needs more has failed.
+    workers : int or map-like callable
+        Processes, −1 for one a core; or ``map(function, tasks)`` of an engine, which may give results or
+        futures with a ``result()``, in any order. A task is a point; of many points that heyoka integrates, up to 1024 of them.
+        Results are the same to the last bit for any.
+    progress : bool
+        Show a bar with the estimated end on stderr.
+    store : path, optional
+        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` task by task. The same call resumes
+        from there after a kill, and loads the file when it is finished. One process at a time may write to it.
+
+    Returns
+    -------
+    Sweep
+        x stands for the model's first coordinate, and y for the second.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        Before the work starts, for arguments that make no sense and files that cannot be written. A motion
+        that fails is NaN, with its reason, and stops nothing.
+    SweepError
+        For any failure that is not the motion's: memory, a package that is missing, a worker that was killed.
+        The store keeps what is finished.
+    StoreError
+        When the store is damaged, full, or being written by another process.
+
+    Notes
+    -----
+    Source: (8)–(11); the article's Figure 7b. Which equilibrium: with μ(V), (10), for μ₀, which is where the
+    motion can rest.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.motion.sweeps import Regime, rms_sweep
+    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 44])), V=0.5, d=10.0)
+    >>> np.round(sweep.rms, 1)
+    array([0.1, 0.2, 1.7])
+    >>> [Regime(code).name for code in sweep.regime]
+    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
+    """
+    from .problems import motions  # a room above this one
+
+    model, p = model_of(p), p.given(V=V, d=d)
+    p.require(*model.parameters)
+    inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
+    settings = settings_of(t_end, transient, rtol, backend, max_steps, model.backends)
+    return carried_out(Plan(inputs, settings, partial(motions, model), Results(model)), workers, progress, store)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A sweep before it is run: of which points, how each of them is integrated, and what its result is."""
+
+    inputs: dict[str, FloatArray]
+    settings: Settings
+    motions_of: MotionsOf
+    result: Results
+
+
+def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.PathLike[str] | None) -> Sweep:
+    """Run a sweep, or go on with one, or load it, if its file is there."""
+    inputs, settings, result = plan.inputs, plan.settings, plan.result
+    shape = common_shape({name: values.shape for name, values in inputs.items()})
+    points = _points(inputs, shape)
+    if not callable(workers):
+        processes.count(workers)  # before there is a journal
+    if store is None:
+        return result.made(inputs, shape, settings, _records(plan, points, workers, progress, {}, None))
+    key, size = result.fingerprint(inputs, settings), len(points)
+
+    def load(path: Path) -> Sweep:
+        return result.loaded(path, key, inputs, shape, settings)
+
+    def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> Sweep:
+        return result.made(inputs, shape, settings, _records(plan, points, workers, progress, done, keep))
+
+    return stored(store, key, size, 100_000 + 1000 * size, load, compute, Sweep.save)
+
+
+# -------------------------------------------------------------------------------------------- all the motions
+
+
+def settings_of(
+    t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int,
+    offered: tuple[str, ...],
+) -> Settings:  # fmt: skip
+    """What all motions of a sweep share, each of it checked."""
+    t_end = as_number("t_end", t_end, POSITIVE)
+    transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
+    if transient >= t_end:
+        raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
+    tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_steps(max_steps)
+    return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
+
+
+def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple[float, ...]]:
+    columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
+    return list(zip(*columns, strict=True))
+
+
+def _records(
+    plan: Plan,
+    points: list[tuple[float, ...]],
+    workers: Workers,
+    progress: bool,
+    done: dict[int, Record],
+    keep: Callable[[int, Record], None] | None,
+) -> list[Record]:
+    """Every record: those that are done, and the others, stored as they are computed."""
+    keep = done.__setitem__ if keep is None else keep
+    left = [i for i in range(len(points)) if i not in done]
+    size = _together(plan.settings, len(left), 1 if callable(workers) else processes.count(workers))
+    parts = [left[begin : begin + size] for begin in range(0, len(left), size)]
+    tasks = {number: tuple(points[i] for i in part) for number, part in enumerate(parts)}
+    found = processes.results(workers, partial(measured, plan.motions_of, plan.settings), tasks, partial(_told, plan))
+    with advance(progress, len(points), len(done)) as step, closing(found):
+        for number, records in found:
+            for i, record in zip(parts[number], records, strict=True):
+                keep(i, record)
+                step()
+    return [done[i] for i in range(len(points))]
+
+
+def _together(settings: Settings, count: int, workers: int) -> int:
+    """How many motions are one task: what a kill loses, and what every worker gets many of. No result depends on it."""
+    if settings.backend != "heyoka":  # which alone carries many at a time
+        return 1
+    lasting = max(batch_heyoka.LANES, int(TOGETHER_FOR / settings.t_end))
+    return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
+
+
+def _told(plan: Plan, points: tuple[tuple[float, ...], ...]) -> str:
+    first = ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, points[0], strict=True))
+    return first if len(points) == 1 else f"one of {len(points)} points, of which the first is {first}"

@@ -1,0 +1,92 @@
+"""What is measured of one motion of a sweep, or why there is nothing to measure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from ...files.journal import Record
+from ...models.parameters import FloatArray
+from .. import integrators
+from ..classify import classified
+from ..motions import Measured, Motions
+from ..problem import MAX_STEPS, out_of_range
+from ..regimes import Regime
+
+
+def averages(coordinates: Sequence[str]) -> tuple[str, ...]:
+    """What is measured of every motion after its transient: of the first coordinate, and means of the others."""
+    return ("rms", "spread", "largest", "mean", *(f"mean_{name}" for name in coordinates[1:]), "contact_lost", "slip_reversed")
+
+
+def limits(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
+    """What a record says, after those, about the limit of a motion: an equilibrium by its place, a cycle by one state."""
+    rest, cycle = (f"rest_{name}" for name in coordinates), (f"cycle_{name}" for name in (*coordinates, *rates))
+    return ("period", "rate", "distance", "cycle_mean", "cycle_rms", *rest, *cycle)
+
+
+def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
+    """Numbers that a file and a result hold, by names of the model; a record holds these, then the code of the regime."""
+    return (*averages(coordinates), *limits(coordinates, rates))
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What all motions of a sweep share."""
+
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+    max_steps: int = MAX_STEPS
+
+
+#: Motions of points whose values were validated with the whole sweep's, and why points have none, by their numbers; the
+#: motions are those of the other points, in order. To be sent to other processes.
+MotionsOf: TypeAlias = Callable[[Settings, Sequence[tuple[float, ...]]], tuple[Motions | None, dict[int, Exception]]]
+
+
+def measured(motions_of: MotionsOf, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
+    """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
+    found, reasons = motions_of(settings, points)
+    records: list[Record] = [_no_result(reasons[i]) if i in reasons else ([], "") for i in range(len(points))]
+    if found is not None:
+        with np.errstate(all="ignore"):  # numbers out of range show in the result
+            table, errors = _values(found, settings.backend)
+        places = (i for i in range(len(points)) if i not in reasons)
+        for row, (i, values) in enumerate(zip(places, table.tolist(), strict=True)):
+            records[i] = _no_result(errors[row]) if row in errors else (values, "")
+    return records
+
+
+def _no_result(error: Exception) -> Record:
+    error = out_of_range() if isinstance(error, ArithmeticError) else error
+    return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
+
+
+def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Exception]]:
+    """What records of motions hold, a row each, and why there is none."""
+    found, names, n = integrators.measure(motions, backend), motions.field.components, len(motions.field.coordinates)
+    first, told = _averages(found), (*limits(names[:n], names[n:]), "regime")
+    table, errors = np.full((len(motions), len(first) + len(told)), np.nan), found.errors.copy()
+    table[:, : len(first)] = first.T
+    table[:, -1] = Regime.UNSETTLED
+    for row in np.flatnonzero(~np.isfinite(first).all(axis=0)).tolist():
+        errors.setdefault(row, out_of_range())
+    for row, outcome in classified(found, motions, backend):
+        if isinstance(outcome, Exception):
+            errors.setdefault(row, outcome)
+        else:
+            table[row, len(first) :] = [getattr(outcome, name) for name in told]
+    return table, errors
+
+
+def _averages(found: Measured) -> FloatArray:
+    """The measured values after the transient, in the order of :func:`averages`."""
+    mean, spread, *others = found.averages
+    lost, _, *reversals = found.events.T
+    largest = np.maximum(np.abs(found.low), np.abs(found.high))
+    return np.array([np.hypot(mean, spread), spread, largest, mean, *others, lost, sum(reversals)])

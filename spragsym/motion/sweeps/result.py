@@ -1,0 +1,239 @@
+"""The result of a sweep: made of the records of its motions, written to a file and loaded from it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...display import Result
+from ...files import storage
+from ...files.journal import Record
+from ...models.parameters import FloatArray, degrees
+from ...names import hint
+from .. import integrators
+from ..regimes import Outcome, Regime
+from . import code
+from .measure import Settings, reported
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep(Result):
+    """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
+
+    Attributes
+    ----------
+    inputs : dict of str to ndarray
+        The model's parameters and initial state as they were given, which broadcast together; for the article's θ₀, μ₀, κ, α,
+        σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's first coordinate, and y stands for every other one.
+    measured : dict of str to ndarray
+        What follows, up to ``distance``; each is an attribute of its name.
+    rms, spread, largest, mean, mean_y : ndarray
+        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
+        means of x and y.
+    contact_lost, slip_reversed : ndarray
+        How often, after the transient.
+    period, cycle_mean, cycle_rms : ndarray
+        Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of x about zero, over
+        one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they depend on no window.
+    cycle_x, cycle_y, cycle_vx, cycle_vy : ndarray
+        State of that cycle where its x is largest, or 0 if x turns around; NaN for no cycle.
+    rest_x, rest_y : ndarray
+        Where the equilibrium is that the motion is at or approaches; NaN for none.
+    rate, distance : ndarray
+        In the long run a motion nears what it settles to or approaches as exp(−rate τ); ``distance`` is what is left of the
+        way at ``t_end``, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.motion.regimes.Outcome`.
+    regime : ndarray of int8
+        Codes of :class:`Regime`.
+    equilibrium : ndarray of int8
+        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its slot among ``equilibria(p)`` in contact at the friction
+        μ(V); −1 otherwise.
+    reason : ndarray of str
+        Why a motion failed.
+    model : Model
+        The model.
+    """
+
+    table_codes: ClassVar[Mapping[str, type[Regime]]] = {"regime": Regime}
+
+    inputs: dict[str, FloatArray]
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+    max_steps: int
+    measured: dict[str, FloatArray]
+    regime: NDArray[np.int8]
+    equilibrium: NDArray[np.int8]
+    reason: NDArray[np.str_]
+    model: Any
+
+    def __getattr__(self, name: str) -> FloatArray:
+        measured: dict[str, FloatArray] = self.__dict__.get("measured", {})
+        if name not in measured:
+            raise AttributeError(f"a sweep has no {name!r}{hint(name, measured)}")
+        return measured[name]
+
+    @property
+    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+        return tuple(self.measured)
+
+    def outcome(self, index: Any) -> Outcome:
+        """What one motion comes to."""
+        names = (*self.model.coordinates, *self.model.rates)
+        rest, cycle = (
+            tuple(float(self.measured[f"{what}_{name}"][index]) for name in places)
+            for what, places in (("rest", self.model.coordinates), ("cycle", names))
+        )
+        known = {name: float(self.measured[name][index]) for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")}
+        regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
+        at_rest, on_cycle = not np.isnan(rest[0]), not np.isnan(cycle[0])
+        return Outcome(regime, which, rest if at_rest else (), cycle=cycle if on_cycle else (), names=names, **known)
+
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
+
+        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, …. θ₀ is there
+        in radians and, as ``theta0_deg``, in degrees.
+        """
+        dims = _dimensions(self.inputs, self.rms.shape)
+        # A single number stays one, an axis becomes a coordinate, and a table keeps the full shape.
+        inputs = {
+            name: ((), float(values.flat[0])) if values.size == 1
+            else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
+            else (dims, np.broadcast_to(values, self.rms.shape).copy())
+            for name, values in self._inputs().items()
+        }  # fmt: skip
+        results = {name: (dims, values) for name, values in self._results().items()}
+        results["reason"] = (dims, self.reason.astype(object))
+        dataset = storage.xarray().Dataset(results, coords=inputs, attrs=self._attributes())
+        for name in dataset.variables:
+            dataset[name].attrs = storage.attributes(name, self.explained)
+        dataset["regime"].attrs |= {
+            "flag_values": np.array(list(Regime), dtype=np.int8),
+            "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
+        }
+        return dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
+        storage.write(Path(path), self.to_dataset, self._columns, self._attributes(), self.explained)
+
+    @property
+    def angles(self) -> tuple[str, ...]:
+        """Inputs that are angles."""
+        return tuple(self.model.about["angles"])
+
+    @property
+    def explained(self) -> Mapping[str, tuple[str, str]]:
+        """Unit and meaning of every input and result."""
+        explained: Mapping[str, tuple[str, str]] = self.model.quantities
+        return explained
+
+    @property
+    def how(self) -> Results:
+        """How this sweep is made, fingerprinted and loaded."""
+        return Results(self.model)
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
+        return inputs | self._results() | {"reason": self.reason}
+
+    def _results(self) -> dict[str, NDArray[Any]]:
+        return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium}
+
+    def _inputs(self) -> dict[str, FloatArray]:
+        """The inputs, every angle in degrees beside it in radians."""
+        known = {}
+        for name, values in self.inputs.items():
+            known[name] = values
+            if name in self.angles:
+                known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
+        return known
+
+    def _attributes(self) -> dict[str, Any]:
+        settings = Settings(self.t_end, self.transient, self.rtol, self.backend, self.max_steps)
+        return {
+            **storage.provenance(),
+            "model": self.model.name,
+            **vars(settings),
+            "fingerprint": self.how.fingerprint(self.inputs, settings),
+        }
+
+
+@dataclass(frozen=True)
+class Results:
+    """How the result of a sweep of a model is made, fingerprinted and loaded."""
+
+    model: Any
+
+    def fingerprint(self, inputs: dict[str, FloatArray], settings: Settings) -> str:
+        """A hash of everything that decides the bits of a result."""
+        versions = {
+            "integrator": integrators.version(settings.backend),
+            "code": code.digest("models"),
+            "numpy": np.__version__,  # its eigenvalues tell what is approached
+        }
+        return storage.fingerprint(inputs, {**vars(settings), **versions, **self.identity()})
+
+    def made(self, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
+        """The sweep of these records."""
+        names = (*self.reported, "regime")
+        table = np.array([values or [np.nan] * len(names) for values, _ in records]).reshape(-1, len(names))
+        measured = {name: column.reshape(shape) for name, column in zip(names, table.T, strict=True)}
+        regime = measured.pop("regime")
+        results: dict[str, Any] = {"measured": measured}
+        results["regime"] = np.where(np.isnan(regime), Regime.FAILED, regime).astype(np.int8)
+        results["equilibrium"] = self.equilibrium(inputs, np.array([measured[f"rest_{name}"] for name in self.model.coordinates]))
+        results["reason"] = np.array([reason and storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
+        return self.sweep(inputs, settings, results)
+
+    def loaded(self, path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
+        """The sweep that a file holds, if it is this one."""
+        columns = storage.read_own(path, key)
+        kinds = {"regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
+        results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
+        results["measured"] = {name: columns[name].astype(float).reshape(shape) for name in self.reported}
+        return self.sweep(inputs, settings, results)
+
+    def identity(self) -> dict[str, Any]:
+        """What of the model decides the bits of a result."""
+        about = self.model.about
+        return {"model": about["name"], "files": about["files"], "page": about["source"], "own": sorted(self.model.closed)}
+
+    @property
+    def reported(self) -> tuple[str, ...]:
+        """Names of what is measured."""
+        return reported(self.model.coordinates, self.model.rates)
+
+    def equilibrium(self, inputs: dict[str, FloatArray], places: FloatArray) -> NDArray[np.int8]:
+        """Slots of the equilibria at places, shape (n, …)."""
+        p = self.model.Parameters(**{name: inputs[name] for name in self.model.parameters})
+        from ...statics.search import rest_index  # a room above this one
+
+        return rest_index(p, places)
+
+    def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:
+        """The sweep itself."""
+        return Sweep(inputs, **vars(settings), **results, model=self.model)
+
+
+def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """A name for every axis: the input that alone varies along it, and along no other axis."""
+
+    def axes(values: FloatArray) -> tuple[int, ...]:
+        lead = len(shape) - values.ndim
+        return tuple(lead + i for i, size in enumerate(values.shape) if size > 1)
+
+    along = {name: axes(values) for name, values in inputs.items()}
+    names = []
+    for axis in range(len(shape)):
+        candidates = [name for name, varied in along.items() if axis in varied]
+        alone = len(candidates) == 1 and along[candidates[0]] == (axis,)
+        names.append(candidates[0] if alone else f"axis_{axis}")
+    return tuple(names)

@@ -1,0 +1,315 @@
+"""One function over many points: in this process, in others, or by a map-like callable of the user's.
+
+The processes are not those of ``multiprocessing``: they import spragsym and nothing of the user's, so that no script
+needs ``if __name__ == "__main__":`` and none can start itself again. Each has pipes of its own and shares no lock
+with another: one that is killed is noticed by the end of its pipe, at once. One whose parent is killed ends by the
+same sign.
+"""
+
+from __future__ import annotations
+
+import base64
+import os
+import pickle
+import queue
+import signal
+import subprocess
+import sys
+import threading
+import traceback
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from functools import partial
+from typing import Any, TypeAlias
+
+from ...errors import ParameterError, ParameterTypeError, SweepError
+from ...interrupts import heard
+
+Map: TypeAlias = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
+
+#: An int, or a map-like callable such as ``pool.imap`` or the ``map`` of a dask.distributed client.
+Workers: TypeAlias = int | Map
+
+#: A point with its number; and its outcome: the number, the result, and the error if there is no result.
+Task: TypeAlias = tuple[int, Any]
+Answer: TypeAlias = tuple[int, Any, str]
+
+
+def count(workers: int) -> int:
+    """How many processes."""
+    if isinstance(workers, bool) or not isinstance(workers, int):
+        raise ParameterTypeError(f"workers = {workers!r} is neither an int nor a map-like callable")
+    if workers == -1:
+        return os.cpu_count() or 1
+    if workers < 1:
+        raise ParameterError(f"workers = {workers} is neither positive nor -1, which stands for one a core")
+    return workers
+
+
+def results(
+    workers: Workers, function: Callable[[Any], Any], points: Mapping[int, Any], told: Callable[[Any], str] = str
+) -> Generator[tuple[int, Any], None, None]:
+    """Every number with the result of its point, once, in the order in which they are done; ``told`` names a point in an error.
+
+    To be closed, also after an error: processes end, and Ctrl-C is what it was, when it is.
+
+    Raises
+    ------
+    SweepError
+        When a point raises anything, a process ends, or a map-like callable gives what it should not.
+    KeyboardInterrupt
+        After Ctrl-C, also where a library turned it into another error or into none.
+    """
+    missing = set(points)
+    with heard() as check:
+        for answer in _answers(workers, partial(_attempt, function), list(points.items())):
+            check()
+            index, result, trouble = _checked(answer, missing)
+            if trouble:
+                raise _failed(told(points[index]), trouble)
+            missing.discard(index)
+            yield index, result
+        check()
+    if missing:
+        raise SweepError(f"the map given as workers left out {len(missing)} of {len(points)} points; give one that maps all")
+
+
+def _attempt(function: Callable[[Any], Any], task: Task) -> Answer:
+    """A result, or the error in words: not every error can be sent between processes."""
+    index, point = task
+    try:
+        return index, function(point), ""
+    except Exception as error:
+        return index, None, f"{type(error).__name__}: {' '.join(str(error).split())}\n{traceback.format_exc()}"
+
+
+def _failed(point: str, trouble: str) -> SweepError:
+    what, _, trouble = trouble.partition("\n")
+    error = SweepError(
+        f"stopped at {point}: {what}; no motion fails so: it is the machine, what is installed, or a mistake in spragsym"
+    )
+    error.add_note(trouble)
+    return error
+
+
+def _checked(answer: Any, missing: set[int]) -> Answer:
+    if not (isinstance(answer, tuple) and len(answer) == 3 and isinstance(answer[0], int) and answer[0] in missing):
+        raise SweepError(
+            f"the map given as workers gave {answer!r:.80}, which the function that it was given did not return, "
+            "or returned once only; give a map that returns every result"
+        )
+    return answer
+
+
+def _answers(workers: Workers, function: Callable[[Task], Answer], tasks: list[Task]) -> Iterator[Any]:
+    if callable(workers):
+        yield from _foreign(workers, function, tasks)
+    elif min(count(workers), len(tasks)) < 2:
+        yield from map(function, tasks)
+    else:
+        with pool(min(count(workers), len(tasks))) as own:
+            yield from own(function, tasks)
+
+
+def _foreign(workers: Map, function: Callable[[Task], Answer], tasks: list[Task]) -> Iterator[Any]:
+    try:
+        for item in workers(function, tasks):
+            yield item.result() if hasattr(item, "result") else item
+    except SweepError:
+        raise
+    except Exception as error:
+        raise SweepError(f"the map given as workers stopped with {type(error).__name__}: {error}") from error
+
+
+# ---------------------------------------------------------------------------------------------- processes: parent
+
+#: Run by every process, with the import path of its parent.
+_BOOT = (
+    "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); import ast, sys; "
+    "sys.path[:] = ast.literal_eval(sys.stdin.buffer.readline().decode('ascii')); "
+    "from spragsym.motion.sweeps.workers import serve; serve()"
+)
+
+#: Begins a message, which is a line (RFC 7464); any other line is what a library prints.
+_MARK = b"\x1e"
+
+
+@contextmanager
+def pool(size: int) -> Iterator[Map]:
+    """A map over processes, which begin when they are needed and end with the context. One map at a time."""
+    processes = [_Process() for _ in range(size)]
+    try:
+        yield partial(_map, processes)
+    finally:
+        for process in processes:
+            process.end()
+
+
+def _map(processes: list[_Process], function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
+    """Results as they come; a process that ends is an error at once. Left before its end, it ends all of them."""
+    tasks = list(items)
+    size = max(1, min(16, len(tasks) // (8 * len(processes))))
+    chunks: queue.SimpleQueue[list[Any]] = queue.SimpleQueue()
+    for begin in range(0, len(tasks), size):
+        chunks.put(tasks[begin : begin + size])
+    found: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    threads = [threading.Thread(target=_drive, args=(process, function, chunks, found), daemon=True) for process in processes]
+    left = len(tasks)
+    try:
+        for thread in threads:
+            thread.start()
+        while left:
+            try:
+                result = found.get(timeout=1.0)  # Windows notices Ctrl-C in between only
+            except queue.Empty:
+                continue
+            if isinstance(result, SweepError):
+                raise result
+            left -= 1
+            yield result
+    except BaseException:
+        for process in processes:
+            process.end()
+        raise
+    finally:
+        for thread in threads:
+            thread.join()
+
+
+def _drive(
+    process: _Process, function: Callable[[Any], Any], chunks: queue.SimpleQueue[list[Any]], found: queue.SimpleQueue[Any]
+) -> None:
+    """Let one process work on chunks until none is left."""
+    try:
+        while True:
+            for result in process.ask(function, chunks.get_nowait()):
+                found.put(result)
+    except queue.Empty:
+        return
+    except SweepError as error:
+        found.put(error)
+    except OSError as error:
+        found.put(SweepError(f"a worker process cannot be started: {error}; use fewer workers"))
+
+
+class _Process:
+    """A process that runs functions, begun at its first chunk."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._ended = False
+        self._child: subprocess.Popen[bytes] | None = None
+
+    def ask(self, function: Callable[[Any], Any], chunk: list[Any]) -> Iterator[Any]:
+        """Results of a chunk, one after the other."""
+        child = self._begun()
+        assert child.stdin is not None
+        assert child.stdout is not None
+        said: list[bytes] = []
+        try:
+            child.stdin.write(_packed((function, chunk)))
+            child.stdin.flush()
+        except OSError:  # it has ended; its output is still to be read
+            pass
+        left = len(chunk)
+        while left:
+            line = child.stdout.readline()
+            if line.startswith(_MARK) and line.endswith(b"\n"):
+                yield _unpacked(line)
+                left -= 1
+            elif line:
+                said = [*said[-20:], line]
+            else:
+                raise SweepError(_epitaph(child.wait(), b"".join(said).decode(errors="replace")))
+
+    def end(self) -> None:
+        """Kill it: nothing is lost, since its results are here."""
+        with self._lock:
+            self._ended = True
+            child = self._child
+        if child is None:
+            return
+        child.kill()
+        child.wait()
+        for pipe in (child.stdin, child.stdout):
+            assert pipe is not None
+            with suppress(OSError):  # what was still to be sent is dropped
+                pipe.close()
+
+    def _begun(self) -> subprocess.Popen[bytes]:
+        with self._lock:
+            if self._ended:
+                raise SweepError("the processes of this map have ended; start another")
+            if self._child is None:
+                if not sys.executable:
+                    raise SweepError("this Python does not know its own executable, so it starts no others; use workers=1")
+                self._child = _begun()
+            return self._child
+
+
+def _begun() -> subprocess.Popen[bytes]:
+    call, pipe = [sys.executable, "-P", "-c", _BOOT], subprocess.PIPE
+    # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the others.
+    if sys.platform == "win32":
+        flags = subprocess.CREATE_NEW_PROCESS_GROUP
+        child = subprocess.Popen(call, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT, creationflags=flags)
+    else:
+        child = subprocess.Popen(call, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT, process_group=0)
+    assert child.stdin is not None
+    with suppress(OSError):  # it has ended already, which the reader notices
+        child.stdin.write(ascii([str(path) for path in sys.path]).encode() + b"\n")
+        child.stdin.flush()
+    return child
+
+
+def _epitaph(code: int, said: str) -> str:
+    """How a process ended, and its last words."""
+    lines = [line for line in said.splitlines() if line.strip()]
+    words = f", and its last words were {lines[-1].strip()!r}" if lines else ""
+    if code >= 0:
+        return f"a worker process ended with exit code {code}{words}; its work is not done"
+    try:
+        name = signal.Signals(-code).name
+    except ValueError:
+        name = f"signal {-code}"
+    why = ", as the system does when memory is short" if name == "SIGKILL" else ""
+    return f"a worker process was ended by {name}{why}{words}; with fewer workers each has more memory"
+
+
+def _packed(message: Any) -> bytes:
+    return _MARK + base64.b64encode(pickle.dumps(message)) + b"\n"
+
+
+def _unpacked(line: bytes) -> Any:
+    """What our own process at the other end of the pipe has sent; files are never read this way."""
+    return pickle.loads(base64.b64decode(line[1:-1]))  # noqa: S301 -- see above
+
+
+# ----------------------------------------------------------------------------------------------- processes: child
+
+
+def serve() -> None:
+    """Run what comes on stdin, and write to stdout, until stdin ends or breaks, because the parent is gone."""
+    asked: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+    threading.Thread(target=_listen, args=(asked,), daemon=True).start()
+    while True:
+        function, chunk = _unpacked(asked.get())
+        for item in chunk:
+            _say(_packed(function(item)))
+
+
+def _listen(asked: queue.SimpleQueue[bytes]) -> None:
+    """Always wait for input, so that this process ends with its parent, even in the middle of a motion."""
+    for line in sys.stdin.buffer:
+        asked.put(line)
+    os._exit(0)
+
+
+def _say(message: bytes) -> None:
+    """On a line of its own, whatever a library has printed."""
+    data = memoryview(b"\n" + message)
+    try:
+        while data:
+            data = data[os.write(1, data) :]
+    except OSError:
+        os._exit(0)

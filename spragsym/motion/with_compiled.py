@@ -1,0 +1,91 @@
+"""DOP853 as SciPy has it, step for step, in code that was compiled on installation: for machines without heyoka."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import metadata
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..generated import SOURCE_HASH
+from ..models.parameters import FloatArray
+from . import with_scipy
+from .field import GAP, WIDTH
+from .lobatto import unit_points
+from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
+from .solution import Crossing, Solution, assembled
+
+#: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
+CHUNK = 20_000
+ENDED, PASSED, FULL, TOO_SMALL, TOO_MANY = range(5)
+
+
+@cache
+def available() -> bool:
+    """Whether the extension module was built, and from the derivation that the rest of this package stands on."""
+    try:
+        from . import _carried
+    except ImportError:
+        return False
+    return SOURCE_HASH.startswith(_carried.SOURCE)
+
+
+def version() -> str:
+    """What decides the last bits of a result: the field, and the method's tables."""
+    return f"compiled {SOURCE_HASH[:16]}, DOP853 of scipy {metadata.version('scipy')}"
+
+
+@cache
+def _tables() -> FloatArray:
+    """The method's coefficients, which SciPy holds, one after the other."""
+    from scipy.integrate import DOP853 as method
+
+    parts = (method.A[:12, :12], method.B, method.C, method.E3, method.E5, method.A_EXTRA, method.C_EXTRA, method.D)
+    return np.concatenate([np.ravel(part) for part in parts]).astype(np.float64)
+
+
+def integrate(problem: Problem) -> Solution:
+    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    from . import _carried
+
+    unit = unit_points()
+    mode, state, elapsed, steps = initial_mode(problem), np.array(problem.start), 0.0, 0
+    constants = np.array(problem.constants)
+    length = with_scipy.first_step(problem, mode)
+    times, states = np.empty((CHUNK, unit.size)), np.empty((CHUNK, 4, unit.size))
+    pieces: list[tuple[FloatArray, FloatArray]] = []
+    crossings: list[Crossing] = []
+    while elapsed < problem.t_end:
+        # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
+        bound = problem.t_end - elapsed
+        clock = np.array([0.0, min(length, bound)])
+        outcome, border = FULL, 0
+        while outcome == FULL:
+            limits = np.array([problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, problem.max_steps - steps])
+            given = np.array([*mode, problem.reach, WIDTH, GAP])
+            outcome, border, made, kept = _carried.carry(
+                constants, given, limits, _tables(), unit, state, clock, times, states
+            )  # fmt: skip
+            steps += made
+            if kept:
+                pieces.append((elapsed + times[:kept], states[:kept].copy()))
+        _refuse(problem, outcome, elapsed + float(clock[0]), state)
+        elapsed, length = elapsed + float(clock[0]), float(clock[1])
+        if outcome == ENDED:
+            break
+        passed = problem.field.borders[border]
+        kind, mode = event_at(passed, upward=passed.sign(mode) < 0), passed.beyond(mode)
+        if kind is not None:
+            crossings.append(Crossing(elapsed, tuple(state.tolist()), kind))
+    found_times, found_states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
+    return assembled(found_times, found_states, crossings, problem.t_record)
+
+
+def _refuse(problem: Problem, outcome: int, t: float, state: FloatArray) -> None:
+    if outcome == TOO_MANY:
+        raise too_many_steps(problem, t)
+    if not np.isfinite(state).all():
+        raise out_of_range()
+    if outcome == TOO_SMALL:
+        raise ConvergenceError(f"DOP853 stopped at t = {t:.6g}: the step is too small; use a larger rtol")

@@ -1,0 +1,189 @@
+"""Pseudo-arclength continuation: the next closed orbit on a branch, through folds of the branch."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from ..motion.field import Field
+from ..motion.segment import Fly
+from ..motion.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, chorded, growth, looped, rate, recut, rounding, solved
+
+#: Largest angle between a step of a branch and its tangents, as its cosine.
+STRAIGHT = 0.97
+
+#: A branch is not followed to a value of the parameter by steps that are a smaller share of the way.
+LEAST_SHARE = 1e-3
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length.
+
+    ``plain`` is the integrator without derivatives, where that is much cheaper.
+    """
+
+    field: Field
+    fly: Fly
+    free: tuple[int, ...]
+    period: float
+    spans: tuple[float, ...]
+    plain: Fly | None = None
+
+    def weights(self, stretches: int) -> FloatArray:
+        """Weights of states, period and parameters in the length of the arc."""
+        size = stretches * self.field.size
+        return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
+
+
+@dataclass(frozen=True)
+class Point:
+    """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the branch's units."""
+
+    loop: Loop
+    tangent: FloatArray
+
+    @property
+    def coordinates(self) -> FloatArray:
+        """States and period."""
+        return self.loop.guess.vector
+
+
+def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
+    """A point with its tangent, turned so that it goes along a direction; by default to larger values of the parameter."""
+    matrix = np.vstack([loop.slopes(len(setting.free)), phase_row(setting, loop)])
+    weights = setting.weights(len(loop.guess.states))
+    _, _, vectors = np.linalg.svd(matrix / weights)
+    tangent = vectors[-1] / weights
+    if along is None:
+        along = np.zeros(len(tangent))
+        along[-1] = 1.0
+    if (tangent * weights) @ (along * weights) < 0:
+        tangent = -tangent
+    return Point(loop, tangent)
+
+
+def phase_row(setting: Setting, loop: Loop) -> FloatArray:
+    """The row of Newton's matrix that keeps the first state in the plane across the flow."""
+    row = np.zeros((1, loop.guess.states.size + 1 + len(setting.free)))
+    flow = rate(setting.field, loop.guess.states[0], loop.constants)
+    row[0, : setting.field.size] = flow / np.linalg.norm(flow)
+    return row
+
+
+def corrected(setting: Setting, point: Point, length: float, *, reach: float = np.inf) -> Point:
+    """The point on the branch a length of arc from a point, negative lengths backward."""
+    step = length * point.tangent
+    guess = point.loop.guess.moved(step, setting.free)
+    weights = setting.weights(len(guess.states))
+    target, phase = guess.coordinates(setting.free), phase_row(setting, point.loop)
+    arc = (point.tangent * weights**2)[None]
+    rows = np.vstack([phase, arc])
+
+    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        return rows @ (loop.guess.coordinates(setting.free) - target), rows
+
+    if setting.plain is not None:
+        guess = chorded(setting.field, setting.fly, setting.plain, guess, conditions, setting.free)
+    loop = solved(setting.field, setting.fly, guess, conditions, setting.free, reach=reach, iterations=7)
+    return point_of(setting, loop, point.tangent)
+
+
+def fixed(setting: Setting, loop: Loop) -> Loop:
+    """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
+    target, phase = loop.guess.coordinates(setting.free), phase_row(setting, loop)[:, :-1]
+
+    def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:
+        return phase @ (now.guess.coordinates(()) - target[:-1]), phase
+
+    found = solved(setting.field, setting.fly, loop.guess, conditions)
+    return looped(setting.field, setting.fly, found.guess, setting.free)
+
+
+def placed(setting: Setting, point: Point, step: FloatArray, value: float) -> Point:
+    """The point at a value of the first free parameter, near a step from another point."""
+    moved = point.loop.guess.moved(step, setting.free)
+    values = list(moved.values)
+    values[setting.free[0]] = value  # exactly, since there may be no parameters beyond
+    near = looped(setting.field, setting.fly, Guess(moved.states, moved.period, tuple(values)), setting.free)
+    return point_of(setting, fixed(setting, near), point.tangent)
+
+
+def along(setting: Setting, point: Point, value: float) -> Point:
+    """The point at a value of the free parameter on the same sheet of a branch, which may not turn back on the way.
+
+    By steps each of which agrees with the tangents at both of its ends: Newton's method alone may find another sheet, or another
+    branch. ConvergenceError where there is no such way.
+    """
+    now = point.loop.guess.values[setting.free[0]]
+    whole, direction = abs(value - now), 1.0 if value > now else -1.0
+    point, length = Point(point.loop, (1.0 if point.tangent[-1] * direction > 0 else -1.0) * point.tangent), whole
+    while now != value:
+        ahead = value if abs(value - now) <= length else now + direction * length
+        try:
+            step = (ahead - now) / float(point.tangent[-1]) * point.tangent
+            found = placed(setting, point, step, ahead)
+            agrees = found.tangent[-1] * direction > 0 and aligned(setting, point, found) > STRAIGHT
+        except (ConvergenceError, ZeroDivisionError):
+            agrees = False
+        if agrees:
+            now, point, length = ahead, cut_finer(setting, found), 2 * length
+        elif length < LEAST_SHARE * whole:
+            raise ConvergenceError(f"the cycle ends near {setting.field.parameters[setting.free[0]]} = {now:.10g} on the way")
+        else:
+            length /= 3
+    return point
+
+
+def cut_finer(setting: Setting, point: Point) -> Point:
+    """The same point in more stretches, where the derivatives over one of them have grown large."""
+    loop = point.loop
+    pieces = len(loop.guess.states)
+    if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
+        return point
+    finer = looped(setting.field, setting.fly, recut(loop, setting.fly, 2 * pieces), setting.free)
+    # The old tangent by its first state, period and parameter.
+    along = np.zeros(finer.guess.states.size + 1 + len(setting.free))
+    size = setting.field.size
+    along[:size], along[finer.guess.states.size :] = point.tangent[:size], point.tangent[loop.guess.states.size :]
+    return point_of(setting, finer, along)
+
+
+def uncertainty(setting: Setting, point: Point) -> float:
+    """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
+    weights = setting.weights(len(point.loop.guess.states))
+    rows = np.vstack([point.loop.slopes(len(setting.free)), phase_row(setting, point.loop), (point.tangent * weights**2)[None]])
+    inverse = np.linalg.pinv(rows, rcond=1e-14)
+    return float(np.abs(inverse[-1]).sum()) * max(point.loop.missed, rounding(point.loop))
+
+
+def angle(setting: Setting, one: Point, other: Point) -> float:
+    """Cosine between two tangents."""
+    weights = setting.weights(len(one.loop.guess.states))
+    return float((one.tangent * weights) @ (other.tangent * weights))
+
+
+def between(setting: Setting, one: Point, other: Point) -> float:
+    """Length of the chord from one point to the other along the first one's tangent."""
+    weights = setting.weights(len(one.loop.guess.states))
+    way = other.loop.guess.coordinates(setting.free) - one.loop.guess.coordinates(setting.free)
+    return float((way * weights) @ (one.tangent * weights))
+
+
+def aligned(setting: Setting, one: Point, other: Point) -> float:
+    """The smaller cosine between the chord from one point to the other and the tangents at its ends; 1 for the same point."""
+    weights = setting.weights(len(one.loop.guess.states))
+    way = weights * (other.loop.guess.coordinates(setting.free) - one.loop.guess.coordinates(setting.free))
+    length = float(np.linalg.norm(way))
+    return min(float(way @ (weights * each.tangent)) / length for each in (one, other)) if length > 0 else 1.0
+
+
+def started(setting: Setting, guess: Guess) -> Point:
+    """The first point of a branch, from a closed orbit."""
+    loop = looped(setting.field, setting.fly, guess, setting.free)
+    if loop.missed > 1e-9:
+        raise ConvergenceError("a branch begins at a closed orbit")
+    return point_of(setting, loop)

@@ -1,0 +1,242 @@
+"""Attractors: the limit of a motion as a solution of an equation, and the same limit followed as a parameter varies.
+
+What a motion comes to is told by the classifier (:mod:`spragsym.motion.classify`). Here it becomes an equilibrium or a closed
+orbit by Newton's method, which can be followed to other values of the parameters and compared with another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from ..motion.field import Field, apart
+from ..motion.flows import carrier
+from ..motion.regimes import Outcome, Regime
+from .arclength import Setting, along, started
+from .finding import cycle_at
+from .orbit import Cycle, cycle_of
+from .saddles import equilibrium_near, linearization, rounding_of
+
+#: A motion is judged at the first of these times, and again at the next as long as it is undecided.
+JUDGED = (2000.0, 10_000.0, 40_000.0)
+
+#: Tolerances of motions, the second of which tells what rounding does to those of the first.
+TOLERANCES = (1e-12, 1e-13)
+
+#: Motions have parted beyond this; where they have, so many that begin within rounding are followed as well.
+PARTED, BESIDE = 1e-3, 4
+
+#: What a motion comes to, where that is told, and its word.
+KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
+
+#: Equilibria, and averages over cycles, that differ by less than this are one.
+SAME = 1e-6
+
+#: A cycle's state lies on another one, of the same averages, if it is nearer to its samples than this share of its extent.
+ON = 0.05
+
+#: An equilibrium that is followed moves by no more than this in one step.
+NEAR = 0.1
+
+#: Nor may the one at the middle of the step lie farther off the straight line, as a share of the step.
+BENT = 0.25
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a motion comes to, and when that was seen.
+
+    Attributes
+    ----------
+    outcome : Outcome
+    end : ndarray, shape (m,)
+        Where the motion is at ``t``.
+    t : float
+    otherwise : str
+        What a motion within rounding comes to, where that is something else.
+    """
+
+    outcome: Outcome
+    end: FloatArray
+    t: float
+    otherwise: str = ""
+
+    @property
+    def kind(self) -> Regime:
+        """EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED."""
+        return self.outcome.limit
+
+    @property
+    def decided(self) -> bool:
+        """Whether it is seen to come to an attractor."""
+        return self.kind in KINDS and not self.otherwise
+
+    def told(self) -> str:
+        """In words."""
+        return self._limit() + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
+
+    def _limit(self) -> str:
+        found = self.outcome
+        if self.kind == Regime.EQUILIBRIUM:
+            place = zip(found.names, found.rest, strict=False)
+            return "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in place)
+        if self.kind == Regime.LIMIT_CYCLE:
+            return f"a cycle of period {found.period:.6g}"
+        return "lift-off" if self.kind == Regime.LIFT_OFF else f"nothing that is decided by t = {self.t:g}"
+
+
+def judged(
+    field: Field, values: tuple[float, ...], start: FloatArray, backend: str, *, times: Sequence[float] = JUDGED,
+    rtol: float = 1e-12,
+) -> Verdict:  # fmt: skip
+    """What the motion from a state comes to, looked at later and later as long as that is undecided."""
+    state, begun = np.asarray(start, dtype=float), 0.0
+    for t_end in times:
+        motion = field.simulate(values, state, t_end - begun, backend=backend, rtol=rtol)
+        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
+        if verdict.decided:
+            break
+        state, begun = verdict.end, t_end
+    return verdict
+
+
+def surely(
+    field: Field, values: tuple[float, ...], start: FloatArray, verdict: Verdict, backend: str,
+    alike: Callable[[Verdict], bool],
+) -> Verdict:  # fmt: skip
+    """A verdict, or an undecided one where rounding decides it.
+
+    That is where motions by two tolerances part on their way, as irregular ones do, and the finer one, or one of some that
+    begin within rounding, comes to something that is not ``alike``.
+    """
+    if not verdict.decided:
+        return verdict
+    times = np.arange(0.0, verdict.t)
+    one, other = (field.simulate(values, start, verdict.t, backend=backend, rtol=rtol)(times) for rtol in TOLERANCES)
+    if not np.abs(one - other).max() > PARTED:
+        return verdict
+    for i in range(BESIDE + 1):
+        beside = judged(field, values, start + i * TOLERANCES[0], backend, rtol=TOLERANCES[0] if i else TOLERANCES[1])
+        if not beside.decided:  # it may only take longer
+            later = judged(field, values, beside.end, backend)
+            beside = replace(later, t=beside.t + later.t)
+        if not beside.decided or not alike(beside):
+            return replace(verdict, otherwise=beside.told())
+    return verdict
+
+
+@dataclass(frozen=True)
+class Attractor:
+    """A stable equilibrium or cycle; of lift-off the kind alone, which all of it shares."""
+
+    kind: Regime
+    values: tuple[float, ...]
+    state: FloatArray
+    orbit: Cycle | None = None
+
+
+def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> Attractor:
+    """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the one that was told."""
+    found = verdict.outcome
+    if verdict.kind == Regime.LIFT_OFF:
+        return Attractor(verdict.kind, values, verdict.end)
+    if verdict.kind == Regime.EQUILIBRIUM:
+        return _at_rest(field, values, equilibrium_near(field, values, np.array([*found.rest, *[0.0] * len(found.rest)])))
+    if verdict.kind != Regime.LIMIT_CYCLE:
+        raise ConvergenceError(f"the motion comes to {verdict.told()}")
+    orbit = cycle_at(field, values, np.array(found.cycle), found.period, backend)
+    if abs(orbit.period / found.period - 1) > 1e-3:
+        raise ConvergenceError(f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}")
+    return _stable(Attractor(verdict.kind, values, orbit.state, orbit))
+
+
+def followed(field: Field, known: Attractor, values: tuple[float, ...], backend: str) -> Attractor:
+    """The same attractor at another value of one parameter; ConvergenceError where it ends or is lost on the way."""
+    if known.kind == Regime.LIFT_OFF or known.values == values:
+        return Attractor(known.kind, values, known.state, known.orbit)
+    if known.orbit is not None:
+        orbit = followed_cycle(field, known.orbit, values, backend)
+        return _stable(Attractor(known.kind, values, orbit.state, orbit))
+    begin, end = np.array(known.values), np.array(values)
+
+    def at(share: float, near: FloatArray) -> FloatArray:
+        return equilibrium_near(field, tuple(((1 - share) * begin + share * end).tolist()), near)
+
+    state, share, step = known.state, 0.0, 1.0
+    while share < 1:
+        ahead = min(share + step, 1.0)
+        try:
+            middle = at((share + ahead) / 2, state)
+            place = at(ahead, middle)
+        except ConvergenceError:
+            place = middle = np.full_like(state, np.inf)
+        with np.errstate(invalid="ignore"):
+            moved, bent = np.abs(place - state).max(), np.abs(2 * middle - state - place).max()
+        if moved <= NEAR and bent <= BENT * moved + SAME:
+            state, share, step = place, ahead, 2 * step
+        elif step < 1e-3:
+            raise ConvergenceError("the equilibrium ends on the way")
+        else:
+            step /= 2
+    return _at_rest(field, values, state)
+
+
+def followed_cycle(field: Field, known: Cycle, values: tuple[float, ...], backend: str) -> Cycle:
+    """The same cycle at another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
+    (index,) = (i for i, (now, then) in enumerate(zip(known.values, values, strict=True)) if now != then)
+    fly, name = carrier(field, backend)
+    setting = Setting(field, fly, (index,), known.period, (abs(values[index] - known.values[index]),))
+    return cycle_of(along(setting, started(setting, known.loop.guess), values[index]).loop, fly, name)
+
+
+def limiting(field: Field, known: Attractor) -> tuple[FloatArray, FloatArray]:
+    """The Lyapunov exponents of an equilibrium or a cycle, largest first, and their errors.
+
+    Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is known.
+    """
+    if known.orbit is None:
+        rates = np.asarray(np.linalg.eigvals(linearization(field, known.values, known.state)).real, dtype=float)
+        errors = np.zeros(len(rates))
+    else:
+        sizes = np.abs(known.orbit.multipliers)
+        off = np.array([0.0, *known.orbit.multiplier_errors])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            rates = np.asarray(np.log(sizes) / known.orbit.period, dtype=float)
+            errors = np.where(off < sizes, -np.log1p(-off / sizes) / known.orbit.period, np.inf)
+        rates[0] = 0.0
+    order = np.argsort(-rates, kind="stable")
+    return np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
+
+
+def same(field: Field, one: Attractor, other: Attractor) -> bool:
+    """Whether two attractors at the same values of the parameters are one."""
+    if one.kind != other.kind or one.kind == Regime.LIFT_OFF:
+        return one.kind == other.kind
+    if one.orbit is None or other.orbit is None:
+        return bool(np.abs(apart(one.state, other.state, field.around)).max() < SAME * (1 + np.abs(one.state).max()))
+    return same_cycle(one.orbit, other.orbit)
+
+
+def same_cycle(one: Cycle, other: Cycle) -> bool:
+    """Whether two cycles at the same values of the parameters are one."""
+    size = max(one.amplitude, other.amplitude)
+    if abs(one.period / other.period - 1) >= SAME or max(abs(one.rms - other.rms), abs(one.mean - other.mean)) >= SAME * size:
+        return False
+    return bool(np.abs(apart(one.samples.states.T, other.state, one.field.around)).max(axis=1).min() < ON * size)
+
+
+def _at_rest(field: Field, values: tuple[float, ...], state: FloatArray) -> Attractor:
+    matrix = linearization(field, values, state)
+    if np.linalg.eigvals(matrix).real.max() > rounding_of(matrix):
+        raise ConvergenceError("the equilibrium loses its stability on the way")
+    return Attractor(Regime.EQUILIBRIUM, values, state)
+
+
+def _stable(found: Attractor) -> Attractor:
+    if found.orbit is None or not found.orbit.stable:
+        raise ConvergenceError("the cycle loses its stability on the way")
+    return found

@@ -1,0 +1,380 @@
+"""The flow of a piecewise smooth field in ball arithmetic: enclosures of a trajectory and of the derivative of the flow.
+
+A set of states is carried as a point, known to a ball, and a matrix that encloses the derivative by the start over all of
+the starts: by the mean value theorem a start that is off by δ is at point + matrix δ. Every step is a Taylor polynomial with
+a bound on what is left out: on a polydisc of radii R_i about the states the field is at most F_i, so that the solution is
+analytic for |t| < ρ = min R_i / F_i and its coefficients are at most R_i ρ^−k (Cauchy). Where a border is crossed, all
+trajectories are shown to cross once within a window of 2 η, in which the field changes by no more than its Lipschitz constant
+times η.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, arb, arb_mat, ctx
+
+from ..errors import ParameterError
+from ..motion.field import Field, Mode
+from ..numerics.jets import gradient, variables
+from .jets import XP, Jet
+
+#: Radii of convergence that are tried.
+TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)
+
+#: Steps are this share of the radius of convergence that is proved.
+SHARE = 1 / 7
+
+#: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it multiplies what is left out.
+STEEPEST = 20
+
+#: A window within which something happens, in units of how long it takes by itself.
+APART = 2
+
+#: The least window of one orbit, in those of the set.
+NARROWER = 1e-3
+
+#: Halvings of a step in which a border might be met.
+DEEPEST = 40
+
+
+class NotProved(Exception):
+    """What could not be shown."""
+
+
+class TooWide(NotProved):
+    """What a smaller set of starts, carried with more digits, may show."""
+
+
+@contextmanager
+def bits(count: int) -> Iterator[None]:
+    """Balls of ``count`` bits for as long as the context lasts."""
+    before = ctx.prec
+    ctx.prec = count
+    try:
+        yield
+    finally:
+        ctx.prec = before
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Of Taylor polynomials: their order, and the bits of their coefficients."""
+
+    order: int
+    bits: int
+
+
+@dataclass
+class Balls:
+    """A set of states in balls: a point, the derivative by the start, and how far the starts are off.
+
+    The point is carried as accurately as ``fine`` says. What multiplies the small deviations, the derivative, need be no more
+    accurate than ``rough``, which costs far less.
+    """
+
+    field: Field
+    constants: list[Any]
+    fine: Accuracy
+    rough: Accuracy
+    point: list[Any]
+    matrix: Any
+    start: list[Any]
+    mode: Mode
+
+    @property
+    def box(self) -> list[Any]:
+        """All states."""
+        return _moved(self.point, self.matrix * arb_mat([[each] for each in self.start]))
+
+    # ------------------------------------------------------------------------------------------ smooth steps
+
+    def carry(self, duration: Any) -> None:
+        """Carry all states on within the mode, which none may leave; only onward."""
+        if not duration >= 0:
+            raise ParameterError(f"duration = {duration} is not certainly 0 or more; a set of states is carried onward only")
+        left = duration
+        while left > 0:
+            box = self.box
+            radius, bounds, slope = self._disc(box)
+            step = left.min(_exact(radius * SHARE))
+            step = left if left < 1.2 * step and left < radius / 4 else step
+            self._step(box, step, radius, bounds, slope)
+            left = left - step
+            if not left.is_exact():
+                raise NotProved("time could not be kept exactly: the steps have become as short as its last bit")
+
+    def _step(self, box: list[Any], step: Any, radius: Any, bounds: list[Any], slope: Any) -> None:
+        ratio = arb((step / radius).abs_upper())
+        middle, m = [value.mid() for value in self.point], self.field.size
+        center = solution(self.field, middle, self.constants, self.mode, self.fine.order)
+        with bits(self.rough.bits):
+            tail = _left_out(ratio, self.rough)
+            within = solution(self.field, box, self.constants, self.mode, self.rough.order)
+            derivative = _fundamental(self.field, within, self.constants, self.mode, self.rough.order, step)
+            derivative += arb_mat(m, m, [_around((slope * radius).exp() * tail)] * (m * m))
+            self.matrix = derivative * self.matrix
+        # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
+        off = derivative * arb_mat([[value - mid] for value, mid in zip(self.point, middle, strict=True)])
+        left_out = _left_out(ratio, self.fine)
+        ends = [polynomial(jet, self.fine.order, step) + _around(bound * left_out)
+                for jet, bound in zip(center, bounds, strict=True)]  # fmt: skip
+        self.point = _moved(ends, off)
+        self._stays(_Piece(within, [bound * tail for bound in bounds], self.rough.order, step, box, self.box))
+
+    def _disc(self, box: list[Any], mode: Mode | None = None) -> tuple[Any, list[Any], Any]:
+        """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
+        n, mode = len(self.field.coordinates), mode or self.mode
+
+        def disc(radii: list[Any]) -> list[Any]:
+            return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
+
+        def sizes(radii: list[Any]) -> list[Any]:
+            about = disc(radii)
+            rates = [*about[n:], *self.field.acceleration(about, self.constants, mode, XP)]
+            return [abs(acb(rate)).abs_upper() for rate in rates]
+
+        if not all(value.rad() < 1e-2 for value in box):
+            raise TooWide("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
+        # The square root in L is analytic there: a disc about a positive number that meets its cut holds 0, and 1/L is infinite.
+        still = sizes([arb(1e-3)] * len(box))
+        for length in TIMES:
+            radii = [arb(float(length * 1.1 * size.mid())) + arb(1e-3) for size in still]
+            for _ in range(6):
+                found = sizes(radii)
+                if not all(size.is_finite() for size in found):
+                    break
+                if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
+                    rows = slopes_at(self.field, disc(radii), self.constants, mode)
+                    slope = _most([arb(1), *(sum((abs(acb(v)).abs_upper() for v in row), arb(0)) for row in rows)])
+                    if length * slope < STEEPEST:
+                        return arb(length), radii, slope
+                    break
+                radii = [arb(float(length * 1.05 * size.mid())) + arb(1e-3) for size in found]
+        raise NotProved("the field could not be bounded about the orbit")
+
+    def _stays(self, piece: _Piece) -> None:
+        """Show that no state leaves the mode during a step."""
+        for border in self.field.borders:
+            if border.kink:
+                self._clear(border, piece, arb(0), piece.step, 0)
+
+    def _clear(self, border: Any, piece: _Piece, begin: Any, end: Any, depth: int) -> None:
+        state = piece.at(begin.union(end))
+        sign = border.sign(self.mode)
+        if sign * border.level(state, self.constants, self.mode) > 0:
+            return
+        accelerations = self.field.acceleration(state, self.constants, self.mode, XP)
+        rate = border.rate(state, accelerations, self.constants, self.mode)
+        if rate > 0 or rate < 0:
+            ends = [border.level(piece.at(t), self.constants, self.mode) for t in (begin, end)]
+            if all(sign * level > 0 for level in ends):
+                return
+        if depth >= DEEPEST:
+            if rate > 0 or rate < 0:
+                raise NotProved(f"the orbit meets {border.name} at a place where the cycle is said not to cross it")
+            raise NotProved(
+                f"whether the orbit meets {border.name} could not be decided near one place: it touches it there, or all "
+                "but; at a grazing no number of digits tells: move a parameter"
+            )
+        middle = ((begin + end) / 2).mid()
+        self._clear(border, piece, begin, middle, depth + 1)
+        self._clear(border, piece, middle, end, depth + 1)
+
+    # ------------------------------------------------------------------------------------------------ borders
+
+    def keeps_clear(self, states: list[Any], but: int = -1) -> None:
+        """Show that states are inside of all borders of the mode but one."""
+        for i, border in enumerate(self.field.borders):
+            if border.kink and i != but and not border.sign(self.mode) * border.level(states, self.constants, self.mode) > 0:
+                raise NotProved(f"{border.name} is too near to be told from what happens beside it")
+
+    def apart(self, index: int) -> Any:
+        """How far apart in time the states come to a border, about; not rigorous."""
+        border = self.field.borders[index]
+        middle = [value.mid() for value in self.point]
+        accelerations = self.field.acceleration(middle, self.constants, self.mode, XP)
+        speed = abs(arb(border.rate(middle, accelerations, self.constants, self.mode))).lower()
+        return arb(arb(border.level(self.box, self.constants, self.mode)).rad()) / speed
+
+    def cross(self, index: int, window: Any) -> None:
+        """Carry all states over a border, which each of them crosses once within the window."""
+        if not window > 0:
+            raise ParameterError(f"window = {window} is not positive; a set of states is carried onward only")
+        border, after = self.field.borders[index], self.field.borders[index].beyond(self.mode)
+        sign = border.sign(self.mode)
+        box, n = self.box, len(self.field.coordinates)
+        if not sign * border.level(box, self.constants, self.mode) > 0:
+            raise TooWide(f"that no state has met {border.name} yet could not be shown")
+        hull = [_widened(value, arb(1e-6)) for value in box]
+        self.keeps_clear(hull, but=index)
+        speeds, slopes, rates = [], [arb(1)], []
+        for mode in (self.mode, after):
+            accelerations = self.field.acceleration(hull, self.constants, mode, XP)
+            rates.append(border.rate(hull, accelerations, self.constants, mode))
+            speeds += [abs(value).abs_upper() for value in (*hull[n:], *map(arb, accelerations))]
+            rows = slopes_at(self.field, hull, self.constants, mode)
+            slopes += [sum((abs(arb(v)).abs_upper() for v in row), arb(0)) for row in rows]
+        speed, slope = _most(speeds), _most(slopes)
+        if not window * speed < arb(1e-6):
+            raise TooWide(
+                f"the states meet {border.name} too far apart in time; more digits would do it, unless it is only touched there"
+            )
+        if not all(sign * rate < 0 for rate in rates):
+            raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
+        self._cross_center(border, after, window, slope, speed)
+        m, spread = self.field.size, _around((window * slope).exp() - 1)
+        near_one = arb_mat(m, m, [(1 if i == j else 0) + spread for i in range(m) for j in range(m)])
+        self.matrix = near_one * self.matrix
+        if not sign * border.level(self.box, self.constants, self.mode) < 0:
+            raise TooWide(f"that every state has crossed {border.name} could not be shown")
+        self.mode = after
+
+    def _cross_center(self, border: Any, after: Mode, window: Any, slope: Any, speed: Any) -> None:
+        """The point alone, which crosses within the window: within a narrower one of its own.
+
+        Its level falls all the while, so before that one it is in the one mode, and after it in the other.
+        """
+        sign, n = border.sign(self.mode), len(self.field.coordinates)
+        level = arb(border.level(self.point, self.constants, self.mode))
+        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
+        due = level / arb(border.rate(self.point, fields[n:], self.constants, self.mode))
+        half = arb(float((window * NARROWER + APART * due.rad()).upper()))
+        lead = arb(float(abs(due).mid())) - half
+        if not (lead > 0 and lead + 2 * half < window):
+            raise TooWide(unknown(border))
+        self.point = self._alone(self.mode, lead)
+        if not sign * border.level(self.point, self.constants, self.mode) > 0:
+            raise TooWide(unknown(border))
+        mixed = 2 * half * slope * 2 * half * speed
+        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
+        self.point = [value + 2 * half * rate + _around(mixed) for value, rate in zip(self.point, fields, strict=True)]
+        if not sign * border.level(self.point, self.constants, self.mode) < 0:
+            raise TooWide(unknown(border))
+        self.point = self._alone(after, window - lead - 2 * half)
+
+    def _alone(self, mode: Mode, duration: Any) -> list[Any]:
+        """The point after a short while in a mode."""
+        radius, bounds, _ = self._disc(self.point, mode)
+        ratio = arb((duration / radius).abs_upper())
+        if not ratio < SHARE:
+            raise NotProved("the window of a crossing is longer than a step")
+        tail, order = _left_out(ratio, self.fine), self.fine.order
+        jets = solution(self.field, self.point, self.constants, mode, order)
+        return [polynomial(jet, order, duration) + _around(bound * tail) for jet, bound in zip(jets, bounds, strict=True)]
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """All states during a step: series in time, what these leave out, and the states at both ends, which are known better."""
+
+    series: list[Jet]
+    tails: list[Any]
+    order: int
+    step: Any
+    first: list[Any]
+    last: list[Any]
+
+    def at(self, t: Any) -> list[Any]:
+        """The states at a time, or over a ball of times."""
+        if t.is_exact() and (t == 0 or t == self.step):
+            return self.first if t == 0 else self.last
+        return [polynomial(each, self.order, t) + _around(tail) for each, tail in zip(self.series, self.tails, strict=True)]
+
+
+def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
+    """Of a Taylor polynomial, in units of the bound on the field: the step is ``ratio`` times the radius of convergence."""
+    return ratio ** (accuracy.order + 1) / (1 - ratio)
+
+
+def _moved(point: list[Any], off: Any) -> list[Any]:
+    """A point and a column of deviations."""
+    return [value + off[i, 0] for i, value in enumerate(point)]
+
+
+def unknown(border: Any) -> str:
+    """Why a crossing is not shown."""
+    return f"that {border.name} is crossed within a window could not be shown; more digits would do it, unless it is only touched"
+
+
+def slopes_along(field: Field, within: list[Jet], constants: list[Any], mode: Mode) -> list[list[Any]]:
+    """Derivatives of the accelerations by the state as series, one operation after the other.
+
+    The generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
+    """
+    accelerations = field.acceleration(variables(within, 1), constants, mode, XP)
+    return [gradient(acceleration, field.size) for acceleration in accelerations]
+
+
+def slopes_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> list[list[Any]]:
+    """These over all of a ball of states."""
+    rows = slopes_along(field, [Jet.constant(value) for value in state], constants, mode)
+    return [[value[0] if isinstance(value, Jet) else value for value in row] for row in rows]
+
+
+def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, order: int) -> list[Jet]:
+    """Taylor coefficients of the solution from a state."""
+    n = len(field.coordinates)
+    unknown = [Jet() for _ in state]
+    rates: list[Any] = [*unknown[n:], *field.acceleration(unknown, constants, mode, XP)]
+    for jet, value in zip(unknown, state, strict=True):
+        jet.known.append(value)
+    for k in range(order):
+        following = [rate[k] / (k + 1) for rate in rates]
+        for jet, value in zip(unknown, following, strict=True):
+            jet.known.append(value)
+    return unknown
+
+
+def _fundamental(field: Field, within: list[Jet], constants: list[Any], mode: Mode, order: int, step: Any) -> Any:
+    """The Taylor polynomial of the derivative of the flow at the end of a step."""
+    n, m = len(field.coordinates), field.size
+    rows = slopes_along(field, within, constants, mode)
+
+    def entry(value: Any, k: int) -> Any:
+        return value[k] if isinstance(value, Jet) else (value if k == 0 else 0)
+
+    slopes = [arb_mat(n, m, [entry(value, k) for row in rows for value in row]) for k in range(order)]
+    parts = [arb_mat(m, m, [int(i == j) for i in range(m) for j in range(m)])]
+    for k in range(order):
+        total = slopes[0] * parts[k]
+        for i in range(1, k + 1):
+            total += slopes[i] * parts[k - i]
+        # Speeds are the derivatives of positions: the upper half of the next one is the lower half of this.
+        parts.append(arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1)))
+    found = parts[-1]
+    for part in reversed(parts[:-1]):
+        found = found * step + part
+    return found
+
+
+def polynomial(jet: Jet, order: int, t: Any) -> Any:
+    """The Taylor polynomial of a series at a time."""
+    found = jet[order]
+    for k in range(order - 1, -1, -1):
+        found = found * t + jet[k]
+    return found
+
+
+def _around(radius: Any) -> Any:
+    """The ball about 0 that holds ±radius."""
+    return arb(0, arb(radius).abs_upper())
+
+
+def _widened(value: Any, radius: Any) -> Any:
+    return value + _around(radius)
+
+
+def _exact(value: Any) -> Any:
+    """A short number at most as large as a ball's."""
+    return arb(float(value.lower()) * (1 - 1e-12))
+
+
+def _most(values: list[Any]) -> Any:
+    found = values[0]
+    for value in values[1:]:
+        found = found.max(value)
+    return found.abs_upper()

@@ -1,0 +1,299 @@
+"""The proof of a cycle in balls: it runs as a process of its own, since python-flint's precision is one for all threads.
+
+``python -m spragsym.orbits.ball_proof`` reads a claim as JSON from standard input and writes what was proved to standard output.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import math
+import sys
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from flint import acb_mat, arb, arb_mat
+
+from ..errors import ParameterError
+from ..motion.field import Field, Mode
+from .ball_flow import APART, Accuracy, Balls, NotProved, TooWide, bits, polynomial, slopes_at, solution
+from .jets import XP
+
+#: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
+ROUNDS, GAINED = 14, 6
+
+#: Digits beyond those that are known, with which the next round works: what it gains.
+AHEAD = 12
+
+#: The derivative of the flow is carried as accurately as for so many digits, however many the orbit has.
+ROUGH = 60
+
+#: Half of the window in which a border is crossed, before the states tell: in units of the radius of the starts, and at most.
+WINDOW, WIDEST = 1e5, 1e-6
+
+#: Digits up to which more of them are tried than were asked for.
+ENOUGH = 25
+
+#: A derivative of the return that is as nearly singular as this is that of a fold: Newton's method has nothing to stand on.
+SINGULAR = 1e-14
+
+#: A border that is crossed at less than this speed is touched.
+SLOWEST = 1e-7
+
+
+def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
+    """What is shown of a claim: where its digits leave the box of starts too wide, with more of them, up to :data:`ENOUGH`."""
+    digits = int(claim["digits"])
+    while True:
+        try:
+            with bits(accuracy_for(digits).bits):
+                return {"digits": digits, **proved(field, claim | {"digits": digits})}
+        except TooWide as reason:
+            if digits >= ENOUGH:
+                raise NotProved(f"{reason} (of half width 1e-{digits}); give more digits") from reason
+            digits = min(math.ceil(1.5 * digits), ENOUGH)
+
+
+def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
+    """What is shown of a claim, all numbers exactly, as :func:`spoken`; within the bits of :func:`accuracy_for`."""
+    digits = int(claim["digits"])
+    radius, fine, rough = arb(10.0**-digits), accuracy_for(digits), accuracy_for(min(digits, ROUGH))
+    constants = list(field.constants([arb(value) for value in claim["values"]], XP))
+    state, period = [arb(value) for value in claim["state"]], arb(claim["period"])
+    n = len(field.coordinates)
+    moved = [i for i in range(field.size) if i != n]
+    state[n] = arb(0)  # exactly: the section is where the first coordinate is largest
+    mode = field.exact(field.initial_mode(claim["state"], field.constants(claim["values"])))
+    slopes = np.array(claim["slopes"])
+    if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
+        raise NotProved("a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone")
+    inverse = [[arb(value) for value in row] for row in np.linalg.inv(slopes).tolist()]
+    state, period, times = _refined(field, constants, state, period, mode, claim["crossings"], inverse, moved, digits)
+
+    start = [arb(0, radius) if i in moved else arb(0) for i in range(field.size)]
+    balls = Balls(field, constants, fine, rough, [value.mid() for value in state], _unit(field.size), start, mode)
+    clock = arb(0)
+    for index, time in times:
+        half = arb(min(float((radius * WINDOW).mid()), WIDEST))
+        for _ in range(2):  # the states tell how wide the window need be once they are near
+            before = arb(time - half).mid()
+            if before > clock:
+                balls.carry(_exactly(before - clock))
+                clock = before
+            if not time > clock:
+                raise NotProved(
+                    f"two borders are crossed so soon after each other that their windows of {2 * float(half.mid()):.1e} meet"
+                )
+            near = balls.apart(index)
+            if not APART * near < half:
+                break
+            half = arb(float(APART * near.mid()))
+        window = _exactly((2 * (time - clock)).mid())
+        balls.cross(index, window)
+        clock = _exactly(clock + window)
+    if not period > clock:
+        raise NotProved("a border is crossed where the orbit begins and ends; begin it elsewhere")
+    balls.carry(_exactly(period - clock))
+    if balls.mode != mode:
+        raise NotProved("the motion does not come back in the smooth piece in which it began")
+    return _krawczyk(balls, state, period, radius, inverse, moved)
+
+
+def accuracy_for(digits: int) -> Accuracy:
+    """With what a proof to ``digits`` digits works: beyond those, room for what an orbit magnifies.
+
+    Steps are a seventh of the radius of convergence, so that an order gives 0.845 digits.
+    """
+    return Accuracy(math.ceil(1.3 * digits) + 18, math.ceil(3.33 * (1.2 * digits + 45)))
+
+
+def _exactly(value: Any) -> Any:
+    if not value.is_exact():
+        raise NotProved("time could not be kept exactly: it is not a number")
+    return value
+
+
+def _unit(size: int) -> Any:
+    return arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
+
+
+# ------------------------------------------------------------------------------ the orbit to many digits, not yet proved
+
+
+def _refined(
+    field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]],
+    inverse: list[list[Any]], moved: list[int], digits: int,
+) -> tuple[list[Any], Any, list[tuple[int, Any]]]:  # fmt: skip
+    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
+
+    Each round works with as many digits as it may gain.
+    """
+    goal = arb(10) ** -(1.1 * digits + 6)
+    missed, slow, now = arb(1), 0, min(digits, 2 * AHEAD)
+    for _ in range(ROUNDS + digits // GAINED):
+        with bits(accuracy_for(now).bits):
+            end, times = _traced(field, constants, state, period, mode, crossings, now)
+        gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]
+        steps = [sum((row[j] * gaps[j] for j in range(len(gaps))), arb(0)).mid() for row in inverse]
+        for i, column in enumerate(moved):
+            state[column] = (state[column] - steps[i]).mid()
+        period = (period - steps[-1]).mid()
+        before, missed = missed, max((abs(gap) for gap in gaps), key=_size)
+        if now == digits and (missed < goal or (missed > before and before < arb(10) ** -(1.05 * digits))):
+            return state, period, times
+        slow = slow + 1 if not missed < before / 3 else 0
+        if slow > 1 or not missed < 1:
+            break
+        now = min(digits, max(now, math.ceil(AHEAD - math.log10(_size(missed)) if missed > 0 else digits)))
+    raise NotProved(
+        f"Newton's method in many digits does not converge from the cycle as given: it stays open by {_size(missed):.1e}"
+    )
+
+
+def _size(value: Any) -> float:
+    """A ball's middle in size; what is no number counts as infinite."""
+    size = abs(float(value.mid()))
+    return size if math.isfinite(size) else math.inf
+
+
+def _traced(
+    field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]], digits: int
+) -> tuple[list[Any], list[tuple[int, Any]]]:  # fmt: skip
+    """The end of one round to many digits, and when it crosses which border; not rigorous."""
+    clock, now, times, order = arb(0), list(state), [], accuracy_for(digits).order
+    least = arb(10) ** -(1.1 * digits + 16)
+    for about, border in [*((float(t), int(i)) for t, i in crossings), (None, -1)]:
+        target = period if about is None else arb(about)
+        if not target > clock:
+            raise NotProved("two crossings can't be told apart in time")
+        while True:
+            jets = solution(field, now, constants, mode, order)
+            size = max((abs(jet[order]).mid() for jet in jets), key=lambda ball: ball.mid())
+            reach = min(0.5 * float(((least / size) ** (arb(1) / order)).mid()), 1.0) if size > 0 else 1.0
+            left = target - clock
+            if float(left.mid()) <= reach:
+                break
+            now = [polynomial(jet, order, arb(reach)).mid() for jet in jets]
+            clock = (clock + arb(reach)).mid()
+        left = left.mid()
+        if about is not None:
+            that, begun = field.borders[border], left
+            for _ in range(10):
+                there = [polynomial(jet, order, left).mid() for jet in jets]
+                accelerations = field.acceleration(there, constants, mode, XP)
+                change = that.rate(there, accelerations, constants, mode)
+                level = that.level(there, constants, mode)
+                if not abs(change) > SLOWEST:
+                    raise NotProved(touched(that) if abs(level) < SLOWEST else uncrossed(that, float(about)))
+                left = (left - level / change).mid()
+                if not abs(left - begun) < 0.1:
+                    raise NotProved(uncrossed(that, float(about)))
+        now = [polynomial(jet, order, left).mid() for jet in jets]
+        clock = (clock + left).mid()
+        if about is not None:
+            times.append((border, clock))
+            mode = field.borders[border].beyond(mode)
+    return now, times
+
+
+def uncrossed(border: Any, about: float) -> str:
+    """Why there is no proof where the orbit goes another way."""
+    return (
+        f"in many digits the orbit does not cross {border.name} near t = {about:.6g}, where the cycle is said to: none like it "
+        "was found at these parameters"
+    )
+
+
+def touched(border: Any) -> str:
+    """Why there is no proof next to a grazing."""
+    return (
+        f"{border.name} is touched, or crossed at hardly any speed: next to a grazing the return has no derivative to stand on; "
+        "move a parameter"
+    )
+
+
+# -------------------------------------------------------------------------------------------------- the theorem
+
+
+def _krawczyk(
+    balls: Balls, state: list[Any], period: Any, radius: Any, inverse: list[list[Any]], moved: list[int]
+) -> dict[str, Any]:  # fmt: skip
+    """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
+    field, m = balls.field, balls.field.size
+    box, n = balls.box, len(balls.field.coordinates)
+    around = [value + arb(0, arb(1e-6)) for value in box]
+    balls.keeps_clear(around)
+    accelerations = field.acceleration(around, balls.constants, balls.mode, XP)
+    rates = [*around[n:], *map(arb, accelerations)]
+    rows = slopes_at(field, around, balls.constants, balls.mode)
+    slope = max([arb(1), *(sum((abs(arb(v)) for v in row), arb(0)) for row in rows)], key=lambda ball: float(ball.upper()))
+    if not all(abs(rate) * radius < arb(1e-6) for rate in rates):
+        raise NotProved("the period's ball is too wide")
+    # Over the ball of the period the derivative of the flow changes by no more than this share.
+    share = ((slope.abs_upper() * radius).exp() - 1).abs_upper()
+    sizes = [sum((abs(balls.matrix[k, j]).abs_upper() for k in range(m)), arb(0)) for j in range(m)]
+    monodromy = arb_mat(m, m, [balls.matrix[i, j] + arb(0, (share * sizes[j]).abs_upper()) for i in range(m) for j in range(m)])
+    gaps = [value - begun for value, begun in zip(balls.point, state, strict=True)]
+    corrections = [sum((inverse[i][k] * gaps[k] for k in range(m)), arb(0)) for i in range(m)]
+    widths = []
+    for i in range(m):
+        row = [
+            (1 if i == column else 0) - sum((inverse[i][k] * (monodromy[k, j] - int(k == j)) for k in range(m)), arb(0))
+            for column, j in enumerate(moved)
+        ]
+        row.append((1 if i == m - 1 else 0) - sum((inverse[i][k] * rates[k] for k in range(m)), arb(0)))
+        widths.append(sum((abs(value).abs_upper() for value in row), arb(0)) * radius)
+    inside = [abs(c).abs_upper() + w for c, w in zip(corrections, widths, strict=True)]
+    if not all(value < radius for value in inside):
+        worst = max(float((value / radius).mid()) for value in inside)
+        raise TooWide(f"Newton's operator does not map the box into itself: {worst:.3g} times its size")
+    return _told(balls, monodromy, state, period, inside)
+
+
+def _told(balls: Balls, monodromy: Any, state: list[Any], period: Any, inside: list[Any]) -> dict[str, Any]:
+    m = balls.field.size
+    try:
+        eigenvalues = acb_mat(m, m, [monodromy[i, j] for i in range(m) for j in range(m)]).eig()
+    except (ValueError, ArithmeticError):
+        eigenvalues = []
+    trivial = [i for i, value in enumerate(eigenvalues) if (value - 1).contains(0)]
+    others = [value for i, value in enumerate(eigenvalues) if i not in trivial]
+    stable = None
+    if len(trivial) == 1:
+        if all(abs(value) < 1 for value in others):
+            stable = True
+        elif any(abs(value) > 1 for value in others):
+            stable = False
+    ordered = sorted(others, key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
+    return {
+        "state": [spoken(value) for value in state], "period": spoken(period),
+        "error": max((spoken(value.upper()) for value in inside), key=Fraction),
+        "multipliers": [
+            [spoken(value.real), spoken(value.imag), max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction)]
+            for value in [*(eigenvalues[i] for i in trivial), *ordered]
+        ],
+        "stable": stable,
+    }  # fmt: skip
+
+
+def spoken(value: Any, part: str = "mid") -> str:
+    """The middle (or the radius) of a ball, every bit of it, as a fraction in text."""
+    mantissa, exponent = (int(number) for number in getattr(value, part)().man_exp())
+    return str(Fraction(mantissa) * Fraction(2) ** exponent)
+
+
+def main() -> None:
+    """Read a claim, write what was proved or why not."""
+    claim = json.load(sys.stdin)
+    try:
+        module, function, *given = claim["field"]
+        field = getattr(importlib.import_module(module), function)(*given)
+        found = {"proved": True, **shown(field, claim)}
+    except (NotProved, ParameterError) as reason:
+        found = {"proved": False, "reason": str(reason)}
+    json.dump(found, sys.stdout)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,359 @@
+"""Where the stable manifold of a divergent equilibrium meets a plane of starts, and where that bounds a basin."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
+from ..motion.field import Field
+from ..motion.flows import carrier, flow
+from ..motion.segment import Fly
+from ..motion.trajectory import state_of
+from ..progress import doing
+from ..questions import model_of
+from .attractors import Verdict, attractor, judged, same, surely
+from .saddles import Saddle, equilibrium_near, saddle_near, side
+
+#: Equilibria that differ by less than this are one.
+SAME = 1e-9
+
+#: How much longer the motion is followed in each refinement, in units of the saddle's time.
+MORE = 2.5
+
+#: To either side of a point it is looked what motions come to.
+ASIDE = 1e-6
+#: And at this share of that, where they differ there: basins may alternate beside the curve.
+NEARER = 0.25
+
+#: A refinement that moves the start by less than this is the last.
+SETTLED = 1e-11
+
+#: A step of Newton's method longer than this leads astray.
+FARTHEST = 0.2
+
+#: A start as far off the curve as the square of a step is followed until it is off the saddle by no more than this.
+BENT = 0.1
+
+#: Cosine of the largest angle between a step and the curve's tangent.
+STRAIGHT = 0.95
+
+
+@dataclass(frozen=True, eq=False)
+class BasinBoundary(Result):
+    """A curve of starts in a plane from which a motion goes to the divergent equilibrium: its stable manifold.
+
+    Motions from both sides of the curve leave the equilibrium to different sides. Whether they come to different attractors is
+    another question, since a motion that is turned back at first may go over later: ``boundary`` is true only where they do.
+
+    Attributes
+    ----------
+    plane : tuple of str
+    points : ndarray, shape (n, 2)
+        In order along the curve.
+    error : ndarray, shape (n,)
+        How much the last refinement moved them.
+    boundary : ndarray of bool, shape (n,)
+        Whether starts 1e-6 to either side of a point, across the curve, come to different attractors, and to the same two at a
+        quarter of that. What is not is manifold, with one basin on both sides, or undecided.
+    sides : ndarray of str, shape (n, 2)
+        What they come to, in words: where the part along the saddle's direction of growth becomes negative, and where positive;
+        and what nearer starts come to, where that is something else.
+    saddle : ndarray, shape (m,)
+        The equilibrium.
+    growth : float
+        Its eigenvalue.
+    how : tuple of str
+        Why the curve ends, at its first and at its last point.
+    """
+
+    plane: tuple[str, str]
+    points: FloatArray
+    error: FloatArray
+    boundary: NDArray[np.bool_]
+    sides: NDArray[np.str_]
+    saddle: FloatArray
+    growth: float
+    how: tuple[str, str]
+
+
+def basin_boundary(
+    p: ParameterSet, *, V: float | None = None, d: float | None = None, plane: tuple[str, str] | None = None, start: Any = None,
+    saddle: Any = None, to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
+    backend: str | None = None,
+) -> BasinBoundary:  # fmt: skip
+    """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
+
+    Parameters
+    ----------
+    p : Parameters of any model
+        Scalars, where there is a divergent equilibrium; in the article's model that is where there are three.
+    V, d : float, optional
+        In place of those of ``p``.
+    plane : tuple of str, optional
+        Two of the coordinates and rates, as x, y, vx, vy; the others are those of ``start``. The first coordinate and its rate
+        unless told otherwise.
+    start : array_like, optional
+        A state in the plane, 0 where it is left out; the curve is looked for along the first direction of the plane, from the
+        equilibrium on.
+    saddle : array_like, optional
+        Coordinates near the equilibrium; needed where there are several.
+    to : pair of ranges, optional
+        Of the two; by default 3 to either side of the equilibrium, and 1 for speeds.
+    step : float
+        Between neighbours on the curve.
+    points : int
+        Most points either way.
+
+    Returns
+    -------
+    BasinBoundary
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and unless there is one divergent equilibrium, near ``saddle`` if that is given.
+
+    Notes
+    -----
+    A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
+    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the manifold,
+    and on the boundary of a basin where ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and
+    far folds of it are not followed. Where folds lie closer than ``step``, the walk may pass from one to the next: a smaller
+    step tells.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(40))
+    >>> found = ss.basin_boundary(p, V=0.5, d=10.0, step=0.1, points=1)
+    >>> found.points.round(3).tolist()
+    [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
+    >>> found.boundary.tolist(), found.sides[0].tolist()
+    ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
+    """
+    model, p = model_of(p), p.given(V=V, d=d)
+    field, values, names = model.field, p.scalars(*p.ranges), (*model.coordinates, *model.rates)
+    plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
+    if len(plane) != 2 or plane[0] == plane[1] or any(name not in names for name in plane):
+        raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
+    axes = (names.index(plane[0]), names.index(plane[1]))
+    known = _saddle(model, p, values, saddle)
+    fly, name = carrier(field, backend)
+    widths = [3.0 if axis < len(field.coordinates) else 1.0 for axis in axes]
+    ranges = to or tuple((known.state[a] - w, known.state[a] + w) for a, w in zip(axes, widths, strict=True))
+    plain = flow(field, name, derivatives=False).fly
+    step, points = as_number("step", step, POSITIVE), as_count("points", points)
+    walk = _Walk(field, fly, plain, values, known, axes, ranges, step, points)
+    first, error, span = walk.begun(state_of(model, start))
+    ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
+    found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
+    sides = [_told_sides(walk, name, each, span) for each, _ in found]
+    return BasinBoundary(
+        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]),
+        np.array([differ for differ, _ in sides]), np.array([told for _, told in sides]), known.state, known.growth,
+        (ways[0][1], ways[1][1]),
+    )  # fmt: skip
+
+
+def _told_sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tuple[bool, list[str]]:
+    """Whether the sides of a point lie in different basins, also nearer by, and what starts there come to, in words."""
+    field, values = walk.field, walk.values
+    both = _sides(walk, backend, state, span, ASIDE)
+    told = [each.told() for each in both]
+    if not _differ(field, values, *both, backend):
+        return False, told
+    nearer = _sides(walk, backend, state, span, NEARER * ASIDE)
+    other = [_alternate(field, values, one, near, backend) for one, near in zip(both, nearer, strict=True)]
+    also = (f", and nearer by {near.told()}" if differs else "" for near, differs in zip(nearer, other, strict=True))
+    return not any(other), [text + more for text, more in zip(told, also, strict=True)]
+
+
+def _alternate(field: Field, values: tuple[float, ...], one: Verdict, near: Verdict, backend: str) -> bool:
+    """Whether a nearer start is not seen to come to the attractor of one that is decided."""
+    return not near.decided or _differ(field, values, one, near, backend)
+
+
+def _sides(walk: _Walk, backend: str, state: FloatArray, span: float, aside: float) -> tuple[Verdict, Verdict]:
+    """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
+    normal = walk.off(state, span)[1]
+    across = np.zeros_like(state)
+    across[list(walk.axes)] = aside * normal / np.linalg.norm(normal)
+    one, other = (_surely(walk, state + sign * across, backend) for sign in (-1, 1))
+    return one, other
+
+
+def _surely(walk: _Walk, start: FloatArray, backend: str) -> Verdict:
+    """What a motion comes to, unless rounding decides that."""
+    found = judged(walk.field, walk.values, start, backend)
+    return surely(
+        walk.field,
+        walk.values,
+        start,
+        found,
+        backend,
+        lambda beside: not _differ(walk.field, walk.values, found, beside, backend),
+    )
+
+
+def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdict, backend: str) -> bool:
+    """Whether two motions are seen to come to different attractors."""
+    if not (one.decided and other.decided):
+        return False
+    try:
+        return not same(field, *(attractor(field, values, each, backend) for each in (one, other)))
+    except ConvergenceError:  # one that Newton's method does not find again decides nothing
+        return False
+
+
+def _saddle(model: Any, p: ParameterSet, values: tuple[float, ...], near: Any) -> Saddle:
+    """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
+    n, places = len(model.coordinates), [as_numbers("saddle", near)] if near is not None else _places(model, p)
+    if any(place.shape not in ((n,), (2 * n,)) for place in places):
+        raise ParameterError(f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it")
+    found: list[Saddle] = []
+    for place in places:
+        with suppress(ConvergenceError):
+            known = saddle_near(model.field, values, equilibrium_near(model.field, values, place))
+            if known is not None and not any(np.abs(known.state - other.state).max() < SAME for other in found):
+                found.append(known)
+    if len(found) != 1:
+        listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
+        none = "none that grows in one direction only: where friction falls with speed, the mass may swing there as well"
+        raise ParameterError(
+            "one divergent equilibrium is needed to follow its stable manifold, there are: "
+            + (f"{listed}; give saddle= near one" if found else none)
+        )
+    return found[0]
+
+
+def _places(model: Any, p: ParameterSet) -> Any:
+    """Where the equilibria of steady sliding are, shape (k, n)."""
+    from ..statics.equilibria import equilibria
+
+    found = equilibria(p)
+    columns = np.array([getattr(found, name) for name in model.coordinates]).T
+    return columns[np.isfinite(columns).all(axis=1)]
+
+
+@dataclass(frozen=True)
+class _Walk:
+    """One curve on the manifold."""
+
+    field: Field
+    fly: Fly
+    plain: Fly
+    values: tuple[float, ...]
+    saddle: Saddle
+    axes: tuple[int, int]
+    to: Any
+    step: float
+    points: int
+
+    def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
+        """How far a motion has come along the direction of growth, and the derivative of that in the plane."""
+        value, slope = side(self.field, self.fly, self.values, state, span, self.saddle)
+        return value, slope[list(self.axes)]
+
+    def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
+        """A first point, along the first direction of the plane, between starts that leave to different sides."""
+        low, high = self.to[0]
+        ways = np.linspace(low, high, 121)
+
+        def at(way: float) -> FloatArray:
+            there = state.copy()
+            there[self.axes[0]] = way
+            return there
+
+        sides = [self.leaves(at(way))[0] for way in ways]
+        changes = [i for i in range(len(ways) - 1) if sides[i] * sides[i + 1] < 0]
+        if not changes:
+            raise ConvergenceError("no start in that line of the plane leaves the saddle to the other side; give another start")
+        for near in sorted(changes, key=lambda i: abs(ways[i] - self.saddle.state[self.axes[0]])):
+            low, high, left = float(ways[near]), float(ways[near + 1]), 0.0
+            for _ in range(24):
+                middle = (low + high) / 2
+                which, left = self.leaves(at(middle))
+                low, high = (middle, high) if which == sides[near] else (low, middle)
+            for span in (0.75 * left, 3 / self.saddle.growth):
+                with suppress(ConvergenceError):  # a side that changes because a motion turns late is no boundary
+                    return self.refined(at((low + high) / 2), np.array([1.0, 0.0]), span)
+        raise ConvergenceError("no place in that line of the plane where the side changes is on the boundary; give another start")
+
+    def leaves(self, state: FloatArray) -> tuple[float, float]:
+        """To which side a motion leaves, and when: the sign of its part along the direction of growth, once that is large."""
+        none = np.zeros((2, len(self.field.parameters)))
+        constants, reach = self.field.constants(self.values), 0.1 * float(np.abs(self.saddle.measure).max())
+        part, clock = 0.0, 0.0
+        for _ in range(20):
+            state = self.plain(state, constants, 1 / self.saddle.growth, none).state
+            clock += 1 / self.saddle.growth
+            part = float(self.saddle.measure @ (state - self.saddle.state))
+            if abs(part) > reach:
+                break
+        return float(np.sign(part)), clock
+
+    def refined(self, state: FloatArray, direction: FloatArray, span: float) -> tuple[FloatArray, float, float]:
+        """The start on the manifold near another, along a direction in the plane; what the last refinement changed; the time.
+
+        The longer the motion is followed, the more is known of the start, by a factor of e every 1 / growth, each by a few
+        steps of Newton's method.
+        """
+        axes, before = list(self.axes), np.inf
+        for _ in range(40):
+            first = np.inf
+            for _ in range(10):
+                value, slope = self.off(state, span)
+                along = float(slope @ direction)
+                if along == 0:
+                    raise ConvergenceError("the boundary is not crossed along that direction")
+                change = -value / along
+                if abs(change) > min(FARTHEST, max(10 * before, 1e-4)):
+                    raise ConvergenceError("the boundary is not near")
+                state = state.copy()
+                state[axes] += change * direction
+                if abs(change) < SETTLED:
+                    return state, max(abs(change), 1e-15), span
+                if abs(change) < 0.1 * first < np.inf:
+                    break
+                first = min(first, abs(change))
+            before, span = first, span + MORE / self.saddle.growth
+        raise ConvergenceError("the boundary could not be refined")
+
+    def follow(self, first: FloatArray, span: float, sign: float) -> tuple[list[tuple[FloatArray, float]], str]:
+        """Points in one direction, and why they end."""
+        found: list[tuple[FloatArray, float]] = []
+        state, way, step, axes = first, None, self.step, list(self.axes)
+        while len(found) < self.points:
+            _, slope = self.off(state, span)
+            normal = slope / np.linalg.norm(slope)
+            along = np.array([-normal[1], normal[0]])
+            along = along * sign if way is None else along * np.sign(along @ way)
+            guess = state.copy()
+            guess[axes] += step * along
+            try:
+                seen = float(np.linalg.norm(slope)) * step**2 / (BENT * float(np.abs(self.saddle.measure).max()))
+                with doing("point {} in one direction of the boundary", len(found) + 1):
+                    ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
+                moved = (ahead - state)[axes]
+                # Farther off the tangent it is another fold of the manifold.
+                astray = bool(moved @ along < STRAIGHT * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step)
+            except ConvergenceError:
+                astray = True
+            if astray:
+                step /= 2
+                if step < 1e-4:
+                    return found, "it could not be followed farther"
+                continue
+            if not all(low <= ahead[axis] <= high for axis, (low, high) in zip(axes, self.to, strict=True)):
+                return found, "the range ends"
+            found.append((ahead, error))
+            state, way, step, span = ahead, along, min(self.step, 1.5 * step), later
+        return found, f"{self.points} points were followed"

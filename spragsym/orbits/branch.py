@@ -1,0 +1,493 @@
+"""Branches of cycles in one parameter, with all that happens on them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
+from ..motion.field import Field
+from ..motion.flows import carrier, flow
+from ..motion.shooting import Loop, extent, rate
+from ..progress import doing
+from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
+from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
+from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated, vertical
+from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, sampled
+
+#: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
+FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
+
+#: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
+LONG = 6.0
+
+#: States move by no more than this in one step, nor by more than this share of the orbit's extent, however small that is in the
+#: model's units: an equilibrium is a closed orbit of every period, and Newton's method may not fall onto it.
+FAR, SHARE = 0.5, 0.3
+
+#: An orbit of a smaller extent, or of a smaller share of the first one's, has shrunk onto an equilibrium.
+LEAST = 1e-3
+
+#: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
+SHRUNK = 0.1
+
+#: Slowest part of an orbit that is said to come to rest.
+STILL = 2e-3
+
+
+#: Steps longer than this are cut where the halves of a doubled cycle seem to meet and do not.
+COARSE = 1e-4
+
+#: Steps shorter than this are cut no more to see what happens before such an end.
+FINEST = 1e-9
+
+#: The last cycles before such an end have halves half as far apart, each than the one before: at least so many, and at most
+#: so many more while anything differs there from the end itself.
+LAST, MORE = 3, 12
+
+#: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
+ALIKE = 1e-7
+
+#: Kinds of event at which stability may change.
+CHANGING = ("fold", "period_doubling", "torus")
+
+CROSSES = "another branch of cycles crosses this one"
+VERTICAL = "the parameter stays what it is along the branch: there is a whole family of cycles at this one value"
+MERGES = "it meets the cycle of half its period, which doubles there"
+
+
+@dataclass(frozen=True, eq=False)
+class CycleEvent(Result):
+    """Something that happens on a branch.
+
+    Attributes
+    ----------
+    kind : {"fold", "period_doubling", "torus", "grazing", "homoclinic", "end"}
+    value : float
+        Of the parameter.
+    cycle : Cycle
+        The cycle there, or the last one before it.
+    error : float
+        How well the value is known.
+    how : str
+        What is touched, why the branch ends, or that a multiplier jumps past its value.
+    vary : str
+        The parameter.
+    """
+
+    kind: str
+    value: float
+    cycle: Cycle
+    error: float
+    how: str = ""
+    border: int = field(default=-1, repr=False)
+    loop: Loop | None = field(default=None, repr=False)
+    crossed: FloatArray | None = field(default=None, repr=False)
+    vary: str = field(default="value", repr=False)
+
+    @property
+    def table_model(self) -> Field:
+        """It knows whether the parameter is an angle."""
+        return self.cycle.field
+
+
+@dataclass(frozen=True, eq=False)
+class CycleBranch(Result):
+    """A branch of cycles, from one of its ends to the other.
+
+    Attributes
+    ----------
+    vary : str
+        The parameter.
+    values, periods, rms, lowest, highest : ndarray, shape (n,)
+        Of the parameter and of the cycles; the last three of the first coordinate.
+    stable : ndarray of bool, shape (n,)
+    cycles : sequence of Cycle
+        Each begun anew where its first coordinate is largest when it is asked for.
+    events : tuple of CycleEvent
+        In the order of the branch.
+    places : tuple of int
+        How many points of the branch come before each event.
+    """
+
+    vary: str
+    values: FloatArray
+    periods: FloatArray
+    rms: FloatArray
+    lowest: FloatArray
+    highest: FloatArray
+    stable: NDArray[np.bool_]
+    cycles: Cycles = field(repr=False)
+    events: tuple[CycleEvent, ...]
+    to: tuple[float, float] = field(repr=False)
+    places: tuple[int, ...] = field(repr=False)
+
+    @property
+    def table_model(self) -> Field | None:
+        """It knows whether the parameter is an angle."""
+        return self.cycles.field
+
+    def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
+        """A cycle on the other branch at an event, where :func:`cycle_branch` can begin.
+
+        That is the doubled cycle at a period doubling, or, at the end of a branch of doubled cycles, the cycle that doubles
+        there; where another branch crosses (a fold whose ``how`` says so) a cycle on that one; at another fold a cycle on the
+        far side of it. ``step`` is how far off, in states.
+        """
+        from .switching import switched
+
+        return switched(self, event, step)
+
+    @property
+    def amplitude(self) -> FloatArray:
+        """Half of the range of the first coordinate, shape (n,)."""
+        return (self.highest - self.lowest) / 2
+
+    def changes(self) -> Iterator[tuple[int, CycleEvent]]:
+        """Events at which the stability changes, each with the number of points before it."""
+        for place in (np.flatnonzero(np.diff(self.stable)) + 1).tolist():
+            between = [
+                event for event, before in zip(self.events, self.places, strict=True)
+                if before == place and event.kind in CHANGING
+            ]  # fmt: skip
+            if between:
+                yield place, between[0 if self.stable[place - 1] else -1]
+
+    def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
+        """The events of some kinds only."""
+        return tuple(event for event in self.events if event.kind in kinds)
+
+
+def cycle_branch(
+    cycle: Cycle, vary: str, to: tuple[float, float], *, points: int = 400, longest: float = LONGEST
+) -> CycleBranch:  # fmt: skip
+    """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the branch ends.
+
+    Parameters
+    ----------
+    cycle : Cycle
+        Where to begin.
+    vary : str
+        One of the parameters: theta0 (radians), V, d, mu0, kappa, alpha, sigma, beta; of other models their own.
+    to : tuple of float
+        The range; the branch is followed both ways from the cycle.
+    points : int
+        Most points each way.
+    longest : float
+        Longest step, as a length in states, shares of the period and halves of the range.
+
+    Returns
+    -------
+    CycleBranch
+
+    Raises
+    ------
+    ParameterError
+        For a parameter that the model does not have, a range without the cycle's own value, or beyond what it may be, no points,
+        or a step that is not positive.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(42)), V=0.5, d=10.0)
+    >>> branch = ss.cycle_branch(found, "theta0", np.radians([41.5, 42.5]))
+    >>> [event.kind for event in branch.events]
+    ['end', 'end']
+    """
+    model = cycle.field
+    if vary not in model.parameters:
+        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
+    index = model.parameters.index(vary)
+    low, high = (as_number("to", value, FINITE) for value in to)
+    for bound in (low, high):
+        model.check(vary, bound)
+    points, longest = as_count("points", points), as_number("longest", longest, POSITIVE)
+    value = cycle.values[index]
+    if not low <= value <= high or low == high:
+        raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
+    fly, backend = carrier(model, cycle.backend)
+    plain = flow(model, backend, derivatives=False).fly if backend == "heyoka" else None
+    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,), plain)
+    start = started(setting, in_halves(cycle.loop, setting).guess)
+    trace = _Trace(setting, (low, high), points, longest, backend)
+    back = list(trace.follow(start, -1.0))
+    forth = list(trace.follow(start, 1.0))
+    closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
+    items = [*reversed(back), start, *([] if closed else forth)]
+    loops, events, places = [], [], []
+    for item in items:
+        if isinstance(item, Point):
+            loops.append(item.loop)
+        elif item.kind != "closed":
+            events.append(trace.event(item))
+            places.append(len(loops))
+    lowest, highest = np.array([range_of(loop) for loop in loops]).T
+    return CycleBranch(
+        vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
+        np.array([moments(loop, backend)[1] for loop in loops]), lowest, highest,
+        np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops), fly, backend), tuple(events), (low, high),
+        tuple(places),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class End(Finding):
+    """Where a branch ends, and why."""
+
+    how: str = ""
+    value: float | None = None
+
+
+@dataclass(frozen=True)
+class _Trace:
+    """One walk along a branch."""
+
+    setting: Setting
+    to: tuple[float, float]
+    points: int
+    longest: float
+    backend: str
+
+    def value(self, loop: Loop) -> float:
+        """Values of the free parameter."""
+        return loop.guess.values[self.setting.free[0]]
+
+    def event(self, found: Finding) -> CycleEvent:
+        """An event as users see it."""
+        how = found.how
+        if found.border >= 0:
+            how = self.setting.field.borders[found.border].name
+        if found.crossed is not None:
+            how = CROSSES
+        cycle = cycle_of(found.loop, self.setting.fly, self.backend)
+        value = self.value(found.loop)
+        if isinstance(found, End) and found.value is not None:
+            value = found.value
+        vary = self.setting.field.parameters[self.setting.free[0]]
+        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop, found.crossed, vary)
+
+    def follow(self, start: Point, direction: float) -> Iterator[Point | Finding]:
+        """Points and findings in one direction, an end the last of them."""
+        point = Point(start.loop, direction * start.tangent)
+        setting, length, before, count = self.setting, FIRST, None, 0
+        seen = Seen(setting, point)
+        while count < self.points:
+            try:
+                with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, self.value(point.loop)):
+                    ahead = self._last(point, length) or corrected(setting, point, length, reach=_reach(point))
+            except ConvergenceError as error:
+                length /= 3
+                if length < SHORTEST:
+                    yield self._lost(point, error)
+                    return
+                continue
+            straight = angle(setting, point, ahead)
+            if straight < STRAIGHT and length > 1e-6:
+                length /= 2.5
+                continue
+            stop = self._beyond(point, ahead)
+            if stop is not None:
+                if aligned(setting, point, stop) < STRAIGHT and length > 1e-6:
+                    length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
+                    continue
+                ahead = stop
+            arc = length if stop is None else between(setting, point, ahead)
+            share = meets(point, ahead)
+            if share is not None:
+                merged = halved(setting, *between_halves(point, ahead, share, setting.free[0]))
+                last = self._last_ones(point, merged[0]) if merged is not None else []
+                if merged is not None and (len(last) >= LAST or arc < FINEST):
+                    yield from self._merging(seen, before, last, *merged)
+                    return
+                if arc > COARSE or merged is not None:
+                    length = arc / 3
+                    continue
+            after = Seen(setting, ahead)
+            try:
+                happened = list(findings(seen, after, arc, before))
+            except NotLocated:
+                length = arc / 3
+                continue
+            for found in happened:
+                if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
+                    yield self._shrunk(before, seen)
+                    return
+                yield found
+            yield ahead
+            count += 1
+            if vertical(seen, after, arc):
+                yield End("end", ahead.loop, abs(self.value(ahead.loop) - self.value(point.loop)), how=VERTICAL)
+                return
+            if stop is not None:
+                yield End("end", ahead.loop, 0.0, how="the range ends")
+                return
+            end = self._ends(Point(start.loop, direction * start.tangent), point, ahead, count)
+            if end is not None:
+                yield end
+                return
+            merged = self._soon(point, ahead)
+            if merged is not None and len(last := self._last_ones(ahead, merged[0])) >= LAST:
+                yield from self._merging(after, seen, last, *merged)
+                return
+            finer = cut_finer(setting, ahead)
+            before = seen if finer is ahead else None
+            point, seen = finer, after if finer is ahead else Seen(setting, finer)
+            length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
+        yield End("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
+
+    def _last_ones(self, point: Point, end: Loop) -> list[Point]:
+        """The points on the last part of a branch of doubled cycles, a bit short of its end, as far as they are found."""
+        found: list[Point] = []
+        for count in range(LAST + MORE):
+            if count >= LAST and not self._left_out(Seen(self.setting, point), end):
+                break
+            near = nearer(self.setting, point, end, 0.5)
+            if near is None:
+                break
+            found.append(near)
+            point = near
+        return found
+
+    def _left_out(self, last: Seen, end: Loop) -> list[str]:
+        """What happens between a point of a branch of doubled cycles and its end."""
+        return differing(last, Seen(self.setting, twice(self.setting, end, last.point)))
+
+    def _merging(
+        self, seen: Seen, before: Seen | None, points: list[Point], loop: Loop, error: float
+    ) -> Iterator[Point | Finding]:
+        """What happens on the last part of a branch of doubled cycles, and the end."""
+        for near in points:
+            last = Seen(self.setting, near)
+            try:
+                yield from findings(seen, last, between(self.setting, seen.point, near), before)
+            except NotLocated as unfound:
+                # Shorter steps than these there are none so close to the end.
+                width = abs(self.value(near.loop) - self.value(seen.point.loop))
+                yield from unlocated(str(unfound), near.loop, width)
+            yield near
+            before, seen = None, last
+        for kind in self._left_out(seen, loop):
+            last_one = seen.point.loop
+            yield from unlocated(kind, last_one, abs(self.value(loop) - self.value(last_one)))
+        yield End("end", loop, error, how=MERGES)
+
+    def _soon(self, point: Point, ahead: Point) -> tuple[Loop, float] | None:
+        """Where a branch of doubled cycles is about to end within the range."""
+        index = self.setting.free[0]
+        value = due(point, ahead, index)
+        if value is None or not self.to[0] <= value <= self.to[1]:
+            return None
+        guess, _, reach, way = between_halves(point, ahead, 1.0, index)
+        found = halved(self.setting, guess, value, reach, way)
+        if found is None:
+            return None
+        begun, there = self.value(ahead.loop), found[0].guess.values[index]
+        onward = (there - begun) * (begun - self.value(point.loop)) > 0
+        return found if onward and self.to[0] <= there <= self.to[1] else None
+
+    def _shrunk(self, before: Seen | None, last: Seen) -> End:
+        """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
+        how, value = "it shrinks onto an equilibrium", self.value(last.point.loop)
+        if before is None:
+            return End("end", last.point.loop, abs(value), how=how)
+        first, squares = self.value(before.point.loop), [extent(each.point.loop) ** 2 for each in (before, last)]
+        there = value - squares[1] * (value - first) / (squares[1] - squares[0])
+        return End("end", last.point.loop, abs(there - value) * squares[1] / squares[0], how=how, value=there)
+
+    def _last(self, point: Point, length: float) -> Point | None:
+        """The point at the end of the range, where the tangent leads beyond it: there may be no parameters beyond."""
+        now = self.value(point.loop)
+        ahead = now + length * float(point.tangent[-1])
+        if self.to[0] <= ahead <= self.to[1] or now in self.to:
+            return None
+        bound = self.to[0] if ahead < self.to[0] else self.to[1]
+        return self._at(point, (bound - now) / (ahead - now) * length * point.tangent, bound)
+
+    def _beyond(self, point: Point, ahead: Point) -> Point | None:
+        """The point at the end of the range, if it was reached or passed."""
+        now, before = self.value(ahead.loop), self.value(point.loop)
+        if now in self.to:
+            return ahead
+        if self.to[0] <= now <= self.to[1]:
+            return None
+        bound = self.to[0] if now < self.to[0] else self.to[1]
+        if before == bound:
+            return point
+        free = self.setting.free
+        way = ahead.loop.guess.coordinates(free) - point.loop.guess.coordinates(free)
+        return self._at(point, (bound - before) / (now - before) * way, bound)
+
+    def _at(self, point: Point, step: FloatArray, value: float) -> Point:
+        """The point at a value of the parameter, a step from another point."""
+        found = placed(self.setting, point, step, value)
+        if np.abs(found.loop.guess.states - point.loop.guess.states).max() > _reach(point):
+            raise ConvergenceError("the end of the range is farther than a step")
+        return found
+
+    def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
+        loop = ahead.loop
+        if extent(loop) < LEAST * min(1.0, extent(start.loop)):
+            return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
+        error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
+        if loop.guess.period > LONG * self.setting.period and stillest(loop, self.backend)[0] < STILL:
+            return End("homoclinic", loop, error, how=_rests(loop, self.backend))
+        if count > 10 and self._passes(start, point, ahead):
+            return End("closed", loop, 0.0)
+        return None
+
+    def _passes(self, start: Point, point: Point, ahead: Point) -> bool:
+        """Whether the start's cycle lies on the step from one point to the next, passed the same way: a branch that closes.
+
+        Its states need not be those of the start: on the way round they may have gone on along the orbit.
+        """
+        loop, begin, end, there = start.loop, *(self.value(each.loop) for each in (point, ahead, start))
+        way = end - begin
+        if not 0 <= (there - begin) * way <= way * way or way * float(start.tangent[-1]) <= 0:
+            return False
+        share, periods = (there - begin) / way, (point.loop.guess.period, ahead.loop.guess.period)
+        expected = periods[0] + share * (periods[1] - periods[0])
+        if abs(expected - loop.guess.period) > 1e-3 * loop.guess.period:
+            return False
+        try:
+            met = placed(self.setting, point, (there - begin) / float(point.tangent[-1]) * point.tangent, there).loop
+        except ConvergenceError:
+            return False
+        return bool(
+            abs(met.guess.period / loop.guess.period - 1) < ALIKE
+            and np.abs(np.subtract(self._shape(met), self._shape(loop))).max() < ALIKE * extent(loop)
+        )
+
+    def _shape(self, loop: Loop) -> tuple[float, ...]:
+        """What does not depend on where a round begins: range and averages."""
+        return (*range_of(loop), *moments(loop, self.backend))
+
+    def _lost(self, point: Point, error: ConvergenceError) -> End:
+        loop = point.loop
+        if loop.guess.period > 2 * self.setting.period and stillest(loop, self.backend)[0] < STILL:
+            return End("homoclinic", loop, 1e-6, how=_rests(loop, self.backend))
+        return End("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
+
+
+def _reach(point: Point) -> float:
+    """How far the states of the next point may lie."""
+    return min(FAR, SHARE * extent(point.loop))
+
+
+def stillest(loop: Loop, backend: str) -> tuple[float, FloatArray]:
+    """Least size of the field at the turns of an orbit, or all along one that only turns around, and where that is."""
+    states = [turn.state for turn in loop.turns()] or list(sampled(loop, backend).states.T)
+    sizes = [float(np.linalg.norm(rate(loop.field, state, loop.constants))) for state in states]
+    return min(sizes), states[int(np.argmin(sizes))]
+
+
+def _rests(loop: Loop, backend: str) -> str:
+    """Where an orbit of a very long period hardly moves, without the sign of a zero."""
+    names, place = loop.field.coordinates, np.round(stillest(loop, backend)[1], 6) + 0.0
+    told = (f"{name} = {value:g}{' rad' * loop.field.is_angle(name)}" for name, value in zip(names, place, strict=False))
+    return f"it comes to rest near {', '.join(told)}"

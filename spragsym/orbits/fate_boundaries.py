@@ -1,0 +1,522 @@
+"""The value of a parameter at which a motion from a given start changes its fate, and the saddle that it then hovers at."""
+
+from __future__ import annotations
+
+import math
+from bisect import insort
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from dataclasses import field as attribute
+from itertools import pairwise
+from typing import Any, ClassVar
+
+import numpy as np
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import FloatArray, ParameterSet, as_numbers
+from ..motion.field import Field, apart
+from ..motion.flows import carrier, follower
+from ..motion.regimes import Outcome, Regime, same_limit
+from ..motion.trajectory import state_of
+from ..progress import doing
+from ..questions import model_of
+from .attractors import JUDGED, PARTED, TOLERANCES, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle, surely
+from .branch import MERGES, cycle_branch
+from .finding import cycle_at
+from .saddles import growth_of_cycle, saddle_near
+
+#: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
+LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
+
+#: Where to look next in a bracket, as far as motions are undecided.
+NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
+
+#: Tolerance of the motions by which a bracket is narrowed, and how far the start is moved; by which that is done anew, and once
+#: more: the differences tell the error.
+ROUGH, FINE = ((rtol, 0.0) for rtol in TOLERANCES)
+MOVED = (TOLERANCES[1], TOLERANCES[1])
+
+#: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
+NARROW, TOO_WIDE = 1e-13, 1e-8
+
+#: How far the place may lie that is found from a start which is moved: the error says how far.
+FARTHEST = 1e-5
+
+#: To either side of what was found it is looked whether fates alternate.
+ASIDE = (1e-8, 1e-6)
+
+#: As many errors to either side of it both tolerances come to the same, and nearest to it to what was found.
+RESOLVED = (3, 6, 12)
+
+#: Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a doubling, at most so many points on.
+DOUBLE, FOLLOWED = 0.05, 40
+
+#: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its extent.
+CLOSE = 0.05
+
+#: Time units that the motions of a call are followed in all; what is open by then stays open.
+LONGEST = 5e6
+
+#: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is followed after so many failures.
+UNLIKE, LOST = 0.5, 8
+
+#: Pairs of states of a hovering motion from which a cycle is looked for.
+TRIES = 12
+
+
+@dataclass(frozen=True, eq=False)
+class FateBoundary(Result):
+    """Where a start changes its fate.
+
+    Both attractors are there on both sides: each was followed to the other side, and is stable there. An attractor that itself
+    ends or loses its stability is no change of fate, but an event of its branch.
+
+    Attributes
+    ----------
+    vary : str
+    value : float
+        Of that parameter.
+    error : float
+        Estimate: the last bracket, and twice how much a tolerance ten times as small, and a start moved by that, move it.
+    saddle : str
+        "equilibrium" or "cycle", which repels in one direction only by its eigenvalues or multipliers and their errors; or
+        "unknown".
+    state : ndarray, shape (m,)
+        The saddle's: of a cycle, where its first coordinate is largest; of an unknown one, where the motions begin to part.
+    growth : float
+        The saddle's eigenvalue, or for a cycle the logarithm of its multiplier over its period. NaN for an unknown one.
+    distance : float
+        How near the motion comes to that.
+    below, above : Outcome
+        What the start comes to on either side.
+    others : ndarray, shape (k, 2)
+        Other intervals of the bracket, as far as was looked, at whose ends the fates differ: where there are any, fates
+        alternate. Those may be several fates on one side, none of which is on the other: an irregular transient ends anywhere.
+    """
+
+    vary: str
+    value: float
+    error: float
+    saddle: str
+    state: FloatArray
+    growth: float
+    distance: float
+    below: Outcome
+    above: Outcome
+    others: FloatArray
+    model: Field | None = attribute(default=None, repr=False)
+
+    table_varied: ClassVar[frozenset[str]] = frozenset({"others"})
+
+
+def fate_boundary(
+    p: ParameterSet, *, vary: str, bracket: tuple[float, float], V: float | None = None, d: float | None = None,
+    start: Any = None, backend: str | None = None,
+) -> FateBoundary:  # fmt: skip
+    """The value of a parameter at which a start changes its fate, and which saddle it then hovers at.
+
+    Bisection on the attractors that the motion comes to, which are proved by Newton's method and their eigenvalues or
+    multipliers, and followed from one side to the other: a cycle and what it becomes by doubling its period are one attractor.
+    What has not settled by t = 40 000 is no fate, nor is what motions that begin within rounding do not share.
+
+    Parameters
+    ----------
+    p : Parameters of any model
+        Scalars; the one that varies is replaced.
+    vary : str
+        A parameter of the model, of the article's theta0, mu0, kappa, alpha, sigma, beta, V or d.
+    bracket : tuple of float
+        Two values with different fates. Where there are several changes between them, one is found, and ``others`` tells of those
+        that were seen.
+    V, d : float, optional
+        In place of those of ``p``.
+    start : array_like, optional
+        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+
+    Returns
+    -------
+    FateBoundary
+
+    Raises
+    ------
+    ParameterError
+        Where both ends have the same fate.
+    ConvergenceError
+        Where the motion is undecided at an end and nothing is seen to change between; where what changes is the attractor
+        itself, which ends or loses its stability; where motions between stay undecided; where fates alternate on both sides
+        more closely than rounding can tell; and where 5e6 time units of motion leave it open. It says what the start comes to on
+        either side, of each change that was seen.
+
+    Notes
+    -----
+    Source: (8)–(11) with (10) as the friction law; the stable manifold of a saddle separates the fates.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> p = ss.Parameters.article()
+    >>> found = ss.fate_boundary(p, vary="theta0", bracket=(0.72101, 0.72102), V=0.5, d=10.0)
+    >>> round(found.value, 8), found.saddle
+    (0.72101173, 'equilibrium')
+    """
+    model = model_of(p)
+    if vary not in model.parameters:
+        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
+    ends = as_numbers("bracket", bracket)
+    if ends.shape != (2,):
+        raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
+    low, high = ends.tolist()
+    values = p.given(V=V, d=d).replace(**{vary: low}).scalars(*p.ranges)
+    return boundary_of(model.field, values, vary, (low, high), state_of(model, start), backend)
+
+
+def boundary_of(
+    field: Field, values: tuple[float, ...], vary: str, bracket: tuple[float, float], start: FloatArray,
+    backend: str | None = None,
+) -> FateBoundary:  # fmt: skip
+    """As :func:`fate_boundary`, of any field."""
+    index = field.parameters.index(vary)
+    _, name = carrier(field, backend)
+
+    def at(value: float) -> tuple[float, ...]:
+        field.check(vary, value)
+        return (*values[:index], value, *values[index + 1 :])
+
+    low, high = sorted(bracket)
+    asked = _Asked(field, at, vary, start, name)
+    ends = asked.surely(asked.ask(low)), asked.surely(asked.ask(high))
+    for share in LOOKED_AT:
+        asked.ask(low + share * (high - low))
+    if ends[0].label == ends[1].label >= 0:
+        raise asked.no_change(*ends)
+    for share in MORE:
+        if next(asked.changes(), None) is None:
+            asked.ask(low + share * (high - low))
+    found = _first(asked)
+    if isinstance(found, FateBoundary):
+        return found
+    ends = asked.ask(low), asked.ask(high)  # with what has turned out to be one attractor
+    if not found and ends[0].label == ends[1].label >= 0:
+        raise asked.no_change(*ends)
+    why = "; ".join(dict.fromkeys(found)) or f"{asked.told(*ends)}; give values at which the motion settles"
+    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {why}")
+
+
+@dataclass(frozen=True)
+class _Fate:
+    """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided."""
+
+    value: float
+    way: tuple[float, float]
+    verdict: Verdict
+    label: int
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """Fates by value, as far as was asked; to which values no attractor could be followed."""
+
+    field: Field
+    at: Callable[[float], tuple[float, ...]]
+    vary: str
+    start: FloatArray
+    backend: str
+    known: list[_Fate] = attribute(default_factory=list)
+    lost: list[float] = attribute(default_factory=list)
+
+    def ask(self, value: float, way: tuple[float, float] = ROUGH) -> _Fate:
+        """The fate at a value, by a tolerance, from a start that is moved by so much."""
+        before = next((each for each in self.known if (each.value, each.way) == (value, way)), None)
+        if before is not None:
+            return before
+        if sum(each.verdict.t for each in self.known) > LONGEST:
+            raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
+        with doing("the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)):
+            verdict = judged(self.field, self.at(value), self.start + way[1], self.backend, rtol=way[0])
+        found = _Fate(value, way, verdict, self._label(value, verdict) if verdict.decided else -1)
+        insort(self.known, found, key=lambda each: each.value)
+        return found
+
+    def surely(self, fate: _Fate) -> _Fate:
+        """A fate, or an undecided one where rounding decides it."""
+        if fate.label >= 0:
+            verdict = surely(
+                self.field, self.at(fate.value), self.start, fate.verdict, self.backend,
+                lambda beside: self._are_one(fate.verdict, beside) or self._label(fate.value, beside) == fate.label,
+            )  # fmt: skip
+            if not verdict.decided:
+                self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
+        return fate
+
+    def _are_one(self, one: Verdict, other: Verdict) -> bool:
+        """Whether two motions at one value have one limit, whatever labels it has there: two may turn out to be one later."""
+        return same_limit(one.outcome, other.outcome, self.field.around)
+
+    def _label(self, value: float, verdict: Verdict) -> int:
+        """That of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
+
+        To follow an attractor in vain takes seconds: only the likeliest is, and not any more after some failures.
+        """
+        alike = [each for each in self.known if each.verdict.kind == verdict.kind]
+        nearest = {each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))}
+        for label, each in nearest.items():
+            if same_limit(each.verdict.outcome, verdict.outcome, self.field.around):
+                return label
+        likely = sorted(nearest, key=lambda label: _unlike(nearest[label].verdict.outcome, verdict.outcome))
+        for label in likely[:1] if len(self.lost) < LOST else ():
+            if _unlike(nearest[label].verdict.outcome, verdict.outcome) < UNLIKE:
+                try:
+                    if same(self.field, self.followed(nearest[label], value), self.attractor_of(value, verdict)):
+                        return label
+                except ConvergenceError:
+                    self.lost.append(value)
+        return 1 + max((each.label for each in self.known), default=-1)
+
+    def followed(self, fate: _Fate, value: float) -> Any:
+        """The attractor of a fate, at another value."""
+        return followed(self.field, self.attractor(fate), self.at(value), self.backend)
+
+    def attractor(self, fate: _Fate) -> Any:
+        """The attractor of a fate."""
+        return self.attractor_of(fate.value, fate.verdict)
+
+    def attractor_of(self, value: float, verdict: Verdict) -> Any:
+        """The attractor of a verdict at a value."""
+        return attractor(self.field, self.at(value), verdict, self.backend)
+
+    def merge(self, one: int, other: int) -> None:
+        """Two attractors have turned out to be one."""
+        self.known[:] = [replace(each, label=one) if each.label == other else each for each in self.known]
+
+    def change(self, low: float, high: float) -> tuple[_Fate, _Fate] | None:
+        """Two values that differ in their fates, if they still do, or the first such neighbours between."""
+        ends = self.ask(low), self.ask(high)
+        if ends[0].label != ends[1].label:
+            return ends
+        return next((pair for pair in self.changes() if low <= pair[0].value and pair[1].value <= high), None)
+
+    def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
+        """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
+        decided = [each for each in self.known if each.label >= 0 and each.way == ROUGH]
+        pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
+        yield from sorted(pairs, key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known))
+
+    def narrowed(self, low: _Fate, high: _Fate, kept: int, width: float, way: tuple[float, float] = ROUGH) -> tuple[_Fate, _Fate]:
+        """A narrower bracket, as far as motions are decided: one side of it has the fate ``kept``, the other one not."""
+        while high.value - low.value > width:
+            for share in NEXT:
+                middle = low.value + share * (high.value - low.value)
+                if not low.value < middle < high.value:
+                    return low, high
+                found = self.ask(middle, way)
+                if found.label >= 0:
+                    break
+            else:
+                return low, high
+            low, high = (found, high) if (found.label == kept) == (low.label == kept) else (low, found)
+        return low, high
+
+    def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
+        """That both ends of the bracket have one fate."""
+        other = next((each for each in self.known if each.label not in (-1, low.label)), None)
+        one, another = low.verdict.told(), high.verdict.told()
+        ends = f"{one} at both ends" if one == another else f"{one} at one end and to {another} at the other"
+        return ParameterError(
+            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is one attractor"
+            + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
+            + "; give values of different fates"
+        )
+
+    def told(self, low: _Fate, high: _Fate) -> str:
+        """What the start comes to on two sides."""
+        return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
+
+    def alternating(self, low: _Fate, high: _Fate, value: float, width: float) -> ConvergenceError:
+        """That no value can be told, and why."""
+        return ConvergenceError(
+            f"{self.told(low, high)}, and between the two fates alternate more closely than rounding can tell: within "
+            f"{width:.1g} of {self.vary} = {value:.15g} motions by the tolerances {ROUGH[0]:g} and {FINE[0]:g} do not have one "
+            "and the same change"
+        )
+
+    def resolved(self, value: float, error: float, kept: int, below: bool) -> bool:
+        """Whether next to a value, and somewhat farther off, the fate is ``kept`` below it only, or above it only.
+
+        Farther off it may be another one, but not by one tolerance only. What is undecided says nothing.
+        """
+        for times in RESOLVED:
+            for sign in (-1, 1):
+                asked = [self.ask(place, way) for place in self.inside(value + sign * times * error) for way in (ROUGH, FINE)]
+                found = {each.label == kept for each in asked if each.label >= 0}
+                if len(found) > 1 or (times == RESOLVED[0] and found and found != {below == (sign < 0)}):
+                    return False
+        return True
+
+    def inside(self, *values: float) -> list[float]:
+        """Those within the bracket."""
+        return [value for value in values if self.known[0].value <= value <= self.known[-1].value]
+
+
+def _unlike(one: Outcome, other: Outcome) -> float:
+    """How far apart two periods are, as a logarithm; 0 for what has none."""
+    return abs(math.log(one.period / other.period)) if one.period > 0 and other.period > 0 else 0.0
+
+
+class _TooLong(ConvergenceError):
+    """Motions were followed for longer than one call may take."""
+
+
+def _first(asked: _Asked) -> FateBoundary | list[str]:
+    """The first of the changes that are seen which is a boundary, or why each of them is none."""
+    why: list[str] = []
+    for low, high in [(one.value, other.value) for one, other in asked.changes()]:
+        for side in (0, 1):  # either fate may be the one whose end is looked for
+            while (change := asked.change(low, high)) is not None:
+                try:
+                    found = _boundary(asked, *change, change[side].label)
+                except ConvergenceError as error:
+                    why.append(str(error))
+                    if isinstance(error, _TooLong):
+                        return why
+                    break
+                if found is not None:
+                    return found
+    return why
+
+
+def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary | None:
+    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary.
+
+    None where both sides turn out to have one attractor, which is known from then on.
+    """
+    low, high = asked.narrowed(low, high, kept, NARROW * (1 + abs(low.value) + abs(high.value)))
+    if high.value - low.value > TOO_WIDE * (1 + abs(low.value)):
+        if _doubles(asked, low, high):
+            asked.merge(low.label, high.label)
+            return None
+        low, high = asked.surely(low), asked.surely(high)
+        raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
+    for one, other in ((low, high), (high, low)):
+        try:
+            met = same(asked.field, asked.followed(one, other.value), asked.attractor(other))
+        except ConvergenceError as why:
+            raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
+        if met:
+            asked.merge(low.label, high.label)
+            return None
+    value, error = _anew(asked, low, high, kept)
+    if not asked.resolved(value, error, kept, low.label == kept):
+        raise asked.alternating(low, high, value, RESOLVED[-1] * error)
+    for place in asked.inside(*(value + sign * aside for aside in ASIDE for sign in (-1, 1))):
+        asked.ask(place)
+    kind, state, growth, distance = _saddle(asked, low.value, high.value)
+    away = [(a.value, b.value) for a, b in asked.changes() if a.value < b.value]
+    others = {(a, b) for a, b in away if b < value - error or a > value + error}  # what the error reaches is this one
+    return FateBoundary(
+        asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
+        np.array(sorted(others)).reshape(-1, 2), asked.field,
+    )  # fmt: skip
+
+
+def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, float]:
+    """The middle of the bracket by a finer tolerance; how much that, and a start moved by it, change it, with a margin."""
+    rough = (low.value + high.value) / 2
+    wide, fine = _bracket(asked, low, high, kept, rough, FINE, TOO_WIDE)
+    more, moved = _bracket(asked, low, high, kept, fine, MOVED, FARTHEST)
+    return fine, max(wide, more) + 2 * (abs(fine - rough) + abs(moved - fine)) + 4 * float(np.spacing(abs(fine)))
+
+
+def _bracket(
+    asked: _Asked, low: _Fate, high: _Fate, kept: int, near: float, way: tuple[float, float], most: float
+) -> tuple[float, float]:
+    """Width and middle of a bracket near a value, asked for in another way."""
+    half = max(high.value - low.value, NARROW * (1 + abs(near)))
+    while half < most * (1 + abs(near)):
+        one, other = asked.ask(near - half, way), asked.ask(near + half, way)
+        if min(one.label, other.label) >= 0 and [one.label == kept, other.label == kept] == [
+            low.label == kept,
+            high.label == kept,
+        ]:
+            one, other = asked.narrowed(one, other, kept, 1e-15 * (1 + abs(near)), way)
+            return other.value - one.value, (one.value + other.value) / 2
+        half *= 8
+    raise asked.alternating(low, high, near, most * (1 + abs(near)))
+
+
+def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
+    """Whether one of two cycles comes out of the other, of half its period, by a doubling between: a single attractor."""
+    if any(each.verdict.kind != Regime.LIMIT_CYCLE for each in (low, high)):
+        return False
+    short, long = sorted((low, high), key=lambda each: each.verdict.outcome.period)
+    if abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) > DOUBLE:
+        return False
+    try:
+        single, double = asked.attractor(short), asked.attractor(long)
+        # Beyond where the other one is, since the range tells how long steps are as well.
+        bounds = (low.value, asked.known[-1].value) if long is low else (asked.known[0].value, high.value)
+        branch = cycle_branch(double.orbit, asked.vary, bounds, points=FOLLOWED)
+        between = (branch.values >= low.value) & (branch.values <= high.value)
+        for end in branch.of("end"):
+            if end.how == MERGES and low.value < end.value < high.value and branch.stable[between].all():
+                met = followed_cycle(asked.field, single.orbit, asked.at(end.value), asked.backend)
+                return same_cycle(met, end.cycle)
+    except ConvergenceError:
+        pass  # what can't be followed between is not known to be one attractor, and both fates stay
+    return False
+
+
+def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:
+    """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
+    field, values = asked.field, asked.at((low + high) / 2)
+    hovering, parted = _hovering(asked, low, high)
+    best: tuple[str, FloatArray, float, float] = ("unknown", hovering[-1], float("nan"), float("inf"))
+    for state in hovering:
+        try:
+            saddle = saddle_near(field, values, state)
+        except ConvergenceError:
+            continue
+        if saddle is None or not saddle.attracts:
+            continue
+        if (off := float(np.abs(apart(state, saddle.state, field.around)).max())) < best[3]:
+            best = ("equilibrium", saddle.state, saddle.growth, off)
+    if best[3] < CLOSE:
+        return best
+    extent = float(np.ptp(hovering, axis=0).max())
+    for state, period, off in _returns(hovering, parted, extent, field.around):
+        try:
+            cycle = cycle_at(field, values, state, period, asked.backend)
+        except ConvergenceError:
+            continue
+        growth = growth_of_cycle(cycle)
+        near = float(np.abs(apart(cycle.samples.states.T, state, field.around)).max(axis=1).min())
+        if growth is not None and near < CLOSE * extent:
+            return "cycle", cycle.state, growth, max(off, near)
+    return "unknown", hovering[-1], float("nan"), float("nan")
+
+
+def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:
+    """States where the first coordinate is largest while motions of the two values are on one way, and the times of these."""
+    span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE[0]}
+    one, other = (asked.field.simulate(asked.at(value), asked.start, span, **settings) for value in (low, high))
+    times = np.linspace(0.0, span, int(10 * span) + 1)
+    parted = np.abs(one(times) - other(times)).max(axis=0) > PARTED
+    until = float(times[int(np.argmax(parted))]) if parted.any() else span
+    none = np.zeros((2, len(asked.field.parameters)))
+    passage = follower(asked.field, asked.backend).fly(asked.start, asked.field.constants(asked.at(low)), until, none)
+    tops = [turn for turn in passage.turns if turn.border == -1 and turn.direction < 0]
+    if not tops:
+        return passage.state[None], np.array([until])
+    return np.array([turn.state for turn in tops]), np.array([turn.t for turn in tops])
+
+
+def _returns(
+    states: FloatArray, times: FloatArray, extent: float, around: tuple[int, ...]
+) -> list[tuple[FloatArray, float, float]]:  # fmt: skip
+    """States of a hovering motion that are alike, with the time between them and by how much they differ: nearest first."""
+    found = [
+        (states[i], float(times[j] - times[i]), float(np.abs(apart(states[j], states[i], around)).max()))
+        for j in range(len(states) // 2, len(states)) for i in range(max(0, j - 12), j)
+    ]  # fmt: skip
+    return sorted((each for each in found if each[2] < CLOSE * extent), key=lambda each: each[2])[:TRIES]

@@ -1,0 +1,298 @@
+"""A cycle from a state near it, or from a motion that approaches it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number
+from ..motion import Trajectory
+from ..motion.bifurcation_functions import multipliers
+from ..motion.field import Field
+from ..motion.flows import NEAR, carrier, follower, scout
+from ..motion.regimes import Outcome, Regime
+from ..motion.segment import Fly, Turn
+from ..motion.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, error_of, extent, growth, looped, rate, solved
+from ..questions import model_of
+from .orbit import Cycle, cycle_of
+
+#: Returns of a motion are looked at over this time, then over longer ones.
+STAGES = (400.0, 3000.0, 20000.0)
+
+#: Most returns of one stretch of motion that are tried.
+TRIES = 8
+
+#: A return that misses by more than this share of the motion's extent is not tried.
+FAR = 0.3
+
+
+#: A closed orbit of a smaller extent is rest, as is one whose extent is not so many of its errors.
+LEAST, SURE = 1e-9, 100.0
+
+#: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of another stands still.
+LOOK, STILL = 200.0, 1e-9
+
+#: Parameters beyond this are named where a motion can't be followed.
+STEEP = 1e8
+
+
+#: What a motion does for which no cycle is found, in words.
+COMES_TO = {
+    Regime.EQUILIBRIUM: "it is at rest", Regime.APPROACHES_EQUILIBRIUM: "it decays to rest",
+    Regime.LIFT_OFF: "it has lifted off for good", Regime.LIMIT_CYCLE: "it is on a cycle that Newton's method did not close",
+    Regime.APPROACHES_CYCLE: "it nears a cycle that Newton's method did not close", Regime.UNSETTLED: "it is unsettled",
+    Regime.FAILED: "it can't be followed",
+}  # fmt: skip
+
+
+def cycle(
+    p: ParameterSet | None = None, near: Any = None, *, V: float | None = None, d: float | None = None,
+    backend: str | None = None, patient: bool = True, onset: Any = None, index: int = 0, amplitude: float | None = None,
+) -> Cycle:  # fmt: skip
+    """The cycle near a state, or the one that a motion approaches, or the one that is born at an onset of flutter.
+
+    Newton's method on the flow and its derivatives, by multiple shooting; the orbit may lose contact and overtake the belt as
+    often as it likes, as the field is continuous there.
+
+    Parameters
+    ----------
+    p : Parameters of any model
+        Scalars.
+    near : array_like, Trajectory or Cycle, optional
+        A state near the cycle, stable or not, coordinates, then rates, of the article's model x, y, x', y'; or a motion whose end
+        approaches it; or a cycle for other values of the parameters. 0 where left out.
+    V, d : float, optional
+        In place of those of ``p``.
+    backend : {"heyoka", "scipy"}, optional
+        As for :func:`~spragsym.simulate`.
+    patient : bool
+        Whether to follow the motion from a state that is not near a cycle, for up to 20 000 time units.
+    onset : Onsets, optional
+        Of ``model.flutter_onsets``. They know their model and its parameters: ``p``, ``V``, ``d`` and ``near`` are left out.
+    index : int
+        The number of the onset among them.
+    amplitude : float, optional
+        Of the cycle that is born there: half of the range of the coordinate that moves most, to a thousandth; see
+        :func:`spragsym.bifurcation.births.born`. The parameter along which the onsets were found takes the value that
+        belongs to it.
+
+    Returns
+    -------
+    Cycle
+
+    Raises
+    ------
+    ConvergenceError
+        Where there is no cycle near: it says what the motion comes to instead.
+
+    Notes
+    -----
+    Source: (8)–(11). What is found is a cycle to the error that is told; that there are no others is not.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(42)), V=0.5, d=10.0)
+    >>> round(found.period, 6), found.stable
+    (34.26737, True)
+    >>> model = ss.load("stick_slip")
+    >>> onsets = ss.flutter_onsets(model.Parameters(), vary="V")
+    >>> born = ss.cycle(onset=onsets, index=1, amplitude=0.05)
+    >>> str(onsets.criticality[1]), born.stable, bool(born.parameters["V"] > onsets.V[1])
+    ('dangerous', False, True)
+    """
+    if onset is not None:
+        if p is not None or near is not None:
+            raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
+        if not hasattr(onset, "cycle"):
+            raise ParameterTypeError(f"onset = {onset!r:.60} is no result of ss.flutter_onsets(...)")
+        born: Cycle = onset.cycle(index, amplitude, backend)
+        return born
+    if p is None:
+        raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
+    return cycle_near(model_of(p).field, p.given(V=V, d=d).scalars(*p.ranges), near, backend, patient=patient)
+
+
+def cycle_near(
+    field: Field, values: Sequence[float], near: Any = None, backend: str | None = None, *, patient: bool = True
+) -> Cycle:  # fmt: skip
+    """As :func:`cycle`, of any field."""
+    fly, name = carrier(field, backend)
+    values = tuple(float(value) for value in values)
+    rough = scout(field, name)
+    if isinstance(near, Cycle):
+        near.require(field, "near")
+        known = near.loop.guess if rough is None else _towards(field, rough, near.loop.guess, values, NEAR).guess
+        return _checked(_towards(field, fly, known, values), fly, name)
+    settled = isinstance(near, Trajectory)
+    approached = near is None or settled
+    start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
+    constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
+    if not np.isfinite(rate(field, start, constants)).all():
+        raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
+    follow = follower(field, name)
+    for stage in STAGES if patient or settled else STAGES[:1]:
+        try:
+            passage = follow.fly(start, constants, stage, none)
+        except ConvergenceError as error:
+            raise ConvergenceError(f"the motion can't be followed: {error}{_steep(field, values)}") from error
+        found = _by_returns(field, fly, rough, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
+        if found is not None:
+            return _checked(found, fly, name)
+        if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
+            break
+        start = passage.state
+    try:
+        outcome = field.simulate(values, start, 2000.0).outcome(1000.0)
+    except ConvergenceError as error:
+        raise ConvergenceError(f"no cycle was found near the motion, which could not be followed: {error}") from error
+    if outcome.limit == Regime.LIMIT_CYCLE and (patient or settled):
+        with suppress(ConvergenceError):
+            return cycle_at(field, values, np.array(outcome.cycle), outcome.period, backend)
+    raise ConvergenceError(_why(field, values, start, stage, outcome))
+
+
+def cycle_at(field: Field, values: Sequence[float], state: FloatArray, period: float, backend: str | None = None) -> Cycle:
+    """The cycle of about a period near a state: Newton's method and nothing else."""
+    fly, name = carrier(field, backend)
+    guess = Guess(np.asarray(state, dtype=float)[None], period, tuple(float(value) for value in values))
+    rough = scout(field, name)
+    if rough is not None:
+        guess = _from_guess(field, rough, guess, NEAR).guess
+    return _checked(_from_guess(field, fly, guess), fly, name)
+
+
+def _steep(field: Field, values: tuple[float, ...]) -> str:
+    """What may be too much for an integrator."""
+    value, name = max((abs(value), name) for name, value in zip(field.parameters, values, strict=True))
+    return f"; {name} = {value:g} is larger than it can carry: give a smaller one" if value > STEEP else ""
+
+
+def _towards(
+    field: Field, fly: Fly, known: Guess, values: tuple[float, ...], closed: float = CLOSED, halvings: int = 6
+) -> Loop:  # fmt: skip
+    """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
+    try:
+        return _from_guess(field, fly, Guess(known.states, known.period, values), closed)
+    except ConvergenceError:
+        if halvings == 0 or values == known.values:
+            raise
+    middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
+    between = _towards(field, fly, known, middle, closed, halvings - 1)
+    return _towards(field, fly, between.guess, values, closed, halvings - 1)
+
+
+def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
+    if _rests(loop):
+        raise ConvergenceError(
+            "there is no cycle near: what Newton's method finds is rest, at "
+            f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
+        )
+    return cycle_of(loop, fly, name)
+
+
+def _rests(loop: Loop) -> bool:
+    """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside it nearly does."""
+    return extent(loop) <= max(LEAST, SURE * error_of(loop))
+
+
+def _state(field: Field, near: Any) -> FloatArray:
+    state = np.zeros(field.size) if near is None else np.asarray(near, dtype=object)
+    if state.shape != (field.size,):
+        raise ParameterError(f"near has the shape {state.shape}; give a state of {field.size} numbers, a trajectory or a cycle")
+    return np.array([as_number("near", value, FINITE) for value in state.tolist()])
+
+
+def _by_returns(
+    field: Field, fly: Fly, rough: Fly | None, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
+) -> Loop | None:
+    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike: roughly first, if told."""
+    highest = [turn for turn in turns if turn.border == -1 and turn.direction < 0]
+    tried = 0
+    for first, second in _pairs(highest, from_start):
+        tried += 1
+        if tried > TRIES:
+            break
+        guess = Guess(first.state[None], second.t - first.t, values)
+        try:
+            if rough is not None:
+                guess = _from_guess(field, rough, guess, NEAR).guess
+            loop = _from_guess(field, fly, guess)
+        except ConvergenceError:
+            continue
+        # What a motion approaches is stable; near a state that is given there may be either.
+        if not _rests(loop) and not (stable and np.abs(multipliers(loop)[1:]).max() > 1):
+            return loop
+    return None
+
+
+def _pairs(highest: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]:
+    """Pairs of alike states: from the first one on, nearest first, and from the last one back, fewest returns first."""
+    if len(highest) < 3:
+        return
+    states = np.array([turn.state for turn in highest])
+    scale = np.ptp(states, axis=0)
+    scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
+    if from_start:
+        away = np.abs((states[1:] - states[0]) / scale).max(axis=1)
+        for i in np.argsort(away)[: TRIES // 2]:
+            if away[i] < FAR:
+                yield highest[0], highest[i + 1]
+    away = np.abs((states[:-1] - states[-1]) / scale).max(axis=1)[::-1]
+    best = np.inf
+    for k, distance in enumerate(away[: min(len(away), 60)]):
+        if distance < min(FAR, 0.5 * best):
+            best = distance
+            yield highest[-2 - k], highest[-1]
+
+
+def _from_guess(field: Field, fly: Fly, guess: Guess, closed: float = CLOSED) -> Loop:
+    """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
+    size = field.size
+    loop = looped(field, fly, guess)
+    pieces = len(guess.states)
+    while growth(loop) > LARGEST_GROWTH and pieces < 32:
+        pieces *= 2
+        loop = looped(field, fly, divided(field, fly, Guess(guess.states[:1], guess.period, guess.values), pieces))
+    turns = [turn.state for turn in loop.turns()]
+    reach = 0.5 * float(np.ptp(turns, axis=0).max()) if turns else np.inf
+    condition = across(field, loop.guess.states[0], loop.constants, pieces * size + 1)
+    if closed > CLOSED:
+        return solved(field, fly, loop.guess, condition, reach=reach, precision=closed, closed=closed)
+    return solved(field, fly, loop.guess, condition, reach=reach)
+
+
+def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float, outcome: Outcome) -> str:
+    """What became of a motion that no cycle was found for."""
+    told = "no cycle was found near the motion"
+    if still := stands_still(field, values, state):
+        return f"{told}: {still}"
+    places = [f"{name} = {value:.6g}" for name, value in zip(field.coordinates, outcome.rest, strict=False)]
+    return (
+        f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
+        + (f" at {', '.join(places)}" if places else "")
+        + "; give a state nearer to a cycle, as near=simulate(p, t_end=…) of a longer motion, or ask fate(p) what it comes to"
+    )
+
+
+def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> str:
+    """That the first coordinate stands still while others move, in words; empty where it moves, or nothing does.
+
+    Returns of a motion are looked at where its first coordinate is largest: there are none then.
+    """
+    try:
+        moved = np.ptp(field.simulate(values, state, LOOK).state[: len(field.coordinates)], axis=1)
+    except ConvergenceError:
+        return ""
+    if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
+        return ""
+    first, most = field.coordinates[0], field.coordinates[int(moved.argmax())]
+    return (
+        f"{first} stands still while {most} moves, and cycles are looked for where the first coordinate is largest; "
+        f"write a page whose first coordinate is {most}"
+    )

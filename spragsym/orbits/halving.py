@@ -1,0 +1,156 @@
+"""Where a branch of doubled cycles ends: its two halves become one, on the cycle of half the period, which doubles there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from ..motion.bifurcation_functions import at_minus_one, unsure
+from ..motion.shooting import Guess, Loop, across, extent, looped, rate, recut, solved
+from .arclength import Point, Setting, fixed, point_of
+
+#: The halves of a step's orbits come together if they pass each other within this share of how far they move.
+NEAR = 0.5
+
+#: Halves farther apart than this share of the orbit's extent are two.
+SMALL = 0.3
+
+#: Halves this close are one: an orbit twice round.
+ONE = 1e-9
+
+#: The halves are followed to where they meet once the square of their distance has fallen by this factor in one step, and will be
+#: gone within so many more.
+LESS, SOON = 0.9, 1.5
+
+#: First step of the parameter, in spans at most, and the least, in its own size; most steps.
+FIRST, LEAST, STEPS = 1e-5, 1e-12, 30
+
+
+def in_halves(loop: Loop, setting: Setting) -> Loop:
+    """The loop in an even number of stretches."""
+    pieces = len(loop.guess.states)
+    if pieces % 2 == 0:
+        return loop
+    return looped(setting.field, setting.fly, recut(loop, setting.fly, 2 * pieces), setting.free)
+
+
+def parted(point: Point) -> FloatArray:
+    """How far apart the two halves of a round are: states less those half a round before, across the flow, over √their number."""
+    states, half = point.loop.guess.states, len(point.loop.guess.states) // 2
+    apart = states[half:] - states[:half]
+    flows = np.array([rate(point.loop.field, state, point.loop.constants) for state in states[:half]])
+    along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
+    return np.asarray((apart - along[:, None] * flows).ravel() / np.sqrt(half), dtype=float)
+
+
+def meets(one: Point, other: Point) -> float | None:
+    """The share of the step from one point to the next at which their halves come together; None if they do not."""
+    if len(one.loop.guess.states) != len(other.loop.guess.states):
+        return None
+    before, after = parted(one), parted(other)
+    way = after - before
+    length = float(np.linalg.norm(way))
+    if float(np.linalg.norm(after)) > SMALL * extent(other.loop):
+        return None
+    if not length > 0 or not float(np.linalg.norm(before)) > ONE:
+        return None
+    if float(np.linalg.norm(after)) < ONE:
+        return 1.0
+    share = -float(before @ way) / length**2
+    return share if 0 < share < 1 and float(np.linalg.norm(before + share * way)) < NEAR * length else None
+
+
+def due(one: Point, other: Point, index: int) -> float | None:
+    """Where the halves will meet, as the parameter's value, if that is near: their distance squared is linear in it."""
+    if len(one.loop.guess.states) != len(other.loop.guess.states):
+        return None
+    before, after = parted(one), parted(other)
+    was, now = float(before @ before), float(after @ after)
+    if now > (SMALL * extent(other.loop)) ** 2:
+        return None  # an orbit that shrinks onto an equilibrium is no doubled one
+    if float(before @ after) <= 0 or not 0 < now < LESS * was:
+        return None
+    last, value = one.loop.guess.values[index], other.loop.guess.values[index]
+    share = now / (was - now)
+    return value + share * (value - last) if share < SOON else None
+
+
+def between_halves(one: Point, other: Point, share: float, index: int) -> tuple[Guess, float, float, float]:
+    """The cycle of half the period at a share of a step, where to look for its doubling, how far off that may be, and the way."""
+    a, b = one.loop.guess, other.loop.guess
+    states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2
+    guess = Guess((states[:half] + states[half:]) / 2, ((1 - share) * a.period + share * b.period) / 2, a.values)
+    reach = (float(np.linalg.norm(states[:half] - states[half:])) + float(np.linalg.norm(b.states - a.states))) / np.sqrt(half)
+    way = b.values[index] - a.values[index]
+    return guess, a.values[index] + share * way, reach, way
+
+
+def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: float) -> tuple[Loop, float] | None:
+    """The doubling of the cycle of half the period near a guess and a value of the parameter, and the error of its parameter.
+
+    None if there is none whose states are within ``reach``: then the halves have only come near each other. ``way`` is how far
+    the parameter went in the step that leads there: the cycle of half the period may turn back soon after.
+    """
+    field, index = setting.field, setting.free[0]
+
+    def at(value: float, near: Guess) -> Loop:
+        values = list(near.values)
+        values[index] = value
+        guess = Guess(near.states, near.period, tuple(values))
+        constants, unknowns = field.constants(values), guess.states.size + 1
+        return solved(field, setting.fly, guess, across(field, guess.states[0], constants, unknowns))
+
+    def started() -> tuple[float, Loop, float, Loop]:
+        first = at(middle, begun)
+        for sign in (1.0, -1.0):
+            value = middle + sign * max(min(FIRST * setting.spans[0], 0.1 * abs(way)), LEAST * (1 + abs(middle)))
+            try:
+                return middle, first, value, at(value, first.guess)
+            except ConvergenceError:
+                continue  # beyond what the parameter may be
+        raise ConvergenceError("the cycle of half the period can't be followed")
+
+    try:
+        low, before, high, loop = started()
+        last, now = at_minus_one(before), at_minus_one(loop)
+        for _ in range(STEPS):
+            if now == last or abs(high - low) < 2e-15 * (1 + abs(high)):
+                break
+            ahead = high - now * (high - low) / (now - last)
+            low, last, high = high, now, ahead
+            loop = at(high, loop.guess)
+            now = at_minus_one(loop)
+    except (ConvergenceError, np.linalg.LinAlgError):
+        return None
+    off = float(np.linalg.norm(loop.guess.states - begun.states)) / np.sqrt(len(begun.states))
+    if not abs(now) < 1e-8 or not off < reach:
+        return None
+    slope = abs((now - last) / (high - low)) if high != low and now != last else np.inf
+    noise = unsure(loop, "period_doubling")
+    return loop, float(abs(high - low) + noise / slope + 1e-15 * (1 + abs(high)))
+
+
+def twice(setting: Setting, end: Loop, along: Point) -> Point:
+    """The end of a branch of doubled cycles as one of these; it has no tangent of its own, and takes that of a point near it."""
+    guess = Guess(np.tile(end.guess.states, (2, 1)), 2 * end.guess.period, end.guess.values)
+    return Point(looped(setting.field, setting.fly, guess, setting.free), along.tangent)
+
+
+def nearer(setting: Setting, point: Point, end: Loop, share: float) -> Point | None:
+    """The doubled cycle whose halves are a share as far apart as a point's, on its way to where they meet; None if not found."""
+    index, guess = setting.free[0], point.loop.guess
+    values = list(guess.values)
+    values[index] = end.guess.values[index] + share**2 * (guess.values[index] - end.guess.values[index])
+    twice = np.tile(end.guess.states, (2, 1))
+    middle = (guess.states + np.roll(guess.states, len(guess.states) // 2, axis=0)) / 2
+    states = twice + share**2 * (middle - twice) + share * (guess.states - middle)
+    begun = Guess(states, 2 * end.guess.period + share**2 * (guess.period - 2 * end.guess.period), tuple(values))
+    try:
+        near = fixed(setting, looped(setting.field, setting.fly, begun, setting.free))
+    except ConvergenceError:
+        return None
+    found = point_of(setting, near, point.tangent)
+    return (
+        found if 0.3 * share < float(parted(found) @ parted(point)) / float(parted(point) @ parted(point)) < 3 * share else None
+    )

@@ -1,0 +1,277 @@
+"""What happens on a branch between two of its points: test functions that change sign, and levels that do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, multipliers, unsure
+from ..motion.shooting import Loop
+from .arclength import Point, Setting, between, corrected, placed, uncertainty
+from .grazing import Touch, grazing, may_have_touched, may_touch, paired, signature, touches
+
+#: What test functions tell, a grazing apart.
+KINDS = (*CRITERIA, "crossing")
+
+#: Halvings of a step that looks as if something were hidden in it.
+DEEPEST = 9
+
+#: Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs to a fold.
+FLAT = 1e-6
+
+#: An event is located to this, in units of the arc.
+LOCATED = 1e-11
+
+
+#: Slope of a branch, in shares of the range over the arc, below which it is upright; how near 1 a double multiplier is found; and
+#: what is then not told.
+UPRIGHT, DOUBLE, OF_ONES = 1e-8, 1e-4, frozenset(("fold", "crossing"))
+
+#: Said of an event that is none of a multiplier that is continuous.
+JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
+
+#: Said of an event whose place is not known better than the step.
+UNFOUND = "a sign changes there, and no zero was found"
+
+#: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at the ends of the step.
+JUMPS = 1e-2
+
+#: Few orbits scatter less than rounding may: their scatter counts so many times.
+SCATTER = 10.0
+
+#: A step longer than this is made shorter where an event in it is not located.
+FINEST = 1e-5
+
+
+class NotLocated(ConvergenceError):
+    """A test function changes its sign in a step, but its zero is not found."""
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A point with its test functions and turns."""
+
+    setting: Setting
+    point: Point
+
+    @cached_property
+    def criteria(self) -> dict[str, float]:
+        """Values of the test functions, by kind of event."""
+        return {kind: criterion(kind, self.point) for kind in KINDS}
+
+    @cached_property
+    def lost(self) -> frozenset[str]:
+        """Kinds of event whose test functions have lost their sign: nothing is concluded from these."""
+        return frozenset(kind for kind in KINDS if kind != "fold" and is_lost(self.point.loop, _of_multipliers(kind)))
+
+    @cached_property
+    def touches(self) -> list[Touch]:
+        """Turns of the borders."""
+        return touches(self.setting, self.point)
+
+
+def criterion(kind: str, point: Point) -> float:
+    """A test function along a branch: at a fold the parameter itself turns back; where another branch crosses, it does not."""
+    if kind == "fold":
+        return float(point.tangent[-1])
+    if kind == "crossing":
+        return CRITERIA["fold"](point.loop) * float(np.sign(point.tangent[-1]))
+    return CRITERIA[kind](point.loop)
+
+
+def _of_multipliers(kind: str) -> str:
+    """The test function of multipliers that a kind of event is told by."""
+    return "fold" if kind == "crossing" else kind
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that happens on a branch: what, the orbit there, and how well its place is known.
+
+    ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one crosses it; ``how`` what
+    else is to be said.
+    """
+
+    kind: str
+    loop: Loop
+    error: float
+    border: int = -1
+    crossed: FloatArray | None = None
+    how: str = ""
+
+
+def differing(one: Seen, other: Seen) -> list[str]:
+    """Kinds of event that lie between two points of a branch of doubled cycles, the other one its end.
+
+    There one of its multipliers is 1, so that test functions of a fold say nothing.
+    """
+    told = [kind for kind in ("period_doubling", "torus") if kind not in one.lost | other.lost]
+    kinds = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
+    return kinds + ["grazing"] * (signature(one.point) != signature(other.point))
+
+
+def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
+    """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
+    setting = one.setting
+    lost = one.lost | other.lost | (OF_ONES if vertical(one, other, length) else frozenset())
+    told = [kind for kind in KINDS if kind not in lost]
+    changed = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
+    quiet = set(told) - set(changed)
+    pairs = list(paired(one.touches, other.touches)) if len(one.touches) == len(other.touches) else []
+    pairs = pairs or list(paired(one.touches, other.touches))
+    through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
+    kinks = sum(abs(a - b) for a, b in zip(signature(one.point), signature(other.point), strict=True)) // 2
+    hidden = (
+        kinks != len(through)
+        or any(may_touch(*pair, length) for pair in pairs if pair not in through)
+        or may_have_touched(one.touches, other.touches, pairs, length)
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in quiet))
+        or len(changed) + len(through) > 1
+    )
+    if hidden and depth < DEEPEST:
+        try:
+            middle = Seen(setting, corrected(setting, one.point, length / 2))
+        except ConvergenceError:
+            middle = None
+        if middle is not None:
+            rest = between(setting, middle.point, other.point)
+            yield from findings(one, middle, length / 2, before, depth + 1)
+            yield from findings(middle, other, rest, one, depth + 1)
+            return
+    for touch, after in through:
+        yield from _grazing(one, other, touch, after, length)
+    for kind in changed:
+        yield from _located(kind, one, other, length)
+
+
+def vertical(one: Seen, other: Seen, length: float) -> bool:
+    """Whether the parameter stays what it is from one point to another, far apart: a whole family of cycles at one value.
+
+    There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign of the tangent says is
+    rounding.
+    """
+    span = one.setting.spans[0]
+    still = max(abs(float(seen.point.tangent[-1])) for seen in (one, other)) < UPRIGHT * span
+    if length <= FINEST or not still or not abs(_value(one) - _value(other)) < UPRIGHT * length * span:
+        return False
+    return all(float(np.abs(multipliers(seen.point.loop)[1:] - 1).min()) < DOUBLE for seen in (one, other))
+
+
+def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:
+    """Whether the parabola through three values of one sign, equally far apart, comes to 0 between the last two."""
+    a, b, c = (each.criteria[kind] for each in (before, one, other))
+    if not (a > 0) == (b > 0) == (c > 0):
+        return False
+    slope, bend = (c - a) / 2, (a + c) / 2 - b
+    if bend * b <= 0 or not 0 < -slope / (2 * bend) < 1:
+        return False
+    lowest = b - slope**2 / (4 * bend)
+    return lowest * b < 0.05 * b * b
+
+
+def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
+    near, turn = (one, touch) if abs(touch.level) <= abs(after.level) else (other, after)
+    for point, begun in ((near, turn), (one, touch), (other, after)):
+        try:
+            loop = grazing(one.setting, point.point, begun)
+        except ConvergenceError:
+            continue
+        off = 10 * loop.missed + 1e-12
+        if _lies_between(one, other, loop.guess.values[one.setting.free[0]], length, off):
+            yield Finding("grazing", loop, off, touch.turn.border)
+            return
+    if length > FINEST:
+        raise NotLocated("grazing")
+    if signature(one.point) == signature(other.point):
+        return  # two different turns were taken for one: the orbit crosses as often as before
+    yield Finding(
+        "grazing", near.point.loop, abs(other.point.loop.guess.values[one.setting.free[0]] - _value(one)), touch.turn.border
+    )
+
+
+def _lies_between(one: Seen, other: Seen, value: float, length: float, off: float) -> bool:
+    """Whether the parameter passes a value between two points: a turn of a doubled cycle has another one half a period away.
+
+    Where the branch turns back between them it passes more than what lies between their own.
+    """
+    low, high = sorted((_value(one), _value(other)))
+    ends = [float(each.point.tangent[-1]) for each in (one, other)]
+    beyond = length * max(map(abs, ends)) if (ends[0] < 0) != (ends[1] < 0) else 0.0
+    return low - beyond - off <= value <= high + beyond + off
+
+
+def _value(seen: Seen) -> float:
+    return seen.point.loop.guess.values[seen.setting.free[0]]
+
+
+def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Finding]:
+    """Where a test function is zero, by bracketing along the arc."""
+    from scipy.optimize import brentq
+
+    setting, known = one.setting, {0.0: one.point, length: other.point}
+
+    def value(arc: float) -> float:
+        if arc not in known:
+            known[arc] = corrected(setting, one.point, arc)
+        return criterion(kind, known[arc])
+
+    try:
+        root = float(brentq(value, 0.0, length, xtol=LOCATED, rtol=8.9e-16))
+    except (ConvergenceError, ValueError) as error:
+        if length > FINEST:
+            raise NotLocated(kind) from error  # the two points may lie on different branches: shorter steps tell
+        if kind == "crossing":
+            return
+        yield Finding(kind, other.point.loop, abs(_value(one) - _value(other)))
+        return
+    point = known[root] if root in known else corrected(setting, one.point, root)
+    if kind != "fold" and is_lost(point.loop, _of_multipliers(kind)):
+        return
+    if kind == "torus" and not is_complex_pair(point.loop):
+        return
+    if kind == "crossing" and abs(point.tangent[-1]) * setting.spans[0] < FLAT:
+        return  # the fold itself, by rounding
+    crossed = point.tangent if kind == "crossing" else None
+    off, how = _error(kind, one, other, length, point), ""
+    if abs(criterion(kind, point)) > JUMPS * max(abs(each.criteria[kind]) for each in (one, other)):
+        # Multipliers jump at a grazing: the sign changes with no zero.
+        if length > FINEST:
+            raise NotLocated(kind)
+        off, how = max(off, abs(_value(one) - _value(other))), JUMPED
+    yield Finding(_of_multipliers(kind), point.loop, off, crossed=crossed, how=how)
+
+
+def unlocated(kind: str, loop: Loop, width: float) -> Iterator[Finding]:
+    """What is said of a step in which a test function changes its sign and no zero is found; of a crossing nothing."""
+    if kind != "crossing":
+        yield Finding(_of_multipliers(kind), loop, width, how=UNFOUND)
+
+
+def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:
+    """How well the parameter is known at the zero of a test function: that of the orbit, and what the place on the arc adds."""
+    own = uncertainty(one.setting, point)
+    if kind == "fold":
+        return own  # the parameter is extremal there
+    change = abs(one.criteria[kind] - other.criteria[kind])
+    place = LOCATED + unsure(point.loop, _of_multipliers(kind)) * length / change
+    return own + abs(float(point.tangent[-1])) * place + SCATTER * _scatter(kind, one, other, point) / change
+
+
+def _scatter(kind: str, one: Seen, other: Seen, point: Point) -> float:
+    """By how much a test function scatters where orbits at one parameter are found from either side, times the step in that.
+
+    Near a grazing multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
+    """
+    value, width = point.loop.guess.values[one.setting.free[0]], abs(_value(other) - _value(one))
+    found = []
+    for base in (one.point, other.point):
+        with suppress(ConvergenceError, ZeroDivisionError):
+            step = (value - base.loop.guess.values[one.setting.free[0]]) / float(base.tangent[-1]) * base.tangent
+            found.append(abs(criterion(kind, placed(one.setting, base, step, value)) - criterion(kind, point)))
+    return width * max(found, default=0.0)

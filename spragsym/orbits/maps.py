@@ -1,0 +1,215 @@
+"""What motions come to over a grid of parameters: each point by the rules of :func:`spragsym.fate`, resumable."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from contextlib import closing
+from dataclasses import dataclass, field
+from enum import IntEnum
+from functools import partial
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ParameterError
+from ..files import storage
+from ..files.journal import Record
+from ..files.stored import stored
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
+from ..motion import integrators
+from ..motion.sweeps import code
+from ..motion.sweeps import workers as processes
+from ..motion.sweeps.result import Results
+from ..motion.sweeps.workers import Workers
+from ..motion.trajectory import initial_state
+from ..progress import advance
+from ..questions import model_of
+from .verdicts import UNFOLLOWED, fate
+
+#: Numbers of a record, in this order.
+MEASURED = ("kind", "period", "exponent", "exponent_error", "time_scale", "t")
+
+
+class Kind(IntEnum):
+    """What a motion comes to, as :attr:`spragsym.Fate.kind` has it in words."""
+
+    UNDECIDED = 0
+    REST = 1
+    CYCLE = 2
+    LIFT_OFF = 3
+    CHAOTIC = 4
+
+
+@dataclass(frozen=True, eq=False)
+class FateMap(Result):
+    """What motions come to; every array has the common shape of the parameters.
+
+    Attributes
+    ----------
+    inputs : dict of str to ndarray
+        The parameters as they were given, which broadcast together.
+    start : tuple of float
+        Where every motion begins: coordinates, then rates.
+    t_end : float
+    backend : str
+    kind : ndarray of int8
+        0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic.
+    period : ndarray
+        Of the cycle; NaN for none.
+    exponent, exponent_error : ndarray
+        The largest Lyapunov exponent but the trivial one, and the half-width of its 95 % interval.
+    time_scale : ndarray
+        On which the slowest deviations from steady sliding die out.
+    t : ndarray
+        How long the motion was followed.
+    why : ndarray of str
+        What decides the kind, or would.
+    model : Model
+    """
+
+    table_codes: ClassVar[Mapping[str, type[Kind]]] = {"kind": Kind}
+
+    inputs: dict[str, FloatArray]
+    start: tuple[float, ...]
+    t_end: float
+    backend: str
+    kind: NDArray[np.int8]
+    period: FloatArray
+    exponent: FloatArray
+    exponent_error: FloatArray
+    time_scale: FloatArray
+    t: FloatArray
+    why: NDArray[np.str_]
+    model: Any = field(repr=False)
+
+    def count(self) -> dict[str, int]:
+        """How many points are of each kind."""
+        return {kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind)) for kind in Kind}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``*.csv``: one line a point."""
+        explained = {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
+        names = (f"{name}0" for name in (*self.model.coordinates, *self.model.rates))
+        made = {
+            **storage.provenance(), "model": self.model.name, **dict(zip(names, self.start, strict=True)), "t_end": self.t_end,
+            "backend": self.backend,
+            "fingerprint": _fingerprint(self.model, self.inputs, self.start, self.t_end, self.backend),
+        }  # fmt: skip
+        storage.write(Path(path), dict, self._columns, made, explained)
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        shape = self.kind.shape
+        given = {name: np.broadcast_to(values, shape).ravel() for name, values in self.inputs.items()}
+        for name in self.model.about["angles"]:
+            given[f"{name}_deg"] = np.array([degrees(value) for value in given[name]])
+        return given | {name: getattr(self, name).ravel() for name in (*MEASURED, "why")}
+
+
+def fate_map(
+    p: ParameterSet, *, V: Any = None, d: Any = None, start: Any = None, t_end: float = 40_000.0,
+    backend: str | None = None, workers: Workers = 1, progress: bool = False, store: str | os.PathLike[str] | None = None,
+) -> FateMap:  # fmt: skip
+    """What the motion from one start comes to, at every point of a broadcast of parameters.
+
+    Parameters
+    ----------
+    p : Parameters of any model
+        Any shape.
+    V, d : array_like, optional
+        In place of those of ``p``.
+    start : array_like, optional
+        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+    t_end : float
+        As for :func:`spragsym.fate`.
+    backend : {"heyoka", "scipy"}, optional
+    workers, progress
+        As for :func:`~spragsym.rms_sweep`.
+    store : path, optional
+        ``*.csv``. Finished points go to ``<store>.partial`` one by one; the same call goes on from there after a kill, and loads
+        the file when it is finished.
+
+    Returns
+    -------
+    FateMap
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        Before the work starts. A motion that can't be followed is undecided, with the reason.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.fate_map(ss.Parameters.article(theta0=np.radians([30.0, 42.0])), V=0.5, d=10.0)
+    >>> found.kind, found.period.round(3)
+    (array([1, 2], dtype=int8), array([   nan, 34.267]))
+    """
+    model = model_of(p)
+    p.require(*p.ranges)
+    p = p.given(V=V, d=d)
+    inputs = {name: np.asarray(getattr(p, name), dtype=float) for name in p.ranges}
+    shape = common_shape({name: values.shape for name, values in inputs.items()})
+    state = tuple(float(value) for value in initial_state(model, start, {}).values())
+    t_end, name = as_number("t_end", t_end, POSITIVE), integrators.choose(backend, integrators.OF_ANY_MODEL)
+    columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
+    points = dict(enumerate(zip(*columns, strict=True)))
+    work = partial(_record, model, state, t_end, name)
+    made = partial(_made, model, inputs, shape, state, t_end, name)
+
+    def records(done: dict[int, Record], keep: Any) -> FateMap:
+        left = {i: point for i, point in points.items() if i not in done}
+        with advance(progress, len(points), len(done)) as step, closing(processes.results(workers, work, left)) as found:
+            for i, record in found:
+                keep(i, record)
+                step()
+        return made([done[i] for i in points])
+
+    if store is None:
+        kept: dict[int, Record] = {}
+        return records(kept, kept.__setitem__)
+    if Path(store).suffix != ".csv":
+        raise ParameterError(f"store = {store} does not end in .csv")
+    key, size = _fingerprint(model, inputs, state, t_end, name), len(points)
+    return stored(store, key, size, 100_000 + 1000 * size, lambda path: made(_loaded(path, key)), records, FateMap.save)
+
+
+def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, values: tuple[float, ...]) -> Record:
+    """What is said of one point; what makes its motion impossible is why it is undecided."""
+    try:
+        p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
+        found = fate(p, start=start, t_end=t_end, backend=backend)
+    except (ParameterError, ArithmeticError) as error:
+        return [float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}"
+    kind = Kind[found.kind.upper().replace("-", "_")]
+    across = [i for i in range(len(found.exponents)) if i != found.trivial]
+    largest, width = float(found.exponents[across[0]]), float(found.error[across[0]])
+    return [float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why
+
+
+def _fingerprint(model: Any, inputs: dict[str, FloatArray], start: tuple[float, ...], t_end: float, backend: str) -> str:
+    """A hash of everything that decides the bits of a map."""
+    settings = {"start": start, "t_end": t_end, "integrator": integrators.version(backend), "code": code.digest("cycles")}
+    return storage.fingerprint(inputs, {**settings, **Results(model).identity()})
+
+
+def _made(
+    model: Any, inputs: dict[str, FloatArray], shape: tuple[int, ...], start: tuple[float, ...], t_end: float, backend: str,
+    records: list[Record],
+) -> FateMap:  # fmt: skip
+    table = np.array([values for values, _ in records], dtype=float).reshape(-1, len(MEASURED))
+    columns: dict[str, Any] = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
+    columns["kind"] = columns["kind"].astype(np.int8)
+    why = np.array([storage.plain(text) for _, text in records], dtype=np.str_).reshape(shape)
+    return FateMap(inputs, start, t_end, backend, **columns, why=why, model=model)
+
+
+def _loaded(path: Path, key: str) -> list[Record]:
+    """The records of the map that a file holds, if it is this one."""
+    columns = storage.read_own(path, key)
+    numbers = np.array([np.asarray(columns[name], dtype=float) for name in MEASURED]).T.tolist()
+    return list(zip(numbers, (str(text) for text in columns["why"]), strict=True))

@@ -1,0 +1,334 @@
+"""A cycle: a closed orbit with its multipliers, its events, and what is measured over one period."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..files import storage
+from ..models.parameters import FloatArray
+from ..motion.field import Field
+from ..motion.flows import flow
+from ..motion.lobatto import PiecewisePolynomial
+from ..motion.problem import Event
+from ..motion.segment import Fly
+from ..motion.shooting import (
+    LARGEST_GROWTH,
+    MOST_STRETCHES,
+    Guess,
+    Loop,
+    difference,
+    error_of,
+    growth,
+    looped,
+    once_round,
+    phase,
+    recut,
+    solved,
+)
+from ..motion.trajectory import Events
+
+#: A multiplier this close to 1 in size decides nothing about stability.
+NEUTRAL = 1e-7
+
+#: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a fold, its shortest steps do.
+STAYS = 1e-9
+
+#: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
+UNRESOLVED = 1e-4
+
+#: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
+SAME = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle(Result):
+    """A cycle: a motion that repeats itself.
+
+    ``spring_force`` and ``contact_force`` are ranges over one period, computed when they are asked for.
+
+    Attributes
+    ----------
+    period : float
+        The least one.
+    state : ndarray, shape (m,)
+        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'. Anywhere if it only turns around.
+    multipliers : ndarray of complex, shape (m,)
+        Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding; then by size.
+    multiplier_errors : ndarray, shape (m − 1,)
+        Estimated errors of all but the trivial one: how far they move if the derivatives err as much as they do along the flow.
+    stable : bool
+        Whether all others are inside of the unit circle, by more than their errors.
+    error : float
+        Estimated error of state and period: the orbit's sensitivity times what does not close, or by what the flow without
+        derivatives ends elsewhere; no less than what the trivial multiplier lacks to 1.
+    residual : float
+        By how much the orbit does not close.
+    events : Events
+        Where it passes a kink: ``t`` from ``state`` on.
+    rms, mean, amplitude : float
+        Of the first coordinate over one period: root mean square about zero, mean, half of its range. Where it turns around the
+        first two are NaN, and the last one is π.
+    backend : str
+        The integrator.
+    loop : Loop
+        The orbit as it was solved for, with its derivatives.
+    """
+
+    period: float
+    state: FloatArray
+    multipliers: NDArray[np.complex128]
+    multiplier_errors: FloatArray
+    stable: bool
+    error: float
+    residual: float
+    events: Events
+    rms: float
+    mean: float
+    amplitude: float
+    backend: str
+    loop: Loop = dataclasses.field(repr=False)
+
+    @property
+    def field(self) -> Field:
+        """The model."""
+        return self.loop.field
+
+    @property
+    def table_model(self) -> Field:
+        """It knows which names are angles."""
+        return self.loop.field
+
+    def require(self, field: Field, name: str) -> None:
+        """Raise unless this is a cycle of that field: another's would be taken for what it is not."""
+        own = self.field
+        if own is not field and not (own.again and own.again == field.again):
+            one, other = (each.name.partition(":")[0] for each in (own, field))
+            raise ParameterTypeError(f"{name} is a cycle of {one}, not of {other}; give one of the same model")
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """The parameters, in the order of ``field.parameters``."""
+        return self.loop.guess.values
+
+    @cached_property
+    def samples(self) -> PiecewisePolynomial:
+        """One period by the polynomials through its samples."""
+        return sampled(self.loop, self.backend)
+
+    @cached_property
+    def spring_force(self) -> tuple[float, float]:
+        """Least and largest tension of the inclined spring, over k_c L_0."""
+        return self._range("spring_force")
+
+    @cached_property
+    def contact_force(self) -> tuple[float, float]:
+        """Least and largest force of the contact, over k_c L_0."""
+        return self._range("contact_force")
+
+    @cached_property
+    def forces(self) -> dict[str, tuple[float, float]]:
+        """Least and largest of every force of the model: of its contact, and of its springs, ``spring_force_1``, … of several."""
+        return {name: self._range(name) for name, _ in self.field.forces}
+
+    def _range(self, name: str) -> tuple[float, float]:
+        force = dict(self.field.forces).get(name)
+        if force is None:
+            raise ParameterError(
+                f"{name} is no force of this model, which has {', '.join(dict(self.field.forces)) or 'none'}; see forces"
+            )
+        return _range(self.samples, lambda states: force(states, self.loop.constants))
+
+    @cached_property
+    def parameters(self) -> dict[str, float]:
+        """The parameters by name."""
+        return dict(zip(self.field.parameters, self.values, strict=True))
+
+    def trajectory(self, periods: float = 1.0, **options: Any) -> Any:
+        """The motion over one period, or more of them, as :func:`~spragsym.simulate` gives it."""
+        chosen = {"rtol": 1e-13, "backend": self.backend} | options
+        return self.field.simulate(self.values, self.state, periods * self.period, **chosen)
+
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset``: the samples of one period, with everything else as attributes (extra ``sweep``)."""
+        dataset = self.trajectory().to_dataset()
+        dataset.attrs |= {
+            "cycle_period": self.period, "cycle_stable": int(self.stable), "cycle_error": self.error,
+            "cycle_residual": self.residual, "cycle_multipliers_real": self.multipliers.real,
+            "cycle_multipliers_imaginary": self.multipliers.imag, "cycle_rms": self.rms, "cycle_mean": self.mean,
+        }  # fmt: skip
+        return dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
+        path = Path(path)
+        if path.suffix == ".nc":
+            storage.write(path, self.to_dataset, dict, {}, {})
+        else:
+            self.trajectory().save(path)
+
+    def __repr__(self) -> str:
+        return (
+            f"Cycle(period={self.period:.10g}, state={np.round(self.state, 8).tolist()}, stable={self.stable}, "
+            f"largest multiplier={np.abs(self.multipliers[1:]).max():.6g})"
+        )
+
+
+def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
+    """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
+    loop = refined(once_round(loop, fly), fly)
+    guess, found = loop.guess, loop.multipliers
+    lost = abs(found.trivial - 1)
+    if not lost < UNRESOLVED:
+        raise ConvergenceError(
+            f"the derivatives of the flow are not resolved: the trivial multiplier is {found.trivial:.6g} instead of 1; "
+            "use another backend, or a less steep friction law"
+        )
+    differs = difference(loop, flow(loop.field, backend, derivatives=False).fly)
+    (mean, rms), (lowest, highest) = moments(loop, backend), range_of(loop)
+    return Cycle(
+        period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
+        stable=is_stable(loop), error=max(error_of(loop, differs), lost), residual=loop.missed,
+        events=_events(loop), rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=backend, loop=loop,
+    )  # fmt: skip
+
+
+class Cycles(Sequence[Cycle]):
+    """The cycles that closed loops are, each made when it is asked for first."""
+
+    @property
+    def field(self) -> Field | None:
+        """The model, if there is a cycle."""
+        return self._loops[0].field if self._loops else None
+
+    def __init__(self, loops: tuple[Loop, ...], fly: Fly, backend: str) -> None:
+        self._loops, self._fly, self._backend = loops, fly, backend
+        self._known: dict[int, Cycle] = {}
+
+    def __len__(self) -> int:
+        return len(self._loops)
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return tuple(self[i] for i in range(*index.indices(len(self))))
+        place = range(len(self))[index]
+        if place not in self._known:
+            self._known[place] = cycle_of(self._loops[place], self._fly, self._backend)
+        return self._known[place]
+
+
+def is_stable(loop: Loop) -> bool:
+    """Whether all multipliers but the trivial one are inside of the unit circle, by more than their errors."""
+    found = loop.multipliers
+    return bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all())
+
+
+def range_of(loop: Loop) -> tuple[float, float]:
+    """Least and largest first coordinate, ∓π where it turns around; a turn between stretches is in a state only."""
+    if loop.winding:
+        return -math.pi, math.pi
+    values = [*(float(turn.state[0]) for turn in loop.turns() if turn.border == -1), *loop.guess.states[:, 0].tolist()]
+    return min(values), max(values)
+
+
+def moments(loop: Loop, backend: str) -> tuple[float, float]:
+    """Mean and root mean square of the first coordinate; NaN where it turns around."""
+    if loop.winding:
+        return math.nan, math.nan
+    parts = [each.integrals for each in loop.passages if each.integrals is not None]
+    if len(parts) == len(loop.passages):
+        mean, square = (math.fsum(part[i] for part in parts) / loop.guess.period for i in (0, 1))
+        return mean, math.sqrt(square)
+    samples = sampled(loop, backend)
+    x, weights = samples.states[0], samples.weights() / loop.guess.period
+    return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
+
+
+def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
+    """One round by the polynomials through its samples."""
+    flier = flow(loop.field, backend, derivatives=False)
+    return PiecewisePolynomial(*flier.sample(loop.guess.states[0], loop.constants, loop.guess.period))
+
+
+def refined(loop: Loop, fly: Fly) -> Loop:
+    """The same orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
+    field = loop.field
+    begin, pieces, known = _top(loop), len(loop.guess.states), loop
+    while True:
+        cut = recut(known, fly, pieces, begin)
+        try:
+            found = solved(field, fly, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
+        except ConvergenceError:
+            found = _least_steps(field, fly, cut)
+        if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
+            return found
+        pieces, known, begin = 2 * pieces, found, 0.0
+
+
+def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
+    """The closed orbit by the shortest steps of Newton's method: at a fold of a branch its matrix is singular."""
+    loop = looped(field, fly, guess)
+    for _ in range(3):
+        values, rows = phase(loop, guess)(loop)
+        matrix, residual = np.vstack([loop.slopes(0), rows]), np.concatenate([loop.gaps.ravel(), values])
+        step, *_ = np.linalg.lstsq(matrix, -residual, rcond=1e-7)
+        ahead = looped(field, fly, loop.guess.moved(step, ()))
+        if ahead.missed >= loop.missed:
+            break
+        loop = ahead
+    if loop.missed > 1e-10:
+        raise ConvergenceError("the orbit does not close")
+    return loop
+
+
+def _top(loop: Loop) -> float:
+    """When the first coordinate is largest, and among several such times the one at which the second is; now if it never is."""
+    n, first = len(loop.field.coordinates), loop.guess.states[0]
+    highest = [(turn.state, turn.t) for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
+        highest.append((first, 0.0))
+    if not highest:
+        return 0.0
+    most = max(float(state[0]) for state, _ in highest)
+    _, begin = max(
+        ((state, t) for state, t in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda pair: float(pair[0][1])
+    )
+    return begin
+
+
+def _events(loop: Loop) -> Events:
+    crossings = loop.crossings()
+    kinds = []
+    for crossing in crossings:
+        name = loop.field.borders[crossing.border].crossings[0 if crossing.sign > 0 else 1].upper()
+        kinds.append(Event[name] if name in Event.__members__ else -1)
+    states = np.array([crossing.state for crossing in crossings]).reshape(-1, loop.field.size)
+    return Events(np.array([crossing.t for crossing in crossings]), states, np.array(kinds, dtype=np.intp), loop.field.components)
+
+
+def _range(samples: PiecewisePolynomial, force: Any) -> tuple[float, float]:
+    """Least and largest value: the extreme sample, refined between its neighbours."""
+    from scipy.optimize import minimize_scalar
+
+    values = force(samples.states)
+    ends = []
+    for sign in (1.0, -1.0):
+        best = int(np.argmin(sign * values))
+        low, high = samples.t[max(best - 1, 0)], samples.t[min(best + 1, len(values) - 1)]
+        found = minimize_scalar(
+            lambda t, sign=sign: sign * float(force(samples(np.array([t])))[0]), bounds=(low, high), method="bounded",
+            options={"xatol": 1e-9},
+        )  # fmt: skip
+        ends.append(sign * min(float(found.fun), float(sign * values[best])))
+    return ends[0], ends[1]

@@ -1,0 +1,127 @@
+"""Saddles: equilibria and cycles that repel in exactly one direction, and on which side of them a motion passes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..models.parameters import FloatArray
+from ..motion.field import Field
+from ..motion.segment import Fly
+from .orbit import Cycle
+
+#: Of a matrix of the motion about an equilibrium: relative error, with a margin.
+ROUNDING = 1e-13
+
+
+@dataclass(frozen=True)
+class Saddle:
+    """An equilibrium with one real direction of growth, and no other that is proved.
+
+    Attributes
+    ----------
+    state : ndarray, shape (m,)
+    growth : float
+        Its one eigenvalue with a positive real part.
+    direction, measure : ndarray, shape (m,)
+        Right and left eigenvectors of that, the product of which is 1: ``measure @ (state − saddle)`` grows as exp(growth τ).
+    attracts : bool
+        Whether all other eigenvalues are proved to have negative real parts; not so where nothing damps.
+    """
+
+    state: FloatArray
+    growth: float
+    direction: FloatArray
+    measure: FloatArray
+    attracts: bool
+
+
+def equilibrium_near(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
+    """The equilibrium that Newton's method finds from a state."""
+    constants, n, q = field.constants(values), len(field.coordinates), np.array(state[: len(field.coordinates)], dtype=float)
+    for _ in range(40):
+        whole = [*q.tolist(), *[0.0] * n]
+        mode = field.initial_mode(whole, constants)
+        force = np.array(field.acceleration(whole, constants, mode, math))
+        stiffness = np.array(field.jacobian(whole, constants, mode, math), dtype=float)[:, :n]
+        try:
+            step = np.linalg.solve(stiffness, -force)
+        except np.linalg.LinAlgError as error:
+            raise ConvergenceError("there is no equilibrium near") from error
+        q = q + step
+        if not np.abs(q).max() < 1e6:
+            break
+        if np.abs(step).max() < 1e-15 * (1 + np.abs(q).max()):
+            return np.concatenate([q, np.zeros(n)])
+    if np.abs(step).max() < 1e-12:
+        return np.concatenate([q, np.zeros(n)])
+    raise ConvergenceError("there is no equilibrium near")
+
+
+def linearization(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
+    """The matrix of the motion about an equilibrium, shape (m, m)."""
+    constants, n = field.constants(values), len(field.coordinates)
+    numbers = state.tolist()
+    lower = np.array(field.jacobian(numbers, constants, field.initial_mode(numbers, constants), math), dtype=float)
+    return np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), lower])
+
+
+def rounding_of(matrix: FloatArray) -> float:
+    """What rounding may add to a real part of an eigenvalue of a matrix of well separated eigenvalues."""
+    return float(ROUNDING * max(1.0, np.abs(matrix).max()))
+
+
+def saddle_near(field: Field, values: Sequence[float], state: FloatArray) -> Saddle | None:
+    """The saddle near a state; None where the equilibrium there has no direction of growth, or several."""
+    place = equilibrium_near(field, values, state)
+    matrix = linearization(field, values, place)
+    eigenvalues, vectors = np.linalg.eig(matrix)
+    error = rounding_of(matrix) * sensitivities(vectors)
+    growing = np.flatnonzero(eigenvalues.real > error)
+    if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
+        return None
+    which = int(growing[0])
+    left = np.linalg.inv(vectors)[which].real
+    right = vectors[:, which].real
+    size = float(np.linalg.norm(right))
+    attracts = bool((np.delete(eigenvalues.real + error, which) < 0).all())
+    return Saddle(place, float(eigenvalues[which].real), right / size, left * size, attracts)
+
+
+def decay_at(field: Field, values: Sequence[float], state: FloatArray) -> float:
+    """−max Re λ of an equilibrium; 0 unless it is proved to attract."""
+    matrix = linearization(field, values, state)
+    eigenvalues, vectors = np.linalg.eig(matrix)
+    below = eigenvalues.real + rounding_of(matrix) * sensitivities(vectors) < 0
+    return float(-eigenvalues.real.max()) if below.all() else 0.0
+
+
+def sensitivities(vectors: Any) -> FloatArray:
+    """By how much more than a matrix each of its eigenvalues moves, from its eigenvectors; infinite for a double one."""
+    try:
+        return np.asarray(np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
+    except np.linalg.LinAlgError:
+        return np.full(len(vectors), np.inf)
+
+
+def growth_of_cycle(cycle: Cycle) -> float | None:
+    """ln μ / T of the one multiplier beyond the unit circle; None unless it is proved that there is one, and one only."""
+    sizes, error = np.abs(cycle.multipliers[1:]), cycle.multiplier_errors
+    which = int(np.argmax(sizes))
+    if not sizes[which] - error[which] > 1 or not (np.delete(sizes + error, which) < 1).all():
+        return None
+    return float(np.log(sizes[which]) / cycle.period)
+
+
+def side(
+    field: Field, fly: Fly, values: tuple[float, ...], start: FloatArray, duration: float, saddle: Saddle
+) -> tuple[float, FloatArray]:  # fmt: skip
+    """How far a motion has come along the direction of growth after a while, and the derivative of that by its start."""
+    none = np.zeros((2, len(field.parameters)))
+    passage = fly(start, field.constants(values), duration, none)
+    return float(saddle.measure @ (passage.state - saddle.state)), saddle.measure @ passage.by_state

@@ -1,0 +1,123 @@
+"""From one branch of cycles to another, where they meet."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import POSITIVE, FloatArray, as_number
+from ..motion.flows import carrier
+from ..motion.shooting import Guess, Loop, divided, looped, rate, solved
+from .arclength import Setting, corrected, phase_row, point_of
+from .orbit import Cycle, cycle_of
+
+if TYPE_CHECKING:
+    from .branch import CycleBranch, CycleEvent
+
+#: First steps off a branch, in states.
+STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
+
+#: A cycle farther off than this many steps is on a branch that only passes near.
+FAR = 30
+
+
+def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
+    """As :meth:`CycleBranch.switch` says."""
+    from .branch import MERGES
+
+    cycle = event.cycle
+    if not any(event is each for each in branch.events):
+        raise ParameterError(f"event = a {event.kind} at {event.value:.10g} is none of this branch's; give one of branch.events")
+    step = as_number("step", step, POSITIVE)
+    if event.loop is None or not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
+        raise ParameterError(
+            f"no other branch of cycles begins at a {event.kind}{f' where {event.how}' if event.how else ''}; give a period "
+            "doubling, a fold, or an end where two branches meet"
+        )
+    if event.how == MERGES:
+        return cycle  # the event holds the cycle of half the period
+    fly, backend = carrier(cycle.field, cycle.backend)
+    index = cycle.field.parameters.index(branch.vary)
+    setting = Setting(cycle.field, fly, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
+    if event.kind == "fold" and event.crossed is None:
+        return _beyond(branch, setting, event.loop, step, backend)
+    twice = event.kind == "period_doubling"
+    guess, direction = _doubled(setting, cycle.loop) if twice else _across(setting, event)
+    for size in (step, *STEPS):
+        for sign in (1.0, -1.0):
+            try:
+                loop = _off(setting, guess, sign * size * direction, size)
+            except ConvergenceError:
+                continue
+            found = cycle_of(loop, fly, backend)
+            if not twice or 1.5 < found.period / cycle.period < 2.5:
+                return found
+    raise ConvergenceError(
+        f"no cycle of the other branch was found near {branch.vary} = {event.value:.10g}, by steps from {max(step, *STEPS):g} "
+        f"down to {min(step, *STEPS):g}"
+    )
+
+
+def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
+    """Where two branches cross there are two directions: the one across that of the branch, of unit size in the first state."""
+    assert event.loop is not None
+    loop = looped(setting.field, setting.fly, event.loop.guess, setting.free)
+    weights = setting.weights(len(loop.guess.states))
+    matrix = np.vstack([loop.slopes(1), phase_row(setting, loop)]) / weights
+    _, _, vectors = np.linalg.svd(matrix)
+    along = np.asarray(event.crossed) * weights
+    along = along / np.linalg.norm(along)
+    plane = vectors[-2:] - np.outer(vectors[-2:] @ along, along)
+    direction = max(plane, key=lambda vector: float(np.linalg.norm(vector))) / weights
+    return loop.guess, direction / np.linalg.norm(direction[: setting.field.size])
+
+
+def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float, backend: str) -> Cycle:
+    """The cycle a step from a fold, on the side that comes later on the branch."""
+    point = point_of(setting, loop)
+
+    def place(cycle: Cycle) -> int:
+        return int(np.argmin([np.abs(cycle.state - other.state).max() for other in branch.cycles]))
+
+    for size in (step, *(each for each in STEPS if each < step)):
+        try:
+            sides = [corrected(setting, point, sign * size, reach=FAR * size).loop for sign in (1.0, -1.0)]
+            return max((cycle_of(side, setting.fly, backend) for side in sides), key=place)
+        except ConvergenceError:
+            continue
+    raise ConvergenceError(f"no cycle beyond the fold was found, by steps from {step:g} down to {min(STEPS):g}")
+
+
+def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:
+    """Twice round, and the direction that turns over in one round: of unit size in the first state."""
+    pieces, size = 2 * len(loop.guess.states), setting.field.size
+    guess = divided(setting.field, setting.fly, Guess(loop.guess.states[:1], 2 * loop.guess.period, loop.guess.values), pieces)
+    values, vectors = np.linalg.eig(loop.monodromy)
+    turning = vectors[:, int(np.argmin(np.abs(values + 1)))].real
+    flow = rate(setting.field, guess.states[0], loop.constants)
+    turning = turning - flow * (flow @ turning) / (flow @ flow)
+    turning = turning / np.linalg.norm(turning)
+    twice = looped(setting.field, setting.fly, guess, setting.free)
+    parts = [turning]
+    for passage in twice.passages[:-1]:
+        parts.append(passage.by_state @ parts[-1])
+    direction = np.zeros(pieces * size + 2)
+    direction[: pieces * size] = np.concatenate(parts)
+    return guess, direction
+
+
+def _off(setting: Setting, guess: Guess, step: FloatArray, size: float) -> Loop:
+    """The closed orbit whose first state is off by ``size`` in the direction that turns over, wherever the parameter is."""
+    begun = guess.moved(step, setting.free)
+    target = begun.coordinates(setting.free)
+    middle = looped(setting.field, setting.fly, guess, setting.free)
+    across = np.zeros((1, len(step)))
+    across[0, : setting.field.size] = step[: setting.field.size] / size
+    rows = np.vstack([phase_row(setting, middle), across])
+
+    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        return rows @ (loop.guess.coordinates(setting.free) - target), rows
+
+    return solved(setting.field, setting.fly, begun, conditions, setting.free, reach=20 * size)

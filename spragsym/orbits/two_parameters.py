@@ -1,0 +1,233 @@
+"""Events of cycles followed in two parameters: curves of folds, doublings, tori and grazings in a plane."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import FloatArray
+from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, unsure
+from ..motion.field import Field
+from ..motion.flows import carrier
+from ..motion.shooting import CLOSED, Loop, looped, solved
+from ..progress import doing
+from .arclength import Setting, phase_row
+from .branch import CycleEvent
+from .grazing import touching
+from .orbit import Cycle, cycle_of
+
+#: Lengths of a step, in states, shares of the period and spans of the parameters.
+FIRST, LONGEST, SHORTEST = 0.01, 0.1, 1e-6
+
+#: Spans of a parameter whose range is not given: of its value, and at least.
+SPAN, LEAST = 0.25, 0.02
+
+#: A test function is known to so many of its errors.
+SURE = 100.0
+
+#: For differences of a test function.
+DIFFERENCE = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class EventCurve(Result):
+    """A curve of events in the plane of two parameters.
+
+    Attributes
+    ----------
+    kind : str
+    vary : tuple of str
+    values : ndarray, shape (n, 2)
+    periods : ndarray, shape (n,)
+    how : tuple of str
+        Why the curve ends, at its first and at its last point.
+    cycles : tuple of Cycle
+    """
+
+    kind: str
+    vary: tuple[str, str]
+    values: FloatArray
+    periods: FloatArray
+    how: tuple[str, str]
+    cycles: tuple[Cycle, ...] = field(repr=False)
+
+    @property
+    def table_model(self) -> Field | None:
+        """It knows which parameters are angles."""
+        return self.cycles[0].field if self.cycles else None
+
+
+def cycle_events(
+    event: CycleEvent, vary: tuple[str, str], *, to: dict[str, tuple[float, float]] | None = None, points: int = 60
+) -> EventCurve:  # fmt: skip
+    """Follow a fold, doubling, torus or grazing of cycles in two parameters.
+
+    Parameters
+    ----------
+    event : CycleEvent
+        Of a branch.
+    vary : tuple of str
+        Two parameters.
+    to : dict, optional
+        Parameter → range; the curve ends where it leaves it.
+    points : int
+        Most points each way.
+
+    Returns
+    -------
+    EventCurve
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and events of another kind.
+
+    Notes
+    -----
+    Newton's method on the closed orbit, with the event's test function as one more equation: for a fold det(1 − R) = 0 and for
+    a doubling det(1 + R) = 0, R the monodromy matrix across the flow; for a grazing level and rate of the border at the start.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(43.1)), V=0.5, d=10.0, near=(2.54, 3.36, 0, 0.36))
+    >>> (doubling,) = ss.cycle_branch(found, "theta0", np.radians([43.09, 43.13])).of("period_doubling")
+    >>> curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
+    >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
+    ([43.03, 43.12, 43.21], 0.5)
+    """
+    if event.loop is None or event.kind not in (*CRITERIA, "grazing"):
+        raise ParameterError(f"a {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")
+    model = event.cycle.field
+    for name in vary:
+        if name not in model.parameters:
+            raise ParameterError(f"vary = {vary!r}: {name!r} is not one of {', '.join(model.parameters)}")
+    if len(vary) != 2 or vary[0] == vary[1]:
+        raise ParameterError(f"vary = {vary!r} is not two parameters")
+    fly, backend = carrier(model, event.cycle.backend)
+    free = (model.parameters.index(vary[0]), model.parameters.index(vary[1]))
+    ranges = to or {}
+    spans = []
+    for name, index in zip(vary, free, strict=True):
+        low, high = ranges.get(name, (0.0, 0.0))
+        spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.guess.values[index]), LEAST))
+    setting = Setting(model, fly, free, event.cycle.period, tuple(spans))
+    bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
+    loop = event.loop
+    walk = _Walk(setting, event.kind, event.border, bounds, points)
+    first = walk.begun(loop)
+    back, why_back = walk.follow(first, -1.0)
+    forth, why_forth = walk.follow(first, 1.0)
+    loops = [*reversed(back), first, *forth]
+    cycles = tuple(cycle_of(each, fly, backend) for each in loops)
+    return EventCurve(
+        event.kind, vary, np.array([[each.guess.values[i] for i in free] for each in loops]),
+        np.array([each.guess.period for each in loops]), (why_back, why_forth), cycles,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Walk:
+    """One curve of events."""
+
+    setting: Setting
+    kind: str
+    border: int
+    bounds: list[tuple[float, float]]
+    points: int
+
+    def begun(self, loop: Loop) -> Loop:
+        """The event's loop with both parameters free."""
+        return looped(self.setting.field, self.setting.fly, loop.guess, self.setting.free)
+
+    def equations(self, loop: Loop) -> Callable[[Loop], tuple[FloatArray, FloatArray]]:
+        """Phase and event, near a loop; the event's test function in such units that its rounding does not keep the loop open."""
+        if self.border >= 0:
+            return touching(self.setting, self.border, len(loop.guess.states))
+        test, phase, start = CRITERIA[self.kind], phase_row(self.setting, loop), loop.guess.coordinates(self.setting.free)
+        unit = max(1.0, SURE * unsure(loop, self.kind) / CLOSED)
+
+        def both(now: Loop) -> tuple[FloatArray, FloatArray]:
+            there = now.guess.coordinates(self.setting.free)
+            row = _slope(self.setting, now, test, phase)
+            return np.array([*(phase @ (there - start)), test(now) / unit]), np.vstack([phase, row / unit])
+
+        return both
+
+    def tangent(self, loop: Loop, along: FloatArray | None) -> FloatArray:
+        """Direction of the curve, of length 1."""
+        _, rows = self.equations(loop)(loop)
+        weights = self.setting.weights(len(loop.guess.states))
+        _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(2), rows]) / weights)
+        tangent: FloatArray = vectors[-1] / weights
+        if along is None:
+            along = np.zeros(len(tangent))
+            along[-2] = 1.0
+        return -tangent if (tangent * weights) @ (along * weights) < 0 else tangent
+
+    def step(self, loop: Loop, tangent: FloatArray, length: float) -> Loop:
+        """The next loop on the curve."""
+        setting = self.setting
+        guess = loop.guess.moved(length * tangent, setting.free)
+        weights = setting.weights(len(guess.states))
+        arc, target = (tangent * weights**2)[None], guess.coordinates(setting.free)
+        begun = looped(setting.field, setting.fly, guess, setting.free)
+        equations = self.equations(begun)
+
+        def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:
+            values, rows = equations(now)
+            return np.append(values, arc @ (now.guess.coordinates(setting.free) - target)), np.vstack([rows, arc])
+
+        return solved(setting.field, setting.fly, guess, conditions, setting.free, reach=0.5, iterations=9)
+
+    def follow(self, first: Loop, direction: float) -> tuple[list[Loop], str]:
+        """Loops in one direction, and why they end."""
+        found: list[Loop] = []
+        loop, tangent, length = first, direction * self.tangent(first, None), FIRST
+        while len(found) < self.points:
+            try:
+                with doing("point {} in one direction of the curve", len(found) + 1):
+                    ahead = self.step(loop, tangent, length)
+                onward = self.tangent(ahead, tangent)
+            except (ConvergenceError, np.linalg.LinAlgError) as error:
+                length /= 3
+                if length < SHORTEST:
+                    return found, f"it could not be followed farther: {error}"
+                continue
+            weights = self.setting.weights(len(loop.guess.states))
+            straight = float((tangent * weights) @ (onward * weights))
+            if straight < 0.95 and length > 1e-4:
+                length /= 2.5
+                continue
+            inside = [low <= ahead.guess.values[i] <= high for i, (low, high) in zip(self.setting.free, self.bounds, strict=True)]
+            if not all(inside):
+                return found, "the range ends"
+            if self.kind == "torus" and not is_complex_pair(ahead):
+                return found, "its multipliers become real"
+            found.append(ahead)
+            loop, tangent = ahead, onward
+            length = min(LONGEST, length * (1.6 if straight > 0.995 else 1.1))
+        return found, f"{self.points} points were followed"
+
+
+def _slope(setting: Setting, loop: Loop, test: Callable[[Loop], float], phase: FloatArray) -> FloatArray:
+    """Derivative of a test function: differences along the surface of closed orbits, and along what hardly leaves it.
+
+    A weakly damped mode is nearly free to move: without it Newton's method converges slowly.
+    """
+    weights = setting.weights(len(loop.guess.states))
+    _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(2), phase]) / weights)
+    row = np.zeros((1, vectors.shape[1]))
+    for vector in vectors:
+        way = vector / weights
+        ahead, back = (
+            test(looped(setting.field, setting.fly, loop.guess.moved(sign * DIFFERENCE * way, setting.free), ()))
+            for sign in (1.0, -1.0)
+        )
+        row += (ahead - back) / (2 * DIFFERENCE) * vector * weights
+    return row

@@ -1,0 +1,210 @@
+"""The verdict that there is on a motion: its attractor, chaos by its exponents, or what would decide it."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
+from ..motion.field import Field
+from ..motion.flows import carrier
+from ..motion.regimes import Outcome, Regime
+from ..motion.trajectory import state_of
+from ..questions import model_of
+from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
+from .finding import cycle_near, stands_still
+from .growth_rates import rates_along
+from .orbit import NEUTRAL
+from .saddles import decay_at, equilibrium_near
+
+#: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
+SHARES = (0.2, 0.8)
+
+#: Motions beside an irregular one that are followed as well, and how far off they begin: one that settles tells of a transient.
+BESIDE, OFF = 4, 1e-6
+
+
+#: Said of a motion that no integrator carries on, as where steps have become too short.
+UNFOLLOWED = "the motion can't be followed"
+
+
+@dataclass(frozen=True, eq=False)
+class Fate(Result):
+    r"""What a motion comes to.
+
+    Attributes
+    ----------
+    kind : str
+        "rest", "cycle", "lift-off", "chaotic" or "undecided".
+    why : str
+        What decides that; of an undecided motion, what would.
+    t : float
+        How long the motion was followed.
+    outcome : Outcome
+        The attractor, reached or approached.
+    exponents, error : ndarray, shape (m,)
+        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers and their errors, infinite where
+        rounding hides a multiplier; else measured, with half-widths of 95 % intervals. NaN for lift-off.
+    trivial : int
+        Which of them is that of the flow's own direction, known to be 0; −1 where there is none.
+    time_scale : float
+        On which the slowest small deviations from steady sliding die out, −1 / max Re λ of its eigenvalues; infinite where they
+        do not. A motion settles in some ten of these.
+    near : str
+        What Newton's method finds near the end of an undecided motion; that is not to say that it comes to that.
+    end : ndarray, shape (m,)
+        Where the motion is at ``t``.
+    """
+
+    kind: str
+    why: str
+    t: float
+    outcome: Outcome
+    exponents: FloatArray
+    error: FloatArray
+    trivial: int
+    time_scale: float
+    near: str
+    end: FloatArray
+
+
+def fate(
+    p: ParameterSet, *, V: float | None = None, d: float | None = None, start: Any = None, t_end: float = 40_000.0,
+    backend: str | None = None,
+) -> Fate:  # fmt: skip
+    """What a motion comes to, as far as that can be told.
+
+    An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers decide. Where none is found, the
+    motion is chaotic if its Lyapunov exponents prove that: one is positive, every other one but the trivial one is told from 0,
+    and the motion has settled. Else it is undecided.
+
+    Parameters
+    ----------
+    p : Parameters of any model
+        Scalars.
+    V, d : float, optional
+        In place of those of ``p``.
+    start : array_like, optional
+        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+    t_end : float
+        How long to follow the motion. Exponents are looked at after that, for a fifth of it, and for as long as it where one may
+        be positive.
+    backend : {"heyoka", "scipy"}, optional
+
+    Returns
+    -------
+    Fate
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense.
+
+    Notes
+    -----
+    Source: (8)–(11). No finite time tells a chaotic transient from chaos for good: of a chaotic motion four neighbours are
+    followed as well, none of which may settle, and ``why`` says how long a transient would have to last.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(42.0))
+    >>> ss.fate(p, V=0.5, d=10.0).why
+    'it comes to a cycle of period 34.2674'
+    >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale, -3)
+    227000.0
+    """
+    model, values = model_of(p), p.given(V=V, d=d).scalars(*p.ranges)
+    return fate_of(model.field, values, state_of(model, start), as_number("t_end", t_end, POSITIVE), backend)
+
+
+def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None = None) -> Fate:
+    """As :func:`fate`, of any field; a motion that can't be followed is undecided, with the reason."""
+    try:
+        return _followed(field, values, start, t_end, backend)
+    except ConvergenceError as failed:
+        none = np.full(field.size, np.nan)
+        return Fate(
+            "undecided", f"{UNFOLLOWED}: {failed}", 0.0, Outcome(names=field.components), none, none, -1, float("inf"), "", start
+        )
+
+
+def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None) -> Fate:
+    fly, name = carrier(field, backend)
+    times = (*(t for t in JUDGED if t < t_end / 2), t_end)
+    verdict = judged(field, values, start, name, times=times)
+    scale, place = _time_scale(field, values, verdict)
+    none = np.full(field.size, np.nan)
+    if verdict.decided:
+        why = f"it comes to {verdict.told()}"
+        try:
+            limits = (none, none) if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
+            known, error = limits
+            trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
+            return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
+        except ConvergenceError as failed:
+            why = f"{why}, which Newton's method does not find again: {failed}"
+            return Fate("undecided", why, verdict.t, Outcome(names=field.components), none, none, -1, scale, "", verdict.end)
+    rates = rates_along(field, fly, values, verdict.end, SHARES[0] * t_end)
+    why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
+    if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
+        more = rates_along(field, fly, values, end, SHARES[1] * t_end)
+        rates = rates.joined(more)
+        why, end, t = rates.undecided(t_end), more.end, t + more.span
+    if not why:
+        why = _transient(field, values, start, t_end, name)
+    why = why and (stands_still(field, values, end) or why)
+    order = np.argsort(-rates.exponents)
+    near = _near(field, values, end, name) if why else ""
+    if why and scale < np.inf:
+        where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(field.coordinates, place, strict=False))
+        why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
+    lasting = (BESIDE + 1) * t_end / 3  # none of so many has settled: with 95 %, the mean life is above a third of their time
+    told = why or (
+        "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "
+        f"than {lasting:.2g} on the average (95 %)"
+    )
+    trivial = int(np.flatnonzero(order == 0)[0]) if rates.moves else -1
+    kind, exponents, error = "undecided" if why else "chaotic", rates.exponents[order], rates.error[order]
+    return Fate(kind, told, t, verdict.outcome, exponents, error, trivial, scale, near, end)
+
+
+def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> tuple[float, FloatArray]:
+    """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end; infinite where none attracts.
+
+    And that equilibrium.
+    """
+    places = [np.zeros(field.size), verdict.end]
+    for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
+        with suppress(ConvergenceError, ParameterError, ArithmeticError):
+            place = equilibrium_near(field, values, near)
+            if (slowest := decay_at(field, values, place)) > 0:
+                return 1 / slowest, place
+    return float("inf"), verdict.end
+
+
+def _transient(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str) -> str:
+    """Whether motions that begin beside an irregular one settle, in words; empty where none does."""
+    for i in range(1, BESIDE + 1):
+        beside = judged(field, values, start + i * OFF, backend, times=(t_end,))
+        if beside.decided:
+            return f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to {beside.told()} by t = {t_end:g}"
+    return ""
+
+
+def _near(field: Field, values: tuple[float, ...], end: FloatArray, backend: str) -> str:
+    """The cycle near a state, in words."""
+    try:
+        found = cycle_near(field, values, end, backend, patient=False)
+    except ConvergenceError:
+        return "no cycle"
+    away = float(np.abs(found.samples.states - end[:, None]).max(axis=0).min())
+    repels = bool((np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + NEUTRAL).any())
+    word = "stable" if found.stable else "unstable" if repels else "neither stable nor unstable by its multipliers"
+    return f"a cycle of period {found.period:.6g}, {word}, {away:.2g} away"

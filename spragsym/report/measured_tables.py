@@ -1,0 +1,219 @@
+"""A measured friction curve from a text file: what its head says of names, units and order is what is read, or it is refused."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import ParameterError
+from ..files.text import MEASURED, text_of
+from ..models.parameters import FloatArray
+from .units import factor
+
+#: Names of the two columns, in small letters without hyphens; a name that is not here is that of another column.
+SPEED = frozenset(
+    (
+        "v", "v rel", "v s", "v slip", "vrel", "vel", "velocity", "speed", "sliding speed", "sliding velocity", "slip speed",
+        "slip velocity", "relative speed", "relative velocity", "geschwindigkeit", "gleitgeschwindigkeit",
+        "relativgeschwindigkeit", "vitesse", "vitesse de glissement", "velocidad",
+    )
+)  # fmt: skip
+FRICTION = frozenset(
+    (
+        "mu", "mu k", "muk", "mue",
+        "friction", "friction coefficient", "coefficient of friction", "friction coeff", "coefficient", "cof",
+        "reibwert", "reibzahl", "reibungszahl", "reibungskoeffizient", "reibkoeffizient", "frottement",
+        "coefficient de frottement",
+    )
+)  # fmt: skip
+#: Characters between columns; blanks last.
+_BETWEEN = (";", "\t", ",", "|", " ")
+_COMMENT = ("#", "%", "//")
+#: Name and unit: v [m/s], v (m/s), v in m/s, v / (m/s), v/m/s, v_m/s, and v, m/s.
+_HEAD = re.compile(
+    r"(?P<name>[^\[\](/]*?)\s*(?:\[(?P<a>[^\[\]]*)\]|/?\s*\((?P<b>.*)\)|\s+in\s+(?P<c>\S+)|/\s*(?P<d>\S+)"
+    r"|[_\s,]\s*(?P<e>[cdkmµμ]?m/(?:s|min|h)))?"
+)
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
+#: A number with marks that stand before thousands only.
+_GROUPED = re.compile(r"[+-]?\d{1,3}(?:['’\u202f\u00a0]\d{3})+(?:[.,]\d*)?")
+#: A number whose mark may stand before thousands.
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
+#: A coefficient that is larger is in percent, or none.
+_LARGEST = 2.0
+#: A sliding speed in m/s that is smaller is none.
+_SLOWEST = 1e-15
+#: Lines of a file, and those among which its head is.
+_LINES, _ABOVE = 20_000, 100
+#: What a head looks like.
+EXAMPLE = "v [m/s],mu"
+
+
+class _RefusedError(Exception):
+    """Why a file can't be read with one character between columns, and how far that came."""
+
+    def __init__(self, reason: str, line: int | None = None, progress: int = 0) -> None:
+        super().__init__(reason)
+        self.reason, self.line, self.progress = reason, line, progress
+
+
+def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
+    """Sliding speeds in m/s and friction coefficients.
+
+    The first line that is no comment names the columns in any order, with units, as in ``v [mm/s];mu``; units may stand in a line
+    of their own below the names. Columns stand between semicolons, tabs, commas, bars or blanks, with a decimal point or comma.
+
+    Raises
+    ------
+    ParameterError
+        For a file that is missing, has no such head, may be read in two ways, or has a line that is no measurement.
+    """
+    text = text_of(path, MEASURED, "a text file with sliding speed and coefficient")
+    lines = [
+        (number, line.strip(" \r\n"))
+        for number, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.strip().startswith(_COMMENT)
+    ]
+    if len(lines) > _LINES:
+        raise ParameterError(f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so")
+    found: dict[tuple[tuple[float, float], ...], str] = {}
+    failures: list[_RefusedError] = []
+    said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
+    for between in (said[1],) if said else _BETWEEN:
+        try:
+            found[tuple(_rows(lines[1:] if said else lines, between))] = between
+        except _RefusedError as error:
+            failures.append(error)
+    if len(found) > 1:
+        raise ParameterError(f"{path} may be read in two ways; put semicolons between the columns, and nowhere else")
+    if not found:
+        worst = max(failures, key=lambda one: one.progress)
+        where = f"{path}, line {worst.line}" if worst.line else f"{path}"
+        raise ParameterError(f"{where}: {worst.reason}")
+    return _checked(path, next(iter(found)))
+
+
+def _checked(path: Path, rows: Sequence[tuple[float, float]]) -> tuple[FloatArray, FloatArray]:
+    speed, friction = np.abs(np.array([row[0] for row in rows])), np.array([row[1] for row in rows])
+    if len(set(speed[speed > 0].tolist())) < 2:
+        raise ParameterError(
+            f"{path} has {len(rows)} measurements; at least two at different sliding speeds are needed to fit mu0 and d"
+        )
+    if not ((speed == 0) | ((speed > _SLOWEST) & (speed < 1 / _SLOWEST))).all():
+        ends = f"{speed.min():g} to {speed.max():g} m/s"
+        raise ParameterError(f"{path}: no sliding speeds are from {ends}; look at the unit in the head")
+    if not friction.any():
+        raise ParameterError(f"{path}: all coefficients are 0; without friction there is nothing to fit, so give mu0 = 0 and d")
+    return speed, friction
+
+
+def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[float, float]]:
+    """Speed in m/s and coefficient of every line, if columns stand between these characters."""
+    if not lines:
+        raise _RefusedError(f"the file is empty; begin with a line of names and units such as {EXAMPLE}")
+    cells = [(number, _cells(line, between)) for number, line in lines]
+    # Above the head may stand what a test rig says of itself.
+    words = [{_word(name) for name in row} for _, row in cells[:_ABOVE]]
+    begin = next((at for at, row in enumerate(words) if row & SPEED and row & FRICTION), 0)
+    lines, cells = lines[begin:], cells[begin:]
+    names = cells[0][1]
+    if any(_NUMBER.fullmatch(name) for name in names):
+        said = f"{lines[0][1]!r} is no head: it does not say which column is which, and in what unit"
+        raise _RefusedError(f"{said}; put a line such as {EXAMPLE} above it", lines[0][0], 3)
+    data, units = cells[1:], [""] * len(names)
+    if data and len(data[0][1]) == len(names) and not any(_NUMBER.match(cell) for cell in data[0][1] if cell not in ("1", "")):
+        units, data = [cell.strip("[]()") for cell in data[0][1]], data[1:]
+    speed = _column(names, units, SPEED, "m/s", lines[0])
+    friction = _column(names, units, FRICTION, "1", lines[0])
+    for number, row in data:
+        if len(row) < len(names) or any(row[len(names) :]):
+            said = f"{dict(lines)[number]!r} has {len(row)} columns, and the head has {len(names)}"
+            raise _RefusedError(f"{said}; give every column a name, and put semicolons between them", number, 3)
+    yield from _numbers([(number, row[speed[0]], row[friction[0]]) for number, row in data], speed[1], friction[1], dict(lines))
+
+
+def _cells(line: str, between: str) -> list[str]:
+    if between != " ":
+        try:
+            return [_number(cell.strip(" \t\"'")) for cell in next(csv.reader([line], delimiter=between, skipinitialspace=True))]
+        except csv.Error as error:
+            raise _RefusedError(f"a line of {len(line)} characters is too long ({error}); write one a line") from error
+    # Blanks in a row are one: patterns go back over each of them.
+    together = re.sub(r" in (\S+)", r"[\1]", re.sub(r" (?=[\[(])", "", " ".join(line.split())))
+    return [_number(cell.strip("\"'")) for cell in together.split()]
+
+
+def _word(name: str) -> str:
+    """What a column is called: small letters, without its unit and without a symbol behind its name."""
+    parts = _HEAD.fullmatch(" ".join(name.split()))
+    word = re.sub(r"[\s_\-.]+", " ", parts["name"] if parts else name).strip().lower()
+    word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", word)
+    first, _, last = word.rpartition(" ")
+    return first if any({first, last} <= known for known in (SPEED, FRICTION)) else word
+
+
+def _number(cell: str) -> str:
+    """A cell; of a number with a minus of print, groups of thousands or Fortran's exponent, as Python writes it."""
+    text = cell.replace("\N{MINUS SIGN}", "-")
+    text = re.sub(r"['’\u202f\u00a0]", "", text) if _GROUPED.fullmatch(text) else text
+    return re.sub(r"^([+-]?[\d.,]+)[dD]([+-]?\d+)$", r"\1e\2", text)
+
+
+def _column(
+    names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, head: tuple[int, str]
+) -> tuple[int, float]:
+    """Which column has one of these names, and what its unit is in SI."""
+    what = "the sliding speed" if si == "m/s" else "the friction coefficient"
+    found = []
+    for i, (name, below) in enumerate(zip(names, units, strict=True)):
+        parts = _HEAD.fullmatch(" ".join(name.split()))
+        if _word(name) in known:
+            given = next((part for part in parts.group("a", "b", "c", "d", "e") if part is not None), "") if parts else ""
+            if given and below:
+                raise _RefusedError(f"{name!r} has a unit, and the line below gives {below!r}; give one of them", head[0], 2)
+            found.append((i, name, (given or below).strip()))
+    if len(found) != 1:
+        several = f"is named {len(found)} times" if found else "is not among the names"
+        raise _RefusedError(
+            f"{head[1]!r}: {what} {several}; name one column {'v [m/s]' if si == 'm/s' else 'mu'}, as in {EXAMPLE}", head[0], 1
+        )
+    i, name, unit = found[0]
+    if not unit and si == "m/s":
+        raise _RefusedError(f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v [mm/s]", head[0], 2)
+    try:
+        return i, factor("" if si == "1" and unit in ("-", "–", "1") else unit, si)
+    except ParameterError as error:
+        raise _RefusedError(f"{name!r}: {error}; write {'v [m/s]' if si == 'm/s' else 'mu or mu [%]'}", head[0], 2) from error
+
+
+def _numbers(
+    rows: Sequence[tuple[int, str, str]], speed: float, friction: float, lines: dict[int, str]
+) -> Iterator[tuple[float, float]]:
+    used = [cell for _, *cells in rows for cell in cells]
+    for number, *cells in rows:
+        for cell in cells:
+            if not _NUMBER.fullmatch(cell) or not math.isfinite(float(cell.replace(",", "."))):
+                raise _RefusedError(
+                    f"{lines[number]!r} is not a sliding speed and a coefficient, such as 0.5;0.41 or 0,5;0,41", number, 4
+                )
+    marks = {mark for mark in ".," for cell in used if mark in cell}
+    if len(marks) > 1 or any(all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks):
+        raise _RefusedError(
+            "points and commas may stand before decimals or thousands; write all numbers with a decimal point, such as 1500 "
+            "and 1.50", rows[0][0], 5,
+        )  # fmt: skip
+    for number, one, other in rows:
+        value = friction * float(other.replace(",", "."))
+        if value < 0:
+            raise _RefusedError(f"{lines[number]!r}: the coefficient {value:g} is negative; give its size", number, 6)
+        if value > _LARGEST:
+            raise _RefusedError(
+                f"{lines[number]!r}: the coefficient {value:g} is more than any brake has; write mu [%] in the head if it is in "
+                "percent", number, 6,
+            )  # fmt: skip
+        yield speed * float(one.replace(",", ".")), value

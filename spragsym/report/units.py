@@ -1,0 +1,279 @@
+"""Numbers with units: read from text, checked for their dimension and range, and given back in the unit in which they came."""
+
+from __future__ import annotations
+
+import functools
+import math
+import re
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ParameterError
+from ..models.parameters import FINITE, Range
+
+if TYPE_CHECKING:
+    import pint
+
+#: SI unit of a quantity → how an engineer would write one, alone and between two ends.
+EXAMPLES: Mapping[str, tuple[str, str]] = {
+    "kg": ("0.35 kg", "[0.3, 0.4] kg"), "N/m": ("180 N/mm ± 15 %", "[150, 210] N/mm"), "m": ("38 mm", "[37, 39] mm"),
+    "rad": ("52 deg ± 1 deg", "[51, 53] deg"), "N": ("420 N", "[400, 440] N"), "m/s": ("1.2 m/s", "[1, 1.4] m/s"),
+    "s/m": ("10 s/m", "[8, 12] s/m"), "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
+}  # fmt: skip
+#: Standard deviations on either side of a normal distribution's mean that its ends are, and that lie within its range.
+ENDS, WITHIN = 3.0, 6.0
+_POSITIVE = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+_NUMBER = rf"[+-]?{_POSITIVE}"
+_UNIT = r"(?:1\s*/\s*)?(?!sd\b)[^\d\s±\[\],+.-][^±\[\],]*?"
+#: 180 N/mm ± 15 %, or with sd a standard deviation
+_PLAIN = re.compile(
+    rf"(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?(?:\s*(?P<sign>±|\+/-|\+-|\bsd\b)\s*(?P<off>{_POSITIVE})\s*(?P<of>{_UNIT})?)?"
+)
+#: (180 ± 15) N/mm
+_BRACKETED = re.compile(
+    rf"\(\s*(?P<value>{_NUMBER})\s*(?P<sign>±|\+/-|\+-|\bsd\b)\s*(?P<off>{_POSITIVE})\s*\)\s*(?P<unit>{_UNIT})?"
+)
+_RANGE = re.compile(rf"\[\s*(?P<low>{_NUMBER})\s*,\s*(?P<high>{_NUMBER})\s*\]\s*(?P<unit>{_UNIT})?")
+#: What a unit may be written with; pint's own parser sees nothing else.
+_LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
+#: What pint knows by another meaning than many a writer's, and what says each of the two.
+_TWO_MEANINGS = {
+    "grad": "deg and gon", "Grad": "deg and gon", "gr": "g and grain",
+    "ton": "t (1000 kg) and short_ton", "tons": "t (1000 kg) and short_ton",
+    "mil": "mm and thou", "mils": "mm and thou",
+}  # fmt: skip
+_TORQUE = [("[length]", 2.0), ("[mass]", 1.0), ("[time]", -2.0)]
+_PERCENT = {"percent": "%", "per cent": "%", "pct": "%"}
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A quantity with its tolerance: value and ends in SI, and the unit in which it was given.
+
+    Without ``sd`` every value between the ends is as probable. With it the distribution is normal with that standard deviation:
+    cut off at the ends if ``cut``, and else three standard deviations are the ends, beyond which lie 0.27 % of it.
+    """
+
+    value: float
+    low: float
+    high: float
+    unit: str
+    sd: float = 0.0
+    cut: bool = True
+
+    @property
+    def tolerance(self) -> float:
+        """Half of the width of its range."""
+        return 0.5 * (self.high - self.low)
+
+    @property
+    def alone(self) -> Measured:
+        """The value without its tolerance."""
+        return Measured(self.value, self.value, self.value, self.unit)
+
+    def scaled(self, value: float, share: bool) -> Measured:
+        """The same tolerance about another value, as a share of it, or as it is."""
+        by = value / self.value if share and self.value else 1.0
+        low, high = (value + by * (end - self.value) for end in (self.low, self.high))
+        return Measured(value, low, high, self.unit, by * self.sd, self.cut)
+
+
+@functools.cache
+def registry() -> pint.UnitRegistry[Any]:
+    """The units of pint."""
+    from pint import UnitRegistry
+
+    return UnitRegistry(cache_folder=None)
+
+
+@functools.lru_cache(maxsize=256)
+def factor(unit: str, si: str) -> float:
+    """What one ``unit`` is in the SI unit ``si``.
+
+    Raises
+    ------
+    ParameterError
+        For a unit that is not known, or is one of another quantity.
+
+    Examples
+    --------
+    >>> factor("N/mm", "N/m"), factor("deg", "rad") == math.pi / 180
+    (1000.0, True)
+    """
+    if si == "1":
+        if unit not in ("", "1", "%"):
+            raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
+        return 0.01 if unit == "%" else 1.0
+    wanted, given = registry().parse_units(si), parsed(unit)
+    (*of_given, angle), (*of_wanted, wanted_angle) = dimension(given), dimension(wanted)
+    # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
+    if of_given != of_wanted or (angle != wanted_angle and of_wanted != _TORQUE):
+        raise ParameterError(f"the unit {unit!r} ({given}) does not measure what {si} does")
+    size: Any = registry().Quantity(1.0, given).to(wanted).magnitude
+    return float(size)
+
+
+def parsed(unit: str) -> pint.Unit:
+    """A unit from its text."""
+    powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", unit)  # a power of a power may be larger than any number
+    if not _LETTERS.fullmatch(unit) or powers or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
+        raise ParameterError(f"the unit {unit!r} can't be read")
+    for word in re.findall(r"[^\W\d]+", unit):
+        if word in _TWO_MEANINGS:
+            raise ParameterError(f"the unit {word!r} has two meanings, {_TWO_MEANINGS[word]}")
+    try:
+        found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
+        bare = [name for name in found._units if not any(power for _, power in dimension(registry().Unit(name)))]
+        zero = registry().Quantity(0.0, found).to_base_units().magnitude
+    except Exception as error:  # pint raises many kinds, of the tokenizer too
+        raise ParameterError(f"the unit {unit!r} is not known") from error
+    if bare:
+        raise ParameterError(f"{bare[0]} in the unit {unit!r} is a factor and no unit; multiply the number by it")
+    if zero != 0:
+        raise ParameterError(f"the unit {unit!r} has a zero point of its own")
+    return found
+
+
+def dimension(unit: pint.Unit) -> tuple[Any, ...]:
+    """Powers of length, mass and time, and of the radian, which pint counts as a number."""
+    from pint.util import to_units_container
+
+    powers: dict[str, Any] = dict(unit.dimensionality)
+    radians: Any = to_units_container(registry().get_base_units(unit)[1]).get("radian", 0)
+    return (*sorted((name, round(float(power), 9)) for name, power in powers.items()), ("angle", round(float(radians), 9)))
+
+
+# ------------------------------------------------------------------------------------------------------------- from text
+
+
+def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Measured:
+    """A quantity from text such as ``"180 N/mm ± 15 %"``, ``"[150, 210] N/mm"`` or ``"180 N/mm sd 5 %"``.
+
+    Parameters
+    ----------
+    text : str
+        Number and unit, and a tolerance if there is one: an amount, a share, two ends; or a standard deviation, with the ends at
+        which the distribution is cut off if it is, as in ``"180 N/mm sd 5 % in [160, 200] N/mm"``.
+    si : str
+        The SI unit of what is wanted.
+    allowed : Range
+        Where value and ends must lie, in SI.
+    example : str
+        How this quantity may be written.
+
+    Raises
+    ------
+    ParameterError
+        For text that is no quantity, a unit that is missing or of another quantity, a tolerance that may be read in two ways, and
+        numbers that are not allowed, with examples of what can be read.
+
+    Examples
+    --------
+    >>> read("180 N/mm +- 15 %", "N/m")
+    Measured(value=180000.0, low=153000.0, high=207000.0, unit='N/mm', sd=0.0, cut=True)
+    >>> round(read("0.45 sd 0.05", "1").high, 9)
+    0.6
+    """
+    try:
+        return _read(text, si, allowed)
+    except ParameterError as error:
+        brief = repr(text) if len(text) <= 200 else f"{text[:20]!r}…"
+        raise ParameterError(f"{brief}: {error}; write {remedy(si, allowed, example)}") from error
+
+
+def remedy(si: str, allowed: Range = FINITE, example: str = "") -> str:
+    """What to write: examples that are read and allowed."""
+    good = []
+    for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
+        with suppress(ParameterError):
+            _read(text, si, allowed)
+            good.append(f'"{text}"')
+    return f"for instance {' or '.join(good[:2])}" if good else f"a number in {allowed} of the unit {si}"
+
+
+def _read(text: str, si: str, allowed: Range) -> Measured:
+    if len(text) > 200:
+        raise ParameterError(f"{len(text)} characters are too many for a quantity")
+    plain = text.replace("\N{MINUS SIGN}", "-").strip()
+    cut = re.fullmatch(r"(.*\bsd\b.*)\bin\s*(\[.*)", plain)
+    body, ends = (cut[1].strip(), _RANGE.fullmatch(cut[2])) if cut else (plain, None)
+    if found := _RANGE.fullmatch(plain):
+        one = _between(found, si)
+    elif (found := _BRACKETED.fullmatch(body) or _PLAIN.fullmatch(body)) and bool(cut) == bool(ends):
+        one = _about(found, si, None if ends is None else _between(ends, si))
+    else:
+        raise ParameterError("this is not a number with a point, its unit, and a tolerance if it has one")
+    reach = (one.value - WITHIN * one.sd, one.value + WITHIN * one.sd) if not one.cut else (one.low, one.high)
+    for end in (one.value, *reach):
+        if not allowed.contains(end):
+            reached = "" if end == one.value else "the tolerance reaches what is not allowed: "
+            raise ParameterError(f"{reached}{shown_in(end, one.unit, si, 6)} is not {_within(allowed, one.unit, si)}")
+    return one
+
+
+def _within(allowed: Range, unit: str, si: str) -> str:
+    """A range in words."""
+    low, high = (shown_in(limit, unit, si, 6) for limit in (allowed.low, allowed.high))
+    words = f"{'above' if allowed.open_low else 'at least'} {low}"
+    if not math.isinf(allowed.high):
+        words += f" and {'at most' if allowed.closed_high else 'below'} {high}"
+    # Of angles it says radians.
+    return f"{words}: {allowed.remedy}" if allowed.remedy and si != "rad" else words
+
+
+def _between(found: re.Match[str], si: str) -> Measured:
+    unit = (found["unit"] or "").strip()
+    unit = _PERCENT.get(unit, unit)
+    low, high = (_in_si(found[name], unit, si) for name in ("low", "high"))
+    if low > high:
+        raise ParameterError("the range begins above its end")
+    # The middle of [0.3, 0.6] is to be 0.45, not a float next to it.
+    middle = _in_si(f"{0.5 * (float(found['low']) + float(found['high'])):.15g}", unit, si)
+    return Measured(middle, low, high, unit)
+
+
+def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
+    parts = {name: (part or "").strip() for name, part in found.groupdict().items()}
+    unit, off = parts["unit"], parts["off"]
+    unit, of = (_PERCENT.get(name, name) for name in (unit, parts.get("of", unit)))
+    if not unit and si != "1" and of not in ("", "%"):
+        unit = of  # 180 ± 15 N/mm
+    value = _in_si(parts["value"], unit, si)
+    if not off:
+        return Measured(value, value, value, unit)
+    if of == "%" and unit != "%":
+        if value == 0:
+            raise ParameterError(f"the tolerance is {off} % of 0, which is 0")
+        width = abs(value) * float(off) / 100
+    elif of == "%" and "of" in parts:
+        raise ParameterError("the tolerance may be points or a share of the value: put it in brackets, (45 ± 5) %, for points")
+    elif not of and (si != "1" or unit == "%"):
+        raise ParameterError("the tolerance has no unit")
+    else:
+        width = _in_si(off, of, si)
+    if parts["sign"] != "sd":
+        return Measured(value, value - width, value + width, unit)
+    if ends is not None:
+        if not ends.low < value < ends.high or not 0 < width < math.inf:
+            raise ParameterError("the mean does not lie between the ends at which it is cut off, or sd is not above 0 and finite")
+        return Measured(value, ends.low, ends.high, unit, width, True)
+    return Measured(value, value - ENDS * width, value + ENDS * width, unit, width, width == 0)
+
+
+def _in_si(number: str, unit: str, si: str) -> float:
+    if not unit and si != "1":
+        raise ParameterError("there is no unit")
+    scale = factor(unit, si)
+    # 52 deg is the float nearest to it, which two roundings may miss.
+    value = math.radians(float(number)) if scale == math.pi / 180 else float(number) * scale
+    if not math.isfinite(value):
+        raise ParameterError("this is too large for a number")
+    return value
+
+
+def shown_in(value: float, unit: str, si: str, digits: int = 4) -> str:
+    """A value in SI as text in another unit: ``"180 N/mm"``."""
+    number = f"{value / factor(unit, si):.{digits}g}"
+    return f"{number} {unit}".strip()

@@ -1,0 +1,261 @@
+"""Searches in angle and length of a spring's line, see :mod:`~spragsym.statics.polar`: stiff, anchored and torsion
+springs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics import boxes, certified_roots, contractors
+from ..numerics.certified_roots import Roots
+from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
+from .interval_newton import refined
+from .mechanics.balance import Balance
+from .mechanics.precise_balance import of_each, precise_forces, replaced, settled_by_digits
+from .polar import Polar, ends_are_linear, over_boxes
+
+#: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
+WIDE = 2.0**-10
+#: Stiffness over that of the contact from which on a point is looked at in polar coordinates first. In lift-off, where nothing
+#: else may hold the mass across, the line of a single spring is the better guide however soft it is.
+STIFF = 3e3
+#: What is searched beyond φ = ±π, and beyond l = 0 in parts of the largest length.
+BEYOND = 2.0**-6
+#: Upper bound of π.
+HALF_TURN = 3.1415926535897936
+#: Once around, and what it is known by.
+TURN, TURN_ERROR = 2 * np.pi, 1e-14
+#: By what the tension may be larger than it can be, so that none lies on the border of the region.
+ROOM = 1.0 + 2.0**-10
+#: Steps of interval Newton on lengths that are small parts of the largest one.
+STEPS = 6
+
+
+def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, NDArray[np.bool_]]:
+    """Roots and undecided boxes of points with a torsion spring, and which points these are.
+
+    A model with torsion springs along several lines, or along one whose first end is not at two coordinates, has none of them.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, points).
+    regions : ndarray
+        Shape (2, n, points) or (2, n, 1).
+    """
+    done = np.zeros(given.shape[1], dtype=np.bool_)
+    system = _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
+    if system is None:
+        return certified_roots.concatenated([], balance.n), done
+    with np.errstate(all="ignore"):
+        done = _stiffnesses(balance, given, "torsions").low[0] > 0
+    return _of_points(system, given, of_each(regions, given), np.flatnonzero(done)), done
+
+
+def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, NDArray[np.bool_]]:
+    """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
+    count = given.shape[1]
+    if not hasattr(balance.model.algebra, "stiffnesses"):
+        return certified_roots.concatenated([], balance.n), np.zeros(count, dtype=np.bool_)
+    with np.errstate(all="ignore"):
+        least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
+        stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
+    return _of_any_spring(balance, given, of_each(regions, given), np.flatnonzero(stiff))
+
+
+def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots, wider: float = WIDE) -> Roots:
+    """What a search has left along circles around anchors, decided in polar coordinates where that succeeds.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, points).
+    regions : ndarray
+        Shape (2, n, points) or (2, n, 1).
+    wider : float
+        Width of a box that is left from which on a point is looked at.
+    """
+    wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > wider
+    points = np.unique(found.left_point[wide])
+    again, done = _of_any_spring(balance, given, of_each(regions, given), points)
+    if not done.any():
+        return found
+    decided = np.flatnonzero(done)
+    return replaced(found, decided, replace(again, point=np.searchsorted(decided, again.point)))
+
+
+def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
+    """Of all springs, or as ``"torsions"`` of all torsion springs, shape (springs, points)."""
+    values = balance.arguments(balance.prepared(Intervals.point(given)))
+    return stacked(balance.of_no_place(name, values), given.shape[1:])
+
+
+def _of_any_spring(
+    balance: Balance, given: FloatArray, around: FloatArray, points: NDArray[np.int64]
+) -> tuple[Roots, NDArray[np.bool_]]:
+    """Roots of the points of which all is decided around one of the springs, and which these are."""
+    done = np.zeros(given.shape[1], dtype=np.bool_)
+    parts: list[Roots] = []
+    if balance.torsions:
+        with np.errstate(all="ignore"):
+            points = points[_stiffnesses(balance, given[:, points], "torsions").high.max(axis=0) <= 0]
+    for spring in range(balance.springs):
+        points = points[~done[points]]
+        system = _system(balance, given, spring, False) if points.size else None
+        if system is not None:
+            found = _of_points(system, given, around, points)
+            decided = np.setdiff1d(points, found.left_point)
+            parts.append(_picked(found, decided))
+            done[decided] = True
+    return certified_roots.concatenated(parts, balance.n), done
+
+
+def _picked(found: Roots, points: NDArray[np.int64]) -> Roots:
+    """The roots of points of which nothing is left."""
+    keep = np.isin(found.point, points)
+    nothing = np.empty((2, found.ends.shape[1], 0)), np.empty(0, dtype=np.int64)
+    return Roots(found.ends[:, :, keep], found.alone[:, :, keep], found.point[keep], *nothing)
+
+
+def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Polar | None:
+    """The system around a spring; None where it has no chart. A folder that was derived before has no forces without springs."""
+    names = balance.model.about["springs"][spring]["chart"]
+    if names is None or not hasattr(balance.model.algebra, "forces_apart") or not ends_are_linear(balance, given):
+        return None
+    x, y = (balance.coordinates.index(name) for name in names)
+    return Polar(balance, spring, (x, y), turns, False)
+
+
+def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: NDArray[np.int64]) -> Roots:
+    """Roots and undecided boxes of some points, by their numbers."""
+    given, around = given[:, points], around[:, :, points]
+    parts: list[Roots] = []
+    if points.size:
+        with np.errstate(all="ignore"):
+            sides, scale, narrow = _sides(system, given, around)
+        for tight in (False, True):
+            some = np.flatnonzero(narrow == tight)
+            if some.size:
+                columns = np.concatenate([given[:, some], scale[None, some]])
+                found = _searched(replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some])
+                parts.append(replace(found, point=points[some][found.point], left_point=points[some][found.left_point]))
+    return certified_roots.concatenated(parts, system.balance.n)
+
+
+def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+    """Of each point: the region in the unknowns, the scale, and whether the length stays away from 0."""
+    balance, shape = system.balance, given.shape[1:]
+    values = balance.arguments(balance.prepared(Intervals.point(given)))
+    stiffnesses = balance.of_no_place("stiffnesses", values)
+    k = stacked(stiffnesses, shape)[system.spring]
+    q = [0 if i in system.chart else Intervals(around[:, i]) for i in range(balance.n)]
+    *anchor, rest = stacked(balance.geometry(q, values)[system.spring], shape)
+    reach = [np.maximum(*raised(around[:, i] + end.ends[::-1])) for i, end in zip(system.chart, anchor, strict=True)]
+    length = raised(np.hypot(*reach), 4)
+    # Along the line the tension balances all else.
+    whole = list(Intervals(around))
+    directions = system.turned(balance.directions(whole, values, shape)[: 3 * balance.springs], Intervals.point(np.zeros(shape)))
+    forces = stacked(system.other_forces(whole, directions, values, stiffnesses, over_boxes(shape)), shape)
+    most = ROOM * raised(np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8)
+    most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
+    tight = most < 0.5 * rest.low
+    longest = np.fmin(length, raised(rest.high + most))
+    shortest = np.maximum(-BEYOND * longest, -raised(most - rest.low))
+    scale = np.where(tight, most, longest)
+    scale = np.where(scale > 0, scale, 1.0)
+    turn = np.full(shape, HALF_TURN + BEYOND)
+    ends = np.where(tight, 1.0, -shortest / scale), np.ones(shape)
+    others = [around[:, i] for i in range(balance.n) if i not in system.chart]
+    return np.stack([np.stack([turn, turn]), raised(np.stack(ends), 2), *others], axis=1), scale, tight
+
+
+def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: FloatArray) -> Roots:
+    """All roots of points, as boxes of coordinates."""
+    with np.errstate(all="ignore"):
+        outcome = boxes.search(system, sides, given, given)
+        found = certified_roots.roots(system, outcome, sides, given, given)
+        found = replace(found, ends=refined(system, given, found.ends, found.point, system.precise))
+        found = settled_by_digits(system, given, sides, found, system.precise)
+        found = found if system.turns else _once_around(found)
+        prepared = system.prepared(Intervals.point(given))
+        ends = found.ends if system.tight else _sharpened(system, found.ends, prepared[:, found.point])
+        ends, point = _possible(system, ends, found.point)
+        sure = _are_equilibria(system, ends)
+        left, left_point = _possible(system, found.left, found.left_point)
+        left = np.concatenate([left, ends[:, :, ~sure]], axis=2)
+        left_point = np.concatenate([left_point, point[~sure]])
+        balance, point = system.balance, point[sure]
+        roots = system.cartesian(ends[:, :, sure], prepared[:, point])
+        # On which side of the border a root lies that floats can't tell from it, digits do.
+        on_border = ~contractors.within(roots, around[:, :, point])
+        roots = refined(balance, given[:-1], roots, point, precise_forces(balance), on_border)
+        left = system.cartesian(left, prepared[:, left_point])
+    return _apart(roots, point, left, left_point, around)
+
+
+def _once_around(found: Roots) -> Roots:
+    """Roots once each, where angles that differ by a turn are the same; what is left beyond ±π is left on the other side, too."""
+    back = found.ends[1, 0] < 2 * BEYOND - np.pi
+    ends, alone = found.ends.copy(), found.alone.copy()
+    turn = np.array([[-TURN], [TURN]])
+    ends[:, 0, back] += turn + TURN_ERROR
+    alone[:, 0, back] += turn - TURN_ERROR
+    order = np.lexsort((-alone[0, 0], found.point))
+    ends, alone, point = ends[:, :, order], alone[:, :, order], found.point[order]
+    keep, unclear = certified_roots.once(ends, alone, point)
+    inside = Intervals(found.left[:, 0]).mignitude <= HALF_TURN
+    left = np.concatenate([found.left[:, :, inside], ends[:, :, unclear]], axis=2)
+    left_point = np.concatenate([found.left_point[inside], point[unclear]])
+    return Roots(ends[:, :, keep], alone[:, :, keep], point[keep], left, left_point)
+
+
+def _possible(system: Polar, ends: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Boxes that may hold an equilibrium, and their points."""
+    keep = np.ones(point.size, dtype=np.bool_)
+    if system.turns:
+        keep &= Intervals(ends[:, 0]).mignitude <= HALF_TURN
+    if not system.tight:
+        keep &= ends[1, 1] >= 0
+    return ends[:, :, keep], point[keep]
+
+
+def _are_equilibria(system: Polar, ends: FloatArray) -> NDArray[np.bool_]:
+    """Whether lengths are proved to be positive, and angles to be those of the least turning."""
+    sure = np.ones(ends.shape[2], dtype=np.bool_)
+    if system.turns:
+        sure &= Intervals(ends[:, 0]).magnitude < np.pi
+    if not system.tight:
+        sure &= ends[0, 1] < 0
+    return sure
+
+
+def _sharpened(system: Polar, ends: FloatArray, parameters: Intervals) -> FloatArray:
+    """Roots known to more digits: a length that is a small part of the scale to as many as a large one."""
+    for _ in range(STEPS):
+        ends = np.fmin(certified_roots.stepped(system, ends, parameters).ends, ends)
+    return ends
+
+
+def _apart(
+    roots: FloatArray, point: NDArray[np.int64], left: FloatArray, left_point: NDArray[np.int64], around: FloatArray
+) -> Roots:
+    """Roots of the region, each in a box of its own; those in boxes that meet are among what is left."""
+    order = np.lexsort((-roots[0, 0], point))
+    roots, point = roots[:, :, order], point[order]
+    inside = ~contractors.apart(roots, around[:, :, point])
+    roots, point = roots[:, :, inside], point[inside]
+    clear = contractors.within(roots, around[:, :, point])
+    for shift in range(1, point.size):
+        near = (point[shift:] == point[:-shift]) & (roots[1, 0, :-shift] >= -roots[0, 0, shift:])
+        if not near.any():
+            break
+        first = np.flatnonzero(near)
+        meet = first[~contractors.apart(roots[:, :, first], roots[:, :, first + shift])]
+        clear[meet] = clear[meet + shift] = False
+    left = np.concatenate([left, roots[:, :, ~clear]], axis=2)
+    left_point = np.concatenate([left_point, point[~clear]])
+    possible = ~contractors.apart(left, around[:, :, left_point])
+    ends = roots[:, :, clear]
+    return Roots(ends, ends, point[clear], left[:, :, possible], left_point[possible])

@@ -1,0 +1,246 @@
+"""The balance of forces of a model over boxes of coordinates and parameters, as the search asks for it."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...numerics import contractors, jets
+from ...numerics.boxes import POLE
+from ...numerics.interval_arrays import FloatArray, Intervals, stacked
+from .forces import Forces
+from .laws import FREE
+
+#: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
+AWAY = 1.0
+#: Sizes of a box from all anchors beyond which it counts as small.
+FAR = 2.0
+#: Steps of Newton's method from the middle of a box that has one root.
+GUESSES = 4
+#: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
+NOTHING = 1e-290
+
+#: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
+Excluded: TypeAlias = Callable[[NDArray[np.int64], Sequence[int]], NDArray[np.bool_]]
+
+
+class Balance(Forces):
+    """Forces as the search asks for them: unknowns are the coordinates.
+
+    Parameters of the search are those of the page, in its order; :meth:`prepared` turns them into the arguments of the
+    generated functions, once for each node of the tree of points.
+    """
+
+    #: Whether forces contain a length, once that was asked.
+    _lengths: bool | None = None
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Forces over boxes, shape (n, N)."""
+        q, values, shape = self._taken(unknowns, parameters)
+        return stacked(self.call("forces", q, self.directions(q, values, shape, sides=self.anywhere), values), shape)
+
+    @property
+    def anywhere(self) -> list[int]:
+        """``sides`` for what needs no derivatives: turnings that jump in a box have any value there."""
+        return [0] * len(self.torsions)
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """Forces at floats, shape (n, N)."""
+        return self.residuals(Intervals.point(middles), parameters)
+
+    def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray:
+        """Newton's method in floats."""
+        values = dict(zip(self.codes, parameters.middle, strict=True))
+        q = middles
+        for _ in range(GUESSES):
+            directions = self.plain_directions(list(q), values, np)
+            forces, rows = (self.call(name, list(q), directions, values, np) for name in ("forces", "forces_jacobian"))
+            J = contractors.inverse(np.array([[entry + 0.0 * q[0] for entry in row] for row in rows]))
+            q = q - (J * np.array([force + 0.0 * q[0] for force in forces])[None]).sum(axis=1)
+        return q
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Stiffness over boxes, shape (n, n, N)."""
+        q, values, shape = self._taken(unknowns, parameters)
+        rows = self.call("forces_jacobian", q, self.directions(q, values, shape), values)
+        return matrix(rows, shape)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
+        return self.nothing_at(*self._taken(unknowns, parameters))
+
+    def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        """The same, of coordinates and arguments."""
+        out = self.beyond_border(q, values, shape)
+        for spring, (dx, dy) in enumerate(self.anchors(q, values, shape)):
+            # Farther from the anchor the direction is known so well that the forces themselves tell.
+            rows = np.flatnonzero(~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
+            if rows.size:
+                out[rows] = self._no_direction([part[rows] for part in q], taken(values, rows), rows.shape, spring)
+
+        def unbalanced(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
+            place, some = [part[rows] for part in q], taken(values, rows)
+            forces = self.call("forces", place, self.directions(place, some, rows.shape, sides=sides), some)
+            no_root: NDArray[np.bool_] = ~np.logical_and.reduce(stacked(forces, rows.shape).holds_zero())
+            return no_root
+
+        return out | self.beside_jumps(q, values, ~out, unbalanced)
+
+    def beside_jumps(
+        self, q: Sequence[Intervals], values: Mapping[str, Any], among: NDArray[np.bool_], excluded: Excluded
+    ) -> NDArray[np.bool_]:
+        """Boxes in which a turning jumps, and that are excluded on each side of the jump."""
+        out = np.zeros(among.shape, dtype=np.bool_)
+        if not self.torsions or not among.any():
+            return out
+        turnings = self.directions(q, values, among.shape)[3 * self.springs :]
+        jumps = np.logical_or.reduce([np.isnan(phi.ends[0]) for phi in turnings])
+        rows = np.flatnonzero(among & jumps)
+        if rows.size:
+            every = itertools.product((1, -1), repeat=len(self.torsions))
+            out[rows] = np.logical_and.reduce([excluded(rows, sides) for sides in every])
+        return out
+
+    def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        """Boxes that lie on the other side of the contact's border."""
+        if not self.opens:
+            return np.zeros(shape, dtype=np.bool_)
+        return self.sides(stacked([self.gap(q, values)], shape)[0])[1]
+
+    def sides(self, gap: Intervals) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Gaps on this side of the contact's border or on it, and gaps beyond it."""
+        if self.contact:
+            return gap.high <= self.room, gap.low > self.room
+        return gap.low >= -self.room, gap.high < -self.room
+
+    def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """The gap of the contact over boxes, shape (N,)."""
+        q, values, shape = self._taken(unknowns, parameters)
+        return stacked([self.gap(q, values)], shape)[0]
+
+    def _no_direction(
+        self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...], spring: int
+    ) -> NDArray[np.bool_]:
+        """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
+        directions = self.directions(q, values, shape)
+        place = 3 * spring
+        cover = Intervals(np.ones((2, *shape)))
+        directions[place], directions[place + 1] = (jets.Jet.variable(cover, number, 1) for number in (0, 1))
+        rows = [jets.gradient(row, 2) for row in self.call("forces", q, directions, values)]
+        M = matrix(rows, shape)
+        directions[place] = directions[place + 1] = Intervals(np.zeros((2, *shape)))
+        G = stacked(self.call("forces", q, directions, values), shape)
+        return contractors.no_unit_vector(G, M)
+
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
+        return self.at_poles(*self._taken(unknowns, parameters), width)
+
+    def at_poles(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], width: float) -> NDArray[np.bool_]:
+        """The same, of coordinates and arguments, for boxes up to a width."""
+        out = np.zeros(shape, dtype=np.bool_)
+        if self._lengths:
+            for dx, dy in self.anchors(q, values, shape):
+                out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
+        return out
+
+    def anchors(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[tuple[Intervals, Intervals]]:
+        """The vectors from the mass to the anchors of all springs."""
+        return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in self.geometry(q, values)]
+
+    # -------------------------------------------------------------------------------------------- contraction
+
+    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes far from the anchors of all springs, for their size: directions hardly change over them.
+
+        None where a contact's law is no polynomial: over a small box an exponential of the depth may change by any factor.
+        """
+        smooth = not self.contact or bool(self.model.about["contact"].get("polynomial"))
+        far = np.full(unknowns.shape[1:], bool(self.springs) and smooth)
+        for dx, dy in self.anchors(*self._taken(unknowns, parameters)):
+            far &= np.hypot(dx.mignitude, dy.mignitude) > FAR * (dx.width + dy.width)
+        return far
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""
+        q, values, shape = self._taken(unknowns, parameters)
+        return self.with_directions(unknowns, values, self.directions(q, values, shape, sides=self.anywhere))
+
+    def with_directions(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+        """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
+        step = contractors.newton(*self._linear(unknowns, unknowns.middle, values, directions))
+        return np.fmin(step.ends, unknowns.ends)
+
+    def by_rows(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+        """The same, each coordinate from the row of its number and from forces near 0, which serves where slopes are unknown."""
+        near = np.clip(0.0, unknowns.low, unknowns.high)
+        return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions, self.by_coordinate)), unknowns.ends)
+
+    def with_waves(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+        """The same with cosines and sines of the coordinates left free, as directions are."""
+        near = np.clip(0.0, unknowns.low, unknowns.high)
+        shape = unknowns.shape[1:]
+        at_near = self.by_coordinate("forces", list(Intervals.point(near)), directions, values, FREE)
+        rows = self.by_coordinate("forces", jets.variables(list(unknowns), 1), directions, values, FREE)
+        slopes = matrix([jets.gradient(row, self.n) for row in rows], shape)
+        reach = contractors.distance(unknowns.ends, near)
+        return np.fmin(contractors.by_rows(stacked(at_near, shape), slopes, near, reach), unknowns.ends)
+
+    def _linear(
+        self,
+        unknowns: Intervals,
+        middle: FloatArray,
+        values: Mapping[str, Any],
+        directions: Sequence[Any],
+        call: Callable[..., Any] | None = None,
+    ) -> tuple[Intervals, Intervals, FloatArray, FloatArray]:
+        """Forces at points of the boxes, slopes over the boxes, the points and distances from them, with fixed directions."""
+        shape, call = unknowns.shape[1:], call or self.call
+        at_middle = call("forces", list(Intervals.point(middle)), directions, values)
+        reach = contractors.distance(unknowns.ends, middle)
+        return stacked(at_middle, shape), self._slopes(unknowns, values, directions, call), middle, reach
+
+    def _slopes(
+        self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any], call: Callable[..., Any]
+    ) -> Intervals:
+        """Slopes of the forces with directions and lengths fixed."""
+        shape = unknowns.shape[1:]
+        if self._lengths_matter(unknowns, values, directions):
+            rows = call("forces", jets.variables(list(unknowns), 1), directions, values)
+            return matrix([jets.gradient(row, self.n) for row in rows], shape)
+        # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
+        # for a derivative that its stiffness has in a sharper form.
+        endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
+        far = [endless if self._is_length(i) else part for i, part in enumerate(directions)]
+        return matrix(call("forces_jacobian", list(unknowns), far, values), shape)
+
+    def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
+        """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""
+        if self._lengths is None and unknowns.shape[1]:
+            one = np.zeros(1, dtype=np.int64)
+            unknown = Intervals(np.full((2, 1), np.nan))
+            parts = [unknown if self._is_length(i) else part[one] for i, part in enumerate(directions)]
+            forces = self.call("forces", [part[one] for part in unknowns], parts, taken(values, one))
+            self._lengths = bool(np.isnan(stacked(forces, (1,)).ends).all(axis=(0, 2)).any())
+        return bool(self._lengths)
+
+    def _is_length(self, place: int) -> bool:
+        return place < 3 * self.springs and place % 3 == 2
+
+    def _taken(self, unknowns: Intervals, parameters: Intervals) -> tuple[list[Intervals], dict[str, Any], tuple[int, ...]]:
+        return list(unknowns), self.arguments(parameters), unknowns.shape[1:]
+
+
+def taken(values: Mapping[str, Any], rows: NDArray[np.int64]) -> dict[str, Any]:
+    """The arguments of some boxes."""
+    return {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}
+
+
+def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
+    """Rows of entries as one array of intervals, shape (rows, columns, …)."""
+    entries = stacked([entry for row in rows for entry in row], shape)
+    return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))

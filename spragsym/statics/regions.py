@@ -1,0 +1,188 @@
+"""A box of coordinates that holds all equilibria: springs to ground and inclined springs pull back harder than all else pushes.
+
+A spring's force is its stiffness times the vector between its ends, linear in the coordinates, less its stiffness times its
+undeformed length along a unit vector, which is bounded. So with unit vectors left free in [−1, 1]² the balance bounds the
+coordinates.
+
+A torsion spring pulls across its line with k_t φ/l, |φ| ≤ π. Either l is less than 1 (:data:`LENGTH`), and the mass is that near
+to the anchor, or the force is at most k_t π, and the coordinates are bounded as without it. The hull of both holds all
+equilibria.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ParameterError, ParameterTypeError
+from ..models.parameters import as_numbers
+from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
+from .mechanics import contact_bounds
+from .mechanics.balance import Balance
+
+#: The plane, as far as it is looked at.
+FAR = 1e60
+#: Half-width of the region where no bound can be shown, in units of the largest length of the model.
+NEAR = 10.0
+#: Bound on these lengths, and on what proved parts of a range may widen the region by.
+FARTHEST, MOST = 1e6, 10.0
+#: Times that a range of parameters is halved.
+PIECES = 7
+#: What the region is wider than it had to be, at each end.
+ROOM = 1e-6
+#: Length of the line of a torsion spring from which on its force is bounded, in units of the scale of length.
+LENGTH = 1.0
+#: Upper bound of the angle that it turns by.
+HALF_TURN = 3.1415926535897936
+#: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
+ROUNDS = 200
+#: No more rounds where one leaves so much of all widths: before all are bounded, and then, since the search contracts on its own.
+ENOUGH, BOUNDED = 0.999, 0.8
+
+
+def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold all equilibria of its point.
+
+    Parameters
+    ----------
+    bounds : Intervals
+        Parameters, shape (P, N).
+    asked : ndarray, optional
+        The box by hand, from :func:`by_hand`.
+    """
+    ends, proved = _by_forces(balance, bounds)
+    open_ = np.flatnonzero(~proved)
+    if open_.size:
+        ends[:, :, open_], proved[open_] = _in_pieces(balance, bounds[:, open_], ends[:, :, open_])
+    wider = np.minimum(np.where(np.isfinite(ends), raised(ends + ROOM), ends), balance.border[:, :, None])
+    if asked is None:
+        return wider, proved
+    box = np.minimum(asked, balance.border)[:, :, None]
+    if (box[0] + box[1] < 0).any():
+        raise ParameterError("within lies beyond the border of the contact, where none of these states is; widen it")
+    whole: NDArray[np.bool_] = proved & (wider <= box).all(axis=(0, 1))
+    given = np.asarray(np.isfinite(asked).all(axis=0))[:, None]
+    both = np.minimum(wider, box)
+    # Where the forces bound nothing, and where they show that nothing is in the box, it is looked at as it is.
+    apart = ~proved | (both[0] + both[1] < 0).any(axis=0)
+    return np.where(given & apart, box, both), whole
+
+
+def by_hand(coordinates: Sequence[str], within: Mapping[str, tuple[float, float]] | None) -> FloatArray | None:
+    """``within={"x": (-5, 5)}`` as −low and high, shape (2, n), infinite where nothing is asked."""
+    if within is None:
+        return None
+    if not isinstance(within, Mapping):
+        raise ParameterTypeError(
+            f'within = {within!r:.60} is no mapping; give the ends by name, as {{"{coordinates[0]}": (-5, 5)}}'
+        )
+    asked = np.full((2, len(coordinates)), np.inf)
+    for name, value in within.items():
+        if name not in coordinates:
+            raise ParameterError(
+                f"within has a range for {name!r}, which is no coordinate; {', '.join(coordinates)} may have one"
+            )
+        ends = as_numbers(f"within[{name!r}]", value)
+        if ends.shape != (2,) or not ends[0] < ends[1]:
+            raise ParameterError(f"within[{name!r}] = {value} is no range; give its lower and upper end")
+        asked[:, list(coordinates).index(name)] = -ends[0], ends[1]
+    return asked
+
+
+def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Bounds of all equilibria by their forces, and where there are any."""
+    count = bounds.shape[1]
+    with np.errstate(all="ignore"):
+        parameters = balance.prepared(bounds)
+        values = balance.arguments(parameters)
+        border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, count))
+        ends = np.minimum(FAR, border)
+        # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds everything.
+        nowhere = ~np.logical_and.reduce(balance.residuals(Intervals(ends), parameters).holds_zero())
+        directions = _any_direction(balance, count)
+        for _ in range(ROUNDS):
+            before = ends
+            ends = balance.by_rows(Intervals(ends), values, directions)
+            ends = balance.with_directions(Intervals(ends), values, directions)
+            if balance.model.about.get("waves"):
+                ends = balance.with_waves(Intervals(ends), values, directions)
+            if contact_bounds.applies(balance):
+                ends = contact_bounds.by_contact_force(balance, ends, values, directions)
+            widths, widths_before = ends.sum(axis=0), before.sum(axis=0)
+            if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
+                break
+        ends = np.maximum(ends, _near_anchors(balance, ends, values))
+        ends = np.where(nowhere, np.minimum(NEAR, border), ends)
+    return ends, np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1))
+
+
+def _in_pieces(balance: Balance, bounds: Intervals, known: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """The same of points that are boxes of parameters, as hulls of those of parts of these; by scales where there is no bound."""
+    count = bounds.shape[1]
+    by_scales = np.where(known < FAR * 1e-6, known, np.minimum(NEAR * _scales(balance, bounds), balance.border[:, :, None]))
+    hulls = np.full((2, balance.n, count), -np.inf)
+    left, owner = bounds, np.arange(count)
+    for depth in range(PIECES + 1):
+        wide = np.flatnonzero((left.low < left.high).any(axis=1))
+        if not wide.size or not owner.size or depth == PIECES:
+            break
+        left, owner = _halved(left, int(wide[depth % wide.size])), np.repeat(owner, 2)
+        ends, proved = _by_forces(balance, left)
+        for part in np.flatnonzero(proved):
+            hulls[:, :, owner[part]] = np.maximum(hulls[:, :, owner[part]], ends[:, :, part])
+        left, owner = left[:, ~proved], owner[~proved]
+    done = np.isin(np.arange(count), owner, invert=True)
+    return np.where(done, hulls, np.maximum(by_scales, np.minimum(hulls, MOST * by_scales))), done
+
+
+def _halved(bounds: Intervals, row: int) -> Intervals:
+    """Both halves of each box in one parameter, side by side."""
+    ends = np.repeat(bounds.ends, 2, axis=2)
+    middle = bounds.middle[row]
+    ends[1, row, ::2], ends[0, row, 1::2] = middle, -middle
+    return Intervals(ends)
+
+
+def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
+    """Of each point the largest length that the model has: of springs, to anchors, to where forces balance; at least 1."""
+    scale = np.ones(bounds.shape[1])
+    origin = np.zeros((balance.n, bounds.shape[1]))
+    with np.errstate(all="ignore"):
+        for at in (bounds.low, bounds.middle, bounds.high):
+            parameters = balance.prepared(Intervals.point(at))
+            lengths = [
+                part for line in balance.geometry(list(Intervals.point(origin)), balance.arguments(parameters)) for part in line
+            ]
+            found = [balance.guessed(origin, parameters), *(stacked([part], scale.shape).magnitude for part in lengths)]
+            sizes = np.abs(np.concatenate(found))
+            scale = np.maximum(scale, np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0))
+    return scale
+
+
+def _any_direction(balance: Balance, count: int) -> list[Intervals]:
+    """Cosines, sines and lengths of all lines, and angles by which torsion springs turn, as far as they can be."""
+    directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
+    for place in range(balance.springs):
+        shortest = LENGTH if place in balance.torsions else 0.0
+        directions[3 * place + 2] = Intervals(np.stack([np.full(count, -shortest), np.full(count, FAR)]))
+    return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
+
+
+def _near_anchors(balance: Balance, ends: FloatArray, values: Mapping[str, Any]) -> FloatArray:
+    """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without bounds where that is not known."""
+    hull = np.full(ends.shape, -np.inf)
+    for spring in balance.torsions:
+        chart = balance.model.about["springs"][spring]["chart"]
+        places = [balance.coordinates.index(name) for name in chart or ()]
+        if len(places) < balance.n:
+            hull[:] = np.inf
+            break
+        q: list[Any] = [0] * balance.n
+        anchor = balance.anchors(q, values, ends.shape[2:])[spring]
+        for place, end in zip(places, anchor, strict=True):
+            hull[:, place] = np.maximum(hull[:, place], raised(end.ends + LENGTH))
+    out: FloatArray = np.minimum(hull, balance.border[:, :, None])
+    return out

@@ -1,0 +1,104 @@
+"""What is known of boxes that are left undecided, and of all that was not searched, in plain words: a reason for each."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from .mechanics.balance import NOTHING, Balance
+
+#: A box no wider than this, over the size of its coordinates, is one place to floats.
+ONE_PLACE = 1e-9
+#: A box no wider than this is around a place.
+SMALL = 1e-3
+
+ANCHOR = "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
+POLE = "at an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
+BORDER = "where the contact just touches: whether what is there lies on this side of the border is not known"
+PLACE = "no wider than one place is to floats: a double root may be there, two very near ones, or none"
+LINE = "along places where the equations hold to rounding: a line of roots, or a few on it that floats do not tell apart"
+FREE = "along which no force acts on one of the coordinates at these parameters: a line of states, or none"
+WIDE = "left from a search that ended before it was small enough to be decided: a smaller range or a smaller box helps"
+
+
+def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> tuple[str, ...]:
+    """One sentence for each kind of box; arguments as for :func:`kinds_of`."""
+    return summed(kinds_of(balance, given, left, varied))
+
+
+def summed(kinds: Sequence[str]) -> tuple[str, ...]:
+    """How many boxes are of each kind."""
+    sentences = []
+    for kind, number in Counter(kinds).items():
+        some = f"{number} of {len(kinds)}" if number < len(kinds) else f"{number}"
+        sentences.append(f"{some} undecided {'box' if len(kinds) == 1 else 'boxes'} {kind}")
+    return tuple(sentences)
+
+
+def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> list[str]:
+    """Of what kind each box is: where it is, and what is known of it.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, boxes).
+    left : ndarray
+        −low and high of the unknowns, shape (2, unknowns, boxes): coordinates, and behind them parameters that vary.
+    varied : mapping, optional
+        The latter by their names.
+    """
+    count, n = left.shape[2], balance.n
+    if not count:
+        return []
+    with np.errstate(all="ignore"):
+        q = list(Intervals(left[:, :n]))
+        values = balance.arguments(balance.prepared(Intervals.point(np.nan_to_num(given))), varied)
+        pole, anchor = balance.at_poles(q, values, (count,), np.inf), np.zeros(count, dtype=np.bool_)
+        for dx, dy in balance.anchors(q, values, (count,)):
+            anchor |= dx.holds_zero() & dy.holds_zero()
+        gap = stacked([balance.gap(q, values)], (count,))[0]
+        border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
+        relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
+        free: NDArray[np.bool_] = np.zeros(count, dtype=np.bool_)
+        if varied is None:
+            forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))
+            free = np.logical_or.reduce(forces.magnitude <= NOTHING)
+    pole, anchor, border = pole & ~free, anchor & ~free, border & ~free
+    anchor &= ~pole & (relative <= SMALL)
+    border &= ~(pole | anchor) & (relative <= SMALL)
+    rest = ~(pole | anchor | border | free)
+    kinds: list[str] = np.select(
+        [free, pole, anchor, border, rest & (relative <= ONE_PLACE), rest & (relative <= SMALL)],
+        [FREE, POLE, ANCHOR, BORDER, PLACE, LINE], WIDE,
+    ).tolist()  # fmt: skip
+    return kinds
+
+
+def of_region(balance: Balance, region: FloatArray, whole: NDArray[np.bool_]) -> tuple[str, ...]:
+    """Said where a region is not proved to hold all equilibria; ``region`` as −low and high, shape (2, n, points)."""
+    if whole.all():
+        return ()
+    open_ = np.flatnonzero(~whole)
+    hull = region[:, :, open_].max(axis=2)
+    where = f" at {open_.size} of {whole.size} points" if whole.size > 1 else ""
+    return (f"searched within {spans(balance, -hull[0], hull[1])}{where}; there may be others beyond it",)
+
+
+def of_ranges(names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
+    """Said of parameters whose range has no end and was cut; ends of shape (number, 2)."""
+    return tuple(
+        f"searched {name} in [{low:.8g}, {high:.8g}], a part of its range, which has no end; there may be others beyond it"
+        for name, (low, high) in zip(names, ends.tolist(), strict=True)
+    )
+
+
+def spans(balance: Balance, low: Sequence[float], high: Sequence[float]) -> str:
+    """A box of coordinates in words; angles are in radians, which is said."""
+    units = {entry["name"]: " rad" if entry["unit"] == "rad" else "" for entry in balance.model.about["coordinates"]}
+    ends = zip(balance.coordinates, low, high, strict=True)
+    return ", ".join(f"{name} in [{a + 0.0:.8g}, {b + 0.0:.8g}]{units[name]}" for name, a, b in ends)

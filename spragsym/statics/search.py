@@ -1,0 +1,211 @@
+"""All equilibria of any model by a search over boxes, proved, with bounds on their errors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ParameterError, ParameterTypeError
+from ..models.parameters import ParameterSet
+from ..motion.field import apart
+from ..motion.regimes import SETTLED
+from ..numerics import boxes, certified_roots
+from ..numerics.certified_roots import Roots
+from ..numerics.interval_arrays import FloatArray, Intervals
+from ..questions import question
+from ..results.equilibria import Equilibria, Held, Undecided
+from . import stability as _stability
+from .anchors import around_anchors, stiff_points, turned_points
+from .foremost import in_order
+from .interval_newton import refined
+from .mechanics.balance import Balance
+from .mechanics.border import BITS, on_its_side
+from .mechanics.forces import Model
+from .mechanics.periodic_coordinates import once_around
+from .mechanics.precise_balance import (
+    PreciseBalance,
+    assembled,
+    at,
+    boxes_of,
+    clustered,
+    hull_of_each,
+    lines,
+    of_each,
+    of_points,
+    precise_forces,
+    replaced,
+    settled_by_digits,
+    unsettled,
+)
+from .regions import by_hand, region
+from .remarks import kinds_of, of_region, summed
+
+#: Relative widths of boxes down to which a point is searched: what is left at one is searched anew at the next.
+STAGES = (2.0**-9, 2.0**-14, 2.0**-19, 2.0**-32, 2.0**-44)
+
+#: Boxes of a point that a second, narrower search leaves where roots form a line.
+ALL_OVER = 2000
+#: Boxes of a point that are looked at where floats only look for what is there.
+SEEN_BUDGET = 8000
+
+
+def searched(p: ParameterSet, contact: bool, within: Mapping[str, tuple[float, float]] | None) -> Equilibria:
+    """The equilibria of :func:`spragsym.equilibria`, by the search."""
+    balance = balance_of(p.model, contact)
+    given = columns(p, balance.parameters)
+    found, around, whole = solved(balance, given, by_hand(balance.coordinates, within))
+    return _arranged(balance, p, found, around, whole)
+
+
+def balance_of(model: Model, contact: bool) -> Balance:
+    """The balance in contact or in lift-off, if there is one."""
+    if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
+        raise ParameterTypeError(f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off")
+    balance = Balance(model, bool(contact))
+    if not contact and not balance.opens:
+        why = "has no contact that could open" if model.about["contact"]["gap"] is None else "has a contact that never opens"
+        raise ParameterError(f"contact = False: this model {why}, so it has no lift-off; leave contact out")
+    return balance
+
+
+@question
+def rest_index(p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
+    """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
+
+    Parameters
+    ----------
+    places : ndarray, shape (n, …)
+        The coordinates of each, in the shape of ``p``; NaN for motions that do not rest.
+    """
+    places = np.broadcast_to(places, (len(places), *np.broadcast_shapes(p.shape, np.shape(places)[1:])))
+    out = np.full(places.shape[1:], -1, dtype=np.int8)
+    rows = np.isfinite(places).all(axis=0)
+    if not rows.any():
+        return out
+    balance = Balance(p.model, True, "friction_at_speed")
+    given = np.array([np.broadcast_to(getattr(p, name), rows.shape)[rows] for name in balance.parameters])
+    states = places[:, rows]
+    found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
+    order = in_order(found.middle, found.error, found.point)
+    point, middle = found.point[order], found.middle[:, order]
+    slot = np.arange(point.size) - np.searchsorted(point, point)
+    off = apart(middle.T, states[:, point].T, balance.around)
+    away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
+    index = np.full(states.shape[1], -1)
+    for row in np.argsort(-away, kind="stable"):  # the nearest last
+        if away[row] <= SETTLED:
+            index[point[row]] = slot[row]
+    out[rows] = index
+    return out
+
+
+def columns(p: Any, names: list[str]) -> FloatArray:
+    """Parameters as an array of shape (parameters, points)."""
+    return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
+
+
+def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> Roots:
+    """The roots of all points that one search in floats decides, on either side of the border; those it leaves are missing."""
+    around, _ = region(balance, Intervals.point(given), asked)
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits, budget=SEEN_BUDGET)
+    return certified_roots.roots(balance, outcome, around, given, given)
+
+
+def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
+    """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
+    around, whole = region(balance, Intervals.point(given), asked)
+    if not given.shape[1]:
+        none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
+        return Roots(none, none, nowhere, none, nowhere), around, whole
+    turned, turning = turned_points(balance, given, around)
+    others = np.flatnonzero(~turning)
+    stiff, stiff_done = stiff_points(balance, given[:, others], of_each(around, given)[:, :, others])
+    if not turning.any() and not stiff_done.any():
+        return _narrowed(balance, given, _by_boxes(balance, given, around)), around, whole
+    rest = others[~stiff_done]
+    parts = [turned, at(stiff, others)]
+    if rest.size:
+        parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
+    return _narrowed(balance, given, certified_roots.concatenated(parts, balance.n)), around, whole
+
+
+def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
+    """The same roots, those known to few digits in narrower boxes, on their side of the border; angles that come around once."""
+    found = replace(found, ends=refined(balance, given, found.ends, found.point, precise_forces(balance)))
+    found = on_its_side(balance, given, found, partial(PreciseBalance, balance, bits=BITS))
+    return once_around(balance, found)
+
+
+def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
+    """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
+    found = _searched(balance, given, around, STAGES[0])
+    along = lines(found)
+    for stage in STAGES[1:]:
+        points = np.setdiff1d(unsettled(found), along)
+        if points.size:
+            left, owner = boxes_of(found)
+            mine = np.isin(owner, points)
+            hulls = hull_of_each(left[:, :, mine], np.searchsorted(points, owner[mine]), points.size)
+            part = at(_searched(balance, given[:, points], hulls, stage, again=True), points)
+            along = np.union1d(along, lines(part))
+            points = np.setdiff1d(points, along)
+            found = replaced(found, points, assembled(of_each(around, given), found, points, [of_points(part, points)]))
+    found = around_anchors(balance, given, around, found)
+    found = settled_by_digits(balance, given, around, found, precise_forces(balance), along.tolist())
+    return around_anchors(balance, given, around, found, 0.0)
+
+
+def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, again: bool = False) -> Roots:
+    """Roots by boxes down to a width, and clusters of what these leave; what a search ``again`` leaves all over is a line."""
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
+    found = certified_roots.roots(balance, outcome, around, given, given)
+    along = lines(found, ALL_OVER) if again else np.empty(0, dtype=np.int64)
+    some = of_points(found, np.setdiff1d(np.arange(given.shape[1]), along)) if along.size else found
+    return certified_roots.concatenated([clustered(given, around, some), of_points(found, along)], balance.n)
+
+
+def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> Equilibria:
+    """Roots in slots by point."""
+    shape = p.shape
+    size = int(np.prod(shape))
+    order = in_order(found.middle, found.error, found.point)
+    point, states, errors = found.point[order], found.middle[:, order], found.error[order]
+    count = np.bincount(point, minlength=size)
+    slots = max(1, int(count.max(initial=0)))
+    slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
+    ends, alone = (boxes_around[:, :, order] for boxes_around in (found.ends, found.alone))
+    given = columns(p, balance.parameters)
+    types = _stability.classified(balance, states, given[:, point], ends, alone)
+
+    def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
+        out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
+        out[point, slot] = values
+        return out.reshape(*shape, slots, *values.shape[1:])
+
+    decided = np.ones(size, dtype=np.bool_)
+    decided[found.left_point] = False
+    reasons = kinds_of(balance, given[:, found.left_point], found.left)
+    undecided = tuple(
+        Undecided(
+            tuple(int(i) for i in np.unravel_index(number, shape)) if shape else (),
+            tuple((-found.left[0, :, box]).tolist()),
+            tuple(found.left[1, :, box].tolist()),
+            reasons[box],
+        )
+        for box, number in enumerate(found.left_point)
+    )
+    searched = np.moveaxis(np.stack([-around[0], around[1]], axis=-1), 0, 1)
+    made = {
+        "stability": placed(types.stability, 0), "marginal": placed(~types.proved, False),
+        "eigenvalues": placed(types.eigenvalues, np.nan), "error": placed(errors, np.nan),
+        "region": searched.reshape(*shape, balance.n, 2), "whole": whole.reshape(shape),
+        **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
+    }  # fmt: skip
+    remarks = (*summed(reasons), *of_region(balance, around, whole))
+    counts, known = count.reshape(shape), decided.reshape(shape)
+    return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, (ends, alone)))

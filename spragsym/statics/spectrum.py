@@ -1,0 +1,235 @@
+"""Types of equilibria by signs that are proved: whether all roots κ = −λ² of det(K − κ M) are real, and whether one is negative.
+
+All are real where the leading minors of the Hankel matrix of their sums of powers are positive, and not all where one is negative
+(Hermite); where K is symmetric they are in any case. Of a polynomial whose roots are all real, one is negative just if one of
+their elementary symmetric functions is. Signs come from intervals around the state, and where these hold 0 from many digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics.ball_functions import XP as BALLS
+from ..numerics.determinants import Polynomial, determinant, hurwitz, of_pencil
+from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.intervals import Balls
+from ..numerics.krawczyk import as_balls, ball, narrowed
+from ..numerics.polynomials import Undecided
+from ..results.equilibria import Stability
+from .mechanics.balance import NOTHING, Balance, matrix
+from .mechanics.precise_balance import PreciseBalance
+
+#: Bits of the numbers where intervals of floats do not tell a sign.
+BITS = 256
+
+
+def classified(
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray
+) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
+    """Codes of :class:`spragsym.Stability`, and whether each is proved; a sign that is not known counts as that of 0.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (P, N).
+    ends : ndarray
+        Boxes with one equilibrium each, shape (2, n, N).
+    alone : ndarray
+        Larger boxes in which that is the only one.
+    """
+    with np.errstate(all="ignore"):
+        elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
+    codes, proved = _told(elementary, minors, conservative)
+    for row in np.flatnonzero(~proved).tolist():
+        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], lambda M, K, damping: invariants(K, M))
+        if again is not None:
+            codes[row : row + 1], proved[row : row + 1] = _told(again[0], again[1], conservative[row : row + 1])
+    return codes, proved
+
+
+def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> NDArray[np.bool_]:
+    """Boxes of coordinates and parameters all over which all κ are proved to be real, those that meet included.
+
+    Parameters
+    ----------
+    parameters : Intervals
+        From :meth:`Balance.prepared`, shape (…, N).
+    ends : ndarray
+        Shape (2, n, N).
+    """
+    _, minors, conservative = _over(balance, parameters, ends)
+    return np.asarray(conservative | (minors > 0).all(axis=0))
+
+
+def _over(
+    balance: Balance, parameters: Intervals, ends: FloatArray
+) -> tuple[NDArray[np.int8], NDArray[np.int8], NDArray[np.bool_]]:
+    """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
+    shape = ends.shape[2:]
+    q, values = list(Intervals(ends)), balance.arguments(parameters)
+    K = matrix(balance.by_coordinate("forces_jacobian", q, balance.directions(q, values, shape), values), shape)
+    parts = invariants(list(map(list, K)), list(map(list, matrix(balance.mass(q, values), shape))))
+    elementary, minors = (_signs(part, shape) for part in parts)
+    return elementary, minors, without_flutter(balance, parameters)
+
+
+def without_flutter(balance: Balance, parameters: Intervals) -> NDArray[np.bool_]:
+    """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric, or one number."""
+    shape = parameters.shape[1:]
+    friction = stacked([balance.friction(balance.arguments(parameters))], shape)[0].magnitude
+    # Without friction K is symmetric if the page's other forces have a potential; in lift-off there is no friction.
+    symmetric = bool(balance.model.about.get("symmetric"))
+    frictionless = (friction <= NOTHING) | (balance.opens and not balance.contact)
+    return np.asarray((symmetric & frictionless) | (balance.n == 1))
+
+
+def decay(
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8], growth: FloatArray
+) -> NDArray[np.int8]:
+    """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
+
+    All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
+    negative some λ has a positive real part, since without such all would be limits of positive ones. Where these are not told
+    from 0, as of damping that is next to nothing, the same test right of half the ``growth`` of floats tells that one grows.
+    Arguments as for :func:`classified`; ``undamped`` says the same of λ² M + K, which counts where C is 0: there every second
+    coefficient is 0.
+    """
+    shape = ends.shape[2:]
+    with np.errstate(all="ignore"):
+        q, values = list(Intervals(ends)), balance.arguments(balance.prepared(Intervals.point(given)))
+        directions = balance.directions(q, values, shape)
+        K = matrix(balance.by_coordinate("forces_jacobian", q, directions, values), shape)
+        C = matrix(balance.damping(q, directions, values), shape)
+        M = matrix(balance.mass(q, values), shape)
+        signs = _signs(_routh(*map(_rows, (M, C, K))), shape)
+        without = C.magnitude.max(axis=(0, 1)) <= NOTHING
+        found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
+        half = np.where(growth > 0, 0.5 * growth, 0.0)
+        open_ = np.flatnonzero((found == 0) & (half > 0))
+        if open_.size:
+            some = [_rows(part[:, :, open_]) for part in (M, C, K)]
+            beyond = _signs(_routh(some[0], some[1], some[2], Intervals.point(half[open_])), open_.shape)
+            found[open_] = np.minimum(_told_to_decay(beyond), 0)
+    for row in np.flatnonzero(found == 0).tolist():
+        again = _with_digits(
+            balance, given[:, row], ends[:, :, row], alone[:, :, row], partial(_routh_twice, shift=ball(float(half[row]), BITS))
+        )
+        if again is not None:
+            found[row] = _told_to_decay(again[0])[0] or min(_told_to_decay(again[1])[0], 0)
+    return found
+
+
+def _rows(part: Intervals) -> list[list[Any]]:
+    return list(map(list, part))
+
+
+def _routh_twice(M: Any, K: Any, damping: Callable[[], Any], shift: Any) -> list[list[Any]]:
+    """For the imaginary axis, and for the line right of it by ``shift``."""
+    C = damping()
+    return [_routh(M, C, K), _routh(M, C, K, shift)]
+
+
+def _routh(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]], shift: Any = None) -> list[Any]:
+    """The coefficients, and all determinants of Hurwitz but the first and the last, which add nothing; of λ − ``shift``."""
+    if shift is not None:
+        K = [
+            [k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)] for rows in zip(M, C, K, strict=True)
+        ]  # fmt: skip
+        C = [[c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)]
+    a = of_pencil(M, C, K)
+    return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
+
+
+def _told_to_decay(signs: NDArray[np.int8]) -> NDArray[np.int8]:
+    return np.where((signs > 0).all(axis=0), 1, np.where((signs < 0).any(axis=0), -1, 0)).astype(np.int8)
+
+
+def invariants(K: Sequence[Sequence[Any]], M: Sequence[Sequence[Any]]) -> tuple[list[Any], list[Any]]:
+    """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's matrix, of any number type."""
+    n = len(K)
+    rows = [[Polynomial([K[i][j], -M[i][j]]) for j in range(n)] for i in range(n)]
+    # det(K − κ M) = det M Π (κ_i − κ): the coefficient of κᵏ is (−1)ᵏ e_{n−k} det M.
+    coefficients = [(-1) ** k * value for k, value in enumerate(determinant(rows).padded(n + 1))]
+    e = [1, *(coefficients[n - k] / coefficients[n] for k in range(1, n + 1))]
+    sums: list[Any] = [n]
+    for k in range(1, 2 * n - 1):
+        newton: Any = (-1) ** (k - 1) * k * e[k] if k <= n else 0
+        for i in range(1, min(k - 1, n) + 1):
+            newton = newton + (-1) ** (i - 1) * e[i] * sums[k - i]
+        sums.append(newton)
+    hermite = [[sums[i + j] for j in range(n)] for i in range(n)]
+    return e[1:], [determinant([row[:size] for row in hermite[:size]]) for size in range(2, n + 1)]
+
+
+def _signs(values: Sequence[Any], shape: tuple[int, ...]) -> NDArray[np.int8]:
+    if not values:
+        return np.zeros((0, *shape), dtype=np.int8)
+    known = stacked(values, shape)
+    return (known.low > 0).astype(np.int8) - (known.high < 0).astype(np.int8)
+
+
+def _told(
+    elementary: NDArray[np.int8], minors: NDArray[np.int8], conservative: NDArray[np.bool_]
+) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
+    """Codes, and whether the signs that are known decide them; 0 for a sign that is not known."""
+    flutter = (minors < 0).any(axis=0) & ~conservative
+    real = conservative | (minors > 0).all(axis=0)
+    divergent = (elementary < 0).any(axis=0)
+    code = np.where(flutter, Stability.FLUTTER, np.where(divergent, Stability.DIVERGENT, Stability.STABLE)).astype(np.int8)
+    return code, flutter | (real & (divergent | (elementary > 0).all(axis=0)))
+
+
+def _with_digits(
+    balance: Balance,
+    given: FloatArray,
+    box: FloatArray,
+    alone: FloatArray,
+    ask: Callable[[Any, Any, Callable[[], Any]], Sequence[Sequence[Any]]],
+) -> list[NDArray[np.int8]] | None:
+    """Signs at one state with many digits, of what ``ask`` makes of M, K and C, the last only if it is called.
+
+    None where the box around the state can't be made smaller.
+    """
+    precise = PreciseBalance(balance, given, BITS)
+    try:
+        q = narrowed(precise, box, alone)
+        return None if q is None else _signs_at(balance, precise, q, ask)
+    except (Undecided, ZeroDivisionError):
+        return None
+
+
+def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stability:
+    """The type of a state of balls.
+
+    Raises
+    ------
+    Undecided
+        Where a sign that it takes is not decided.
+    """
+    elementary, minors = _signs_at(balance, precise, q, lambda M, K, damping: invariants(K, M))
+    low, high = Balls().ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
+    without = (low == 0 == high) | (balance.opens and not balance.contact)
+    code, proved = _told(elementary, minors, np.array([bool(balance.model.about.get("symmetric")) and bool(without)]))
+    if not proved[0]:
+        raise Undecided("a state on the border of its type")
+    return Stability(int(code[0]))
+
+
+def _signs_at(
+    balance: Balance,
+    precise: PreciseBalance,
+    q: Sequence[Any],
+    ask: Callable[[Any, Any, Callable[[], Any]], Sequence[Sequence[Any]]],
+) -> list[NDArray[np.int8]]:
+    """Signs of what ``ask`` makes of M, K and C at a state of balls."""
+    values = precise.arguments
+    directions = balance.plain_directions(q, values, BALLS)
+    K = balance.by_coordinate("forces_jacobian", q, directions, values, BALLS)
+    M, K = (as_balls(part, precise.bits) for part in (balance.mass(q, values, BALLS), K))
+    parts = ask(M, K, lambda: as_balls(balance.damping(q, directions, values, xp=BALLS), precise.bits))
+    return [np.array([[Balls().sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

@@ -1,0 +1,189 @@
+"""Type of an equilibrium by the roots λ of its linearization, with and without damping."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..numerics.interval_arrays import FloatArray
+from ..results.equilibria import Equilibria, Stability, columns_of
+from . import spectrum
+from .mechanics.balance import Balance
+from .mechanics.forces import undecorated
+
+#: Imaginary part of a λ that is real to floats, over its size.
+REAL = 1e-9
+#: States that are looked at together: few enough for arrays of intervals to stay in cache.
+TOGETHER = 1 << 14
+
+
+@dataclass(frozen=True)
+class Types:
+    """Of N states: codes, whether each is proved, and the 2 n roots without damping."""
+
+    stability: NDArray[np.int8]
+    proved: NDArray[np.bool_]
+    eigenvalues: NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Linearized:
+    """Of N states by the full linearization, with dampers and the slope of the friction law."""
+
+    growth: FloatArray  #: largest real part of the λ
+    kind: NDArray[np.str_]  #: what grows, in a word; the sign is proved
+    eigenvalues: NDArray[np.complex128]  #: all λ, shape (N, 2 n), by falling real part
+
+
+def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
+    """Of some states, by their indices into the columns; ``around`` are boxes around all states, and around each alone, if known.
+
+    Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see
+    :mod:`spragsym.statics.spectrum`.
+    """
+    balance = Balance(eq.parameters.model, eq.contact)
+    every = (np.broadcast_to(value[..., None], eq.stability.shape) for value in eq.parameters.broadcast(*balance.parameters))
+    given = np.array([value[states] for value in every]).reshape(len(balance.parameters), states[-1].size)
+    q = np.array([getattr(eq, name)[states] for name in balance.coordinates])
+    if around is None:
+        off = eq.error[states] * np.maximum(1.0, np.abs(q))
+        with np.errstate(all="ignore"):
+            ends = alone = np.nextafter(np.stack([off - q, q + off]), np.inf)
+    else:
+        place = np.full(eq.stability.shape, -1)
+        place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
+        ends, alone = (boxes[:, :, place[states]] for boxes in around)
+    sign = np.where(eq.stability[states] == Stability.STABLE, 1, -1)
+    undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
+    parts = [
+        _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, alone, undamped)))
+        for begin in range(0, max(1, undamped.size), TOGETHER)
+    ]
+    return Linearized(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+
+
+def _linearized(
+    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
+) -> tuple[FloatArray, NDArray[np.str_], NDArray[np.complex128]]:
+    every = _damped(balance, q, given)
+    fastest = every[:, 0].real + 1j * np.abs(every[:, 0].imag)
+    decay = spectrum.decay(balance, given, ends, alone, undamped, fastest.real)
+    real = fastest.imag <= REAL * np.abs(fastest)
+    grows = np.where(real, "divergent", "flutter")
+    # What rounding leaves is on the side that is proved.
+    growth = np.where(decay > 0, np.minimum(fastest.real, 0.0), np.where(decay < 0, np.maximum(fastest.real, 0.0), fastest.real))
+    return growth, np.where(decay > 0, "stable", np.where(decay == 0, "marginal", grows)), every
+
+
+def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:
+    """All λ with dampers and the slope of the friction law, by falling real part; NaN where they are no floats."""
+    out = np.full((states.shape[1], 2 * states.shape[0]), complex(np.nan, np.nan))
+    with np.errstate(all="ignore"):
+        M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
+        finite = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(C).all(axis=(1, 2)) & np.isfinite(K).all(axis=(1, 2))
+        every = roots(M[finite], C[finite], K[finite])
+    out[finite] = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
+    return out
+
+
+def told_of_states(eq: Equilibria) -> dict[str, FloatArray]:
+    """What follows from where equilibria are: directions, lengths and tensions of inclined springs, the contact's force."""
+    from ..motion.forces import told_of
+
+    model = eq.parameters.model
+    q = [getattr(eq, name) for name in model.coordinates]
+    given = [value[..., None] for value in model.arguments(eq.parameters, "motion")]
+    with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
+        forces = {name: np.where(np.isnan(q[0]), np.nan, force(q, given)) for name, force in told_of(model).items()}
+    return {**springs(eq), **forces}
+
+
+def springs(eq: Equilibria) -> dict[str, FloatArray]:
+    """Direction in (−π, π] and length of each inclined spring: theta and L of one, theta_1, L_1, … of several."""
+    balance = Balance(eq.parameters.model, eq.contact)
+    q = [getattr(eq, name) for name in balance.coordinates]
+    shape = q[0].shape
+    values = {name: value[..., None] for name, value in _values(balance, eq.parameters.broadcast(*balance.parameters)).items()}
+    with np.errstate(all="ignore"):
+        found = [of(dx, dy) for dx, dy, _ in balance.geometry(q, values, np) for of in (lambda x, y: np.arctan2(y, x), np.hypot)]
+    return {name: np.broadcast_to(column, shape) for name, column in zip(columns_of(balance.model), found, strict=False)}
+
+
+def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:
+    """States of shape (n, N), parameters of shape (P, N), and boxes of shape (2, n, N): around the states, and around each alone.
+
+    Codes are by signs that are proved, see :mod:`spragsym.statics.spectrum`; roots are floats.
+    """
+    n, count = states.shape
+    if not count:
+        return Types(np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex))
+    M, _, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
+    squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
+    roots = np.sqrt(squares)
+    code, proved = spectrum.classified(balance, given, ends, alone)
+    return Types(code, proved, np.concatenate([roots, -roots], axis=1))
+
+
+def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
+    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n); NaN where an entry is not finite."""
+    n = M.shape[-1]
+    zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
+    companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
+    known = np.isfinite(companion).all(axis=(-2, -1), keepdims=True)
+    out: NDArray[np.complex128] = np.linalg.eigvals(np.where(known, companion, 0.0)).astype(complex)
+    return np.where(known[..., 0], out, np.nan)
+
+
+def frequency(roots: NDArray[np.complex128]) -> float:
+    """ω of the two roots λ whose sum is the nearest to 0; 0 if they are real."""
+    sums = np.abs(roots[:, None] + roots[None]) + np.where(np.eye(roots.size), np.inf, 0.0)
+    one = roots[np.unravel_index(sums.argmin(), sums.shape)[0]]
+    return float(abs(one.imag)) if abs(one.imag) > abs(one.real) else 0.0
+
+
+def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
+    shape = states.shape[1:]
+    values = _values(balance, given)
+    q = list(states)
+    model = balance.model
+    motion = [values[name] for name in model.about["arguments"]["motion"]]
+    directions = balance.plain_directions(q, values, np)
+    mass = undecorated(model.algebra.mass_matrix)(*q, *motion, xp=np)
+    damping = undecorated(model.algebra.damping)(*q, *directions[: 3 * balance.springs], *motion, balance.pushing, xp=np)
+    return (
+        filled(mass, shape),
+        filled(damping, shape),
+        filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
+    )
+
+
+def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
+    """The code of one state, shape (n, 1), where one λ is 0, as at a fold: the others decide."""
+    M, _, K = (part[:, :, 0] for part in linearization(balance, states, given))
+    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    others = np.delete(squares, np.abs(squares).argmin())
+    if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
+        return int(Stability.FLUTTER)
+    return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
+
+
+def _values(balance: Balance, given: Iterable[FloatArray]) -> dict[str, Any]:
+    """Arguments of generated functions by name, of floats."""
+    values: dict[str, Any] = {}
+    for name, value in zip(balance.parameters, given, strict=True):
+        if name in balance.angles:
+            cosine, sine = balance.angles[name]
+            values |= {cosine: np.cos(value), sine: np.sin(value)}
+        values[name] = value
+    return values
+
+
+def filled(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> FloatArray:
+    """A matrix of numbers and arrays as an array, each entry of one shape."""
+    return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])

@@ -106,7 +106,7 @@ def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():
     # At the friction μ(V), which the motion feels.
     friction = 0.7 * (1 - np.exp(-model.base["V"] * model.base["d"]))
     eq = ss.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0]), **{**more, "mu0": friction}))
-    rest = np.isin(sweep.regime, (ss.Regime.EQUILIBRIUM, ss.sweeps.Regime.APPROACHES_EQUILIBRIUM))
+    rest = np.isin(sweep.regime, (ss.Regime.EQUILIBRIUM, ss.Regime.APPROACHES_EQUILIBRIUM))
     assert rest.any()
     assert ((sweep.equilibrium >= 0) == rest).all()
     for index in zip(*np.nonzero(rest), strict=True):

@@ -155,9 +155,7 @@ def wheel_by(compiler: str, sdist: Path, out: Path) -> Path:
 def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_path: Path) -> None:
     wheel = wheel_by(str(COMPILER), archives[1], tmp_path)
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    assert sorted(extensions(wheel)) == [
-        f"spragsym/{name}{suffix}" for name in ("kang_nam/quartic/_compiled", "motion/_carried")
-    ]
+    assert sorted(extensions(wheel)) == [f"spragsym/{name}{suffix}" for name in ("kang_nam/quartic/_compiled", "motion/_carried")]
     assert not wheel.name.endswith("-none-any.whl")
 
 

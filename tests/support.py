@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import functools
-import hashlib
 import importlib
 import inspect
-import math
 import os
-import subprocess
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -19,7 +14,6 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from filelock import FileLock
 
 import spragsym as ss
 import spragsym.generated as generated_package
@@ -82,47 +76,6 @@ def as_mpf(value: Fraction) -> mpmath.mpf:
     return mpmath.mpf(value.numerator) / value.denominator
 
 
-def replaced(text: str, *changes: tuple[str, str]) -> str:
-    """A text with pieces, each of which stands there once, replaced."""
-    for before, after in changes:
-        assert text.count(before) == 1, before
-        text = text.replace(before, after)
-    return text
-
-
-def shipped_page(name: str, *changes: tuple[str, str]) -> str:
-    """A page of the package as a user's, with pieces of its text replaced."""
-    text = (ROOT / "derive/models" / f"{name}.py").read_text(encoding="utf-8")
-    return replaced(text, ("from ..model import", "from spragsym.derive.model import"), *changes)
-
-
-def derived(text: str, name: str) -> Path:
-    """The folder of a page: derived once, also for later runs, and again after a change of the page or of the derivation."""
-    from spragsym.derive.folder import write_page
-
-    place = ROOT / ".pytest_cache/pages" / _derivation() / hashlib.sha256(text.encode()).hexdigest()[:16]
-    place.mkdir(parents=True, exist_ok=True)
-    with FileLock(place / f"{name}.lock"):
-        if not (place / name).is_dir():
-            (place / f"{name}.py").write_text(text, encoding="utf-8")
-            write_page(place / f"{name}.py", place / name)
-    return place / name
-
-
-@functools.cache
-def _derivation() -> str:
-    digest = hashlib.sha256()
-    for path in sorted((ROOT / "derive").rglob("*")):
-        if path.is_file() and path.suffix != ".pyc":
-            digest.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
-    return f"{digest.hexdigest()[:16]}-{version('sympy')}"
-
-
-def model_of(text: str, name: str) -> Any:
-    """The model of a page."""
-    return ss.load(derived(text, name))
-
-
 def generated(name: str) -> ModuleType:
     """A module of generated algebra."""
     return importlib.import_module(f"{generated_package.__name__}.{name}")
@@ -164,40 +117,6 @@ def middle_of(value: intervals.Interval) -> float:
     """The middle of an interval."""
     low, high = intervals.arithmetic().ends(value)
     return float((low + high) / 2)
-
-
-def results_of_c(
-    folder: Path, library: str, calls: Iterable[tuple[str, Sequence[float], int]], optimized: str = "-O0"
-) -> list[float]:
-    """Compile an exported library without a warning, call functions by their names with numbers, and read all they write.
-
-    A call is the name of a function, its arguments, and how many numbers it writes.
-    """
-    lines = []
-    for function, given, size in calls:
-        listed = ", ".join(float(value).hex() for value in given)
-        lines.append(
-            f"{{ double r[{size}]; if ({library}_{function}({listed}, r)) return 1; "
-            f'for (int i = 0; i < {size}; i++) printf("%.17g\\n", r[i]); }}'
-        )
-    program = f'#include <stdio.h>\n#include "{library}.h"\nint main(void) {{\n' + "\n".join(lines) + "\nreturn 0;\n}\n"
-    (folder / "try.c").write_text(program, encoding="utf-8")
-    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", optimized, "try.c", f"{library}.c", "-lm", "-o", "try"]
-    subprocess.run(build, cwd=folder, check=True, timeout=120)
-    shown = subprocess.run(["./try"], cwd=folder, check=True, capture_output=True, text=True, timeout=60).stdout
-    return [float(line) for line in shown.split()]
-
-
-def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]) -> list[float]:
-    """Arguments of a generated function as exported C takes them: an angle in the place of its cosine and sine."""
-    code = inspect.unwrap(function).__code__
-    values = dict(zip(code.co_varnames[: code.co_argcount], given, strict=True))
-    named: dict[str, float] = {}
-    angle_of = {part: (angle, pair) for angle, pair in model.about["angles"].items() for part in pair}
-    for name, value in values.items():
-        angle, (cosine, sine) = angle_of.get(name, (name, ("", "")))
-        named.setdefault(angle, value if angle == name else math.atan2(values[sine], values[cosine]))
-    return list(named.values())
 
 
 def lowest_sets(number: int) -> list[Any]:

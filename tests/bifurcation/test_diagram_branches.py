@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 #: Leine's law of friction, smoothed by tanh(100 v): a layer that motions leave out where it is below rounding.
 STEEP = '''"""A mass on a belt.

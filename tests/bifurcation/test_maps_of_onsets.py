@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from tests.bifurcation.test_tails_of_laws import CHANGES
-from tests.support import model_of, shipped_page
+from tests.oracles.user_pages import model_of, shipped_page
 
 #: Ziegler's column with a damper in each joint (Herrmann and Jong 1965).
 ZIEGLER = '''"""A column of two links under a load that follows the upper one."""

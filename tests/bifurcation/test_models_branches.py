@@ -11,7 +11,7 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation.branches import Along, _by_tubes, _states
 from spragsym.statics.mechanics.balance import Balance
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 #: A pad with a shoe, which slides, dips and turns.
 PAGE = r'''

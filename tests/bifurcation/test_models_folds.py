@@ -10,7 +10,8 @@ import pytest
 import spragsym as ss
 from spragsym.statics import stability
 from spragsym.statics.mechanics.balance import Balance
-from tests.support import few, model_of, shipped_page
+from tests.oracles.user_pages import model_of, shipped_page
+from tests.support import few
 
 
 @pytest.mark.thorough

@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 PAD = '''r"""A pad."""
 from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin

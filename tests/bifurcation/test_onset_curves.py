@@ -12,7 +12,8 @@ import spragsym as ss
 from spragsym.statics.mechanics.balance import Balance
 from spragsym.statics.stability import linearization
 from tests.oracles.hopf_points import accelerations
-from tests.support import few, model_of, shipped_page
+from tests.oracles.user_pages import model_of, shipped_page
+from tests.support import few
 
 #: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
 SETS = (

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.support import derived
+from tests.oracles.user_pages import derived
 
 pytest.importorskip("sympy")
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.support import model_of, shipped_page
+from tests.oracles.user_pages import model_of, shipped_page
 
 #: Mode coupling with dampers (Hoffmann and Gaul 2003) under the law μ0 tanh(d v).
 CHANGES = (

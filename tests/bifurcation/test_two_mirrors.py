@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
 

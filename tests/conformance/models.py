@@ -11,7 +11,7 @@ from typing import Any
 import spragsym as ss
 from spragsym.models.load import shipped
 from spragsym.models.parameter_class import options_of
-from tests.support import derived
+from tests.oracles.user_pages import derived
 
 TESTS = Path(__file__).resolve().parent.parent
 #: Pages of the tests: a torsion spring on a belt that hardens, and a belt that leans, without angles.

@@ -22,9 +22,9 @@ pytest.importorskip("sympy")
 from spragsym.cli import main
 from spragsym.cli.export import languages
 from tests.conformance.models import MODELS, MOVING, a_set, load, place
-from tests.oracles.emission import arguments, flat, functions
+from tests.oracles.emission import arguments, flat, functions, results_of_c, with_angles
 from tests.oracles.languages import NODE, OCTAVE, octave
-from tests.support import few, results_of_c, with_angles
+from tests.support import few
 
 CC = shutil.which("cc")
 

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 import spragsym as ss
+from tests.oracles.user_pages import model_of
 from tests.shown import assert_shown, commands, run
-from tests.support import ROOT, model_of
+from tests.support import ROOT
 
 pytest.importorskip("sympy")
 

@@ -13,8 +13,8 @@ pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.derive import export, folder, pages
+from tests.oracles import exported_names as names
 from tests.oracles.languages import NODE, OCTAVE
-from validation import names
 
 #: Words, constants, functions and macros of languages, and what code calls its own.
 TAKEN = ("Math", "atan", "pi", "sin", "EOF", "template", "INLINE", "deliver")

@@ -15,7 +15,8 @@ import numpy as np
 import spragsym as ss
 from spragsym.derive import limits, pages, reserved
 from spragsym.derive.model import PageError
-from tests.support import ROOT, few, model_of, replaced
+from tests.oracles.user_pages import model_of, replaced
+from tests.support import ROOT, few
 
 PAGE = '''r"""A mass on a belt."""
 import sympy as sp

@@ -20,7 +20,7 @@ from spragsym.derive import folder, pages
 from spragsym.derive.kang_nam import mechanics, page_equivalence
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.model import PageError
-from tests.support import replaced
+from tests.oracles.user_pages import replaced
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
 

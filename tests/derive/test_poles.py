@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 HEAD = '''"""A published model."""
 from spragsym.derive.model import Page, cos, sin

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 FOUR_ROOTS = '''"""A particle whose force has the roots 2, 2 + h, 2 + 2 h and 2 + 3 h."""
 from spragsym.derive.model import Page

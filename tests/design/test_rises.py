@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 import spragsym as ss
-from tests.support import ROOT, derived, written_brake
+from tests.oracles.user_pages import derived
+from tests.support import ROOT, written_brake
 
 pytest.importorskip("sympy")
 

@@ -14,7 +14,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from tests.support import few, model_of
+from tests.oracles.user_pages import model_of
+from tests.support import few
 
 pytest.importorskip("sympy")
 

@@ -18,7 +18,9 @@ import spragsym as ss
 pytest.importorskip("sympy")
 
 from spragsym.derive import export
-from tests.support import few, model_of, results_of_c, shipped_page, with_angles
+from tests.oracles.emission import results_of_c, with_angles
+from tests.oracles.user_pages import model_of, shipped_page
+from tests.support import few
 
 OFFERED = "import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
 COMPILER = shutil.which("cc")

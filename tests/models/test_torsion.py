@@ -13,7 +13,8 @@ import pytest
 import spragsym as ss
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.interval_functions import atan2
-from tests.support import ROOT, model_of
+from tests.oracles.user_pages import model_of
+from tests.support import ROOT
 
 pytest.importorskip("sympy")
 

@@ -3,7 +3,7 @@
 import pytest
 
 import spragsym as ss
-from tests.support import model_of, shipped_page
+from tests.oracles.user_pages import model_of, shipped_page
 
 
 @pytest.mark.thorough

@@ -9,7 +9,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.motion.sweeps import Regime
-from tests.support import model_of, needs_a_quick_integrator
+from tests.oracles.user_pages import model_of
+from tests.support import needs_a_quick_integrator
 
 HEAD = """'One mass.'
 

@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 import spragsym as ss
 from spragsym.motion.sweeps import Regime, basin
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 HEAD = '''"""A page.
 

@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 BRISTLE = """r'''A mass that drags a light mass over a belt.'''
 from spragsym.derive.model import Page, tanh

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import inspect
+import math
 import subprocess
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -17,7 +18,6 @@ from spragsym.cli import main as command
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.statics.mechanics.laws import XP
 from tests.oracles.by_hand import load
-from tests.support import with_angles
 
 DIGITS = 50
 WIDE = SimpleNamespace(sqrt=mp.sqrt, exp=mp.exp, log=mp.log, sign=mp.sign, atan2=mp.atan2, pi=mp.pi)
@@ -78,6 +78,40 @@ def library(name: str, model: Any, folder: Path) -> Any:
     ]
     subprocess.run(build, check=True, timeout=300)
     return ctypes.CDLL(str(folder / "model.so")), source.stem
+
+
+def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]) -> list[float]:
+    """Arguments of a generated function as exported C takes them: an angle in the place of its cosine and sine."""
+    code = inspect.unwrap(function).__code__
+    values = dict(zip(code.co_varnames[: code.co_argcount], given, strict=True))
+    named: dict[str, float] = {}
+    angle_of = {part: (angle, pair) for angle, pair in model.about["angles"].items() for part in pair}
+    for name, value in values.items():
+        angle, (cosine, sine) = angle_of.get(name, (name, ("", "")))
+        named.setdefault(angle, value if angle == name else math.atan2(values[sine], values[cosine]))
+    return list(named.values())
+
+
+def results_of_c(
+    folder: Path, library: str, calls: Iterable[tuple[str, Sequence[float], int]], optimized: str = "-O0"
+) -> list[float]:
+    """Compile an exported library without a warning, call functions by their names with numbers, and read all they write.
+
+    A call is the name of a function, its arguments, and how many numbers it writes.
+    """
+    lines = []
+    for function, given, size in calls:
+        listed = ", ".join(float(value).hex() for value in given)
+        lines.append(
+            f"{{ double r[{size}]; if ({library}_{function}({listed}, r)) return 1; "
+            f'for (int i = 0; i < {size}; i++) printf("%.17g\\n", r[i]); }}'
+        )
+    program = f'#include <stdio.h>\n#include "{library}.h"\nint main(void) {{\n' + "\n".join(lines) + "\nreturn 0;\n}\n"
+    (folder / "try.c").write_text(program, encoding="utf-8")
+    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", optimized, "try.c", f"{library}.c", "-lm", "-o", "try"]
+    subprocess.run(build, cwd=folder, check=True, timeout=120)
+    shown = subprocess.run(["./try"], cwd=folder, check=True, capture_output=True, text=True, timeout=60).stdout
+    return [float(line) for line in shown.split()]
 
 
 def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tests.support import model_of, shipped_page
+from tests.oracles.user_pages import model_of, shipped_page
 
 #: Steep factor of each law on the page, and its value and slope by hand.
 LAWS = {

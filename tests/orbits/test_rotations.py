@@ -10,7 +10,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import spragsym as ss
-from tests.support import model_of, needs_a_quick_integrator
+from tests.oracles.user_pages import model_of
+from tests.support import needs_a_quick_integrator
 
 PENDULUM = '''"""A driven pendulum.
 

@@ -10,7 +10,8 @@ import pytest
 
 import spragsym as ss
 from tests.oracles.model_references import turned_spring
-from tests.support import ROOT, few, model_of
+from tests.oracles.user_pages import model_of
+from tests.support import ROOT, few
 
 pytest.importorskip("sympy")
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.support import model_of, shipped_page
+from tests.oracles.user_pages import model_of, shipped_page
 
 
 @pytest.mark.parametrize("mu0", [0.41, 0.6])

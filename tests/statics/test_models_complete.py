@@ -9,7 +9,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.errors import ParameterError, ParameterTypeError
-from tests.support import few, model_of
+from tests.oracles.user_pages import model_of
+from tests.support import few
 
 #: Two springs without length that couple both directions, on a belt that hardens.
 COUPLED = '''r"""A mass on two inclined guides."""

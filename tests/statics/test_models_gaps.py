@@ -14,7 +14,7 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
 from tests.oracles.gap_pages import HANDS
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
 

@@ -13,7 +13,7 @@ import spragsym as ss
 from spragsym.article.report import PARADOX
 from spragsym.cli import cli
 from spragsym.results.equilibria import Stability
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 
 def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:

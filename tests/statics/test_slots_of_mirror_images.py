@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.support import model_of
+from tests.oracles.user_pages import model_of
 
 #: A truss of two springs, symmetric about x = 0: three states on that line, and two beside it that are images of each other.
 TRUSS = '''"""A symmetric truss.

@@ -1,0 +1,56 @@
+"""Pages as a user writes them, and their models, each derived once."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from filelock import FileLock
+
+import spragsym as ss
+
+ROOT = Path(__file__).parents[2]
+
+
+def replaced(text: str, *changes: tuple[str, str]) -> str:
+    """A text with pieces, each of which stands there once, replaced."""
+    for before, after in changes:
+        assert text.count(before) == 1, before
+        text = text.replace(before, after)
+    return text
+
+
+def shipped_page(name: str, *changes: tuple[str, str]) -> str:
+    """A page of the package as a user's, with pieces of its text replaced."""
+    text = (ROOT / "derive/models" / f"{name}.py").read_text(encoding="utf-8")
+    return replaced(text, ("from ..model import", "from spragsym.derive.model import"), *changes)
+
+
+def derived(text: str, name: str) -> Path:
+    """The folder of a page: derived once, also for later runs, and again after a change of the page or of the derivation."""
+    from spragsym.derive.folder import write_page
+
+    place = ROOT / ".pytest_cache/pages" / _derivation() / hashlib.sha256(text.encode()).hexdigest()[:16]
+    place.mkdir(parents=True, exist_ok=True)
+    with FileLock(place / f"{name}.lock"):
+        if not (place / name).is_dir():
+            (place / f"{name}.py").write_text(text, encoding="utf-8")
+            write_page(place / f"{name}.py", place / name)
+    return place / name
+
+
+@functools.cache
+def _derivation() -> str:
+    digest = hashlib.sha256()
+    for path in sorted((ROOT / "derive").rglob("*")):
+        if path.is_file() and path.suffix != ".pyc":
+            digest.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+    return f"{digest.hexdigest()[:16]}-{version('sympy')}"
+
+
+def model_of(text: str, name: str) -> Any:
+    """The model of a page."""
+    return ss.load(derived(text, name))

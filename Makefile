@@ -158,7 +158,7 @@ docs: $(DOCS)
 	$(BIN)/sphinx-build -W docs docs/_build
 
 check-claims: $(TEST)
-	$(BIN)/spragsym check --claims
+	$(BIN)/spragsym check --claims --again
 
 clean:
 	rm -rf $(VENV) build dist figures docs/_build docs/jupyter_execute *.egg-info

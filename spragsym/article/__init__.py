@@ -6,7 +6,6 @@ writes anew.
 
 from __future__ import annotations
 
-from .ledger import Found, Row, Statement, Status, drifted, record_text, recorded, run
-from .statements import STATEMENTS
+from .ledger import STATEMENTS, Found, Statement, drifted, record_text, recorded, run
 
-__all__ = ["STATEMENTS", "Found", "Row", "Statement", "Status", "drifted", "record_text", "recorded", "run"]
+__all__ = ["STATEMENTS", "Found", "Statement", "drifted", "record_text", "recorded", "run"]

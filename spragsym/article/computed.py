@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable
 from functools import cache
 from importlib import resources
 from typing import Any
@@ -228,18 +227,15 @@ def _critical_value(name: str, bracket: tuple[float, float]) -> float:
     return float(ss.critical_value(_article(), name, bracket))
 
 
-def family_row(name: str, value: float, bracket: tuple[float, float], jumps: bool) -> Callable[[], Found]:
-    def compute() -> Found:
-        p = _article(**{name: value})
-        found = _jumps(p, "theta0", _RISING)
-        lowest, cusp = float(ss.critical_friction(p)), float(ss.cusp_friction(p))
-        critical = _critical_value(name, bracket)
-        values: dict[str, Value] = {"mu_lowest": lowest, "mu_cusp": cusp, f"critical {name}": critical}
-        if found:
-            values["jump at theta0_deg"] = float(_deg(found[0].value))
-        return Found(bool(found) == jumps == (lowest < 0.5), values)
-
-    return compute
+def family_row(name: str, value: float, bracket: tuple[float, float], jumps: bool) -> Found:
+    """The yes or no of Figures 8 to 10 for a sample of a parameter."""
+    p = _article(**{name: value})
+    found = _jumps(p, "theta0", _RISING)
+    lowest, cusp = float(ss.critical_friction(p)), float(ss.cusp_friction(p))
+    values: dict[str, Value] = {"mu_lowest": lowest, "mu_cusp": cusp, f"critical {name}": _critical_value(name, tuple(bracket))}
+    if found:
+        values["jump at theta0_deg"] = float(_deg(found[0].value))
+    return Found(bool(found) == jumps == (lowest < 0.5), values)
 
 
 # --------------------------------------------------------------------------------------------------- flutter

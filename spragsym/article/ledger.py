@@ -4,28 +4,19 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
-from enum import StrEnum
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib import resources
 from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..errors import ConvergenceError
 from ..progress import doing
 
 #: What a row may hold: numbers, words, or lists of them.
 Value: TypeAlias = float | int | str | list[float] | list[int] | list[str]
-
-
-class Status(StrEnum):
-    """Outcome of a statement."""
-
-    REPRODUCED = "reproduced"
-    MISPRINT = "misprint"  #: a wrong number of an equation or a figure; what is meant holds
-    CORRECTED = "corrected"  #: wrong in substance: another number is right, or it holds for fewer cases
-    NOT_REPRODUCED = "not reproduced"
-    NOT_STATED = "input not stated"
 
 
 @dataclass(frozen=True)
@@ -38,89 +29,75 @@ class Found:
 
 @dataclass(frozen=True)
 class Statement:
-    """A statement of the article and the computation that decides it."""
+    """A statement of the article and the computation that decides it, as statements.toml has it."""
 
     id: str
     where: str
     stated: str
-    compute: Callable[[], Found]
+    computed: str | list[Any]  #: a function of computed.py or oscillation.py, with its arguments if it has any
     outcome: str  #: in words, if the computation holds
     test: str  #: in tests/article/test_claims.py
     command: str
-    status: Status = Status.REPRODUCED  #: if the computation holds
+    status: str = "reproduced"  #: if the computation holds
     digits: int = 12  #: of the computed numbers
     tolerance: str = "none: a yes or no"
     consequence: str = ""  #: for those who use the article, where a statement does not hold as it stands
 
+    def row(self, holds: bool, values: dict[str, Value]) -> dict[str, Any]:
+        """A row of the ledger of claims: what is stated and what was found."""
+        return {
+            "id": self.id, "where": self.where, "stated": self.stated,
+            "outcome": self.outcome if holds else f"does not hold: {self.outcome}",
+            "status": self.status if holds else "not reproduced", "digits": self.digits, "tolerance": self.tolerance,
+            "command": self.command, "test": f"tests/article/test_claims.py::{self.test}", "consequence": self.consequence,
+            "values": values,
+        }  # fmt: skip
 
-@dataclass(frozen=True)
-class Row:
-    """One row of the ledger of claims."""
+    def compute(self) -> Found:
+        """Whether it holds, and the numbers behind it."""
+        from . import computed, oscillation
 
-    id: str
-    where: str
-    stated: str
-    outcome: str
-    status: str
-    digits: int
-    tolerance: str
-    command: str
-    test: str
-    consequence: str = ""
-    values: dict[str, Value] = field(default_factory=dict)
-
-    def as_dict(self) -> dict[str, Any]:
-        """For JSON."""
-        return asdict(self)
+        name, *arguments = [self.computed] if isinstance(self.computed, str) else self.computed
+        function = getattr(computed, name, None) or getattr(oscillation, name)
+        found: Found = function(*arguments)
+        return found
 
 
-def run(statements: Sequence[Statement]) -> list[Row]:
-    """Compute every row; nothing is read from the record."""
+def _text(name: str) -> str:
+    return resources.files(__package__).joinpath(name).read_text(encoding="utf-8")
+
+
+STATEMENTS = tuple(Statement(id, **entry) for id, entry in tomllib.loads(_text("statements.toml")).items())
+
+
+def run(statements: Sequence[Statement]) -> list[dict[str, Any]]:
+    """Compute the row of every statement; nothing is read from the record."""
     rows = []
     for statement in statements:
         with doing(statement.id):
-            rows.append(_row(statement))
+            found = statement.compute()
+        values = {name: _rounded(value, statement.digits) for name, value in found.values.items()}
+        rows.append(statement.row(found.holds, values))
     return rows
 
 
 def recorded() -> list[dict[str, Any]]:
-    """The committed rows."""
-    text = resources.files(__package__).joinpath("record.json").read_text(encoding="utf-8")
-    rows: list[dict[str, Any]] = json.loads(text)
-    return rows
+    """The rows with the committed values: each held when they were written."""
+    values = json.loads(_text("record.json"))
+    return [statement.row(True, values[statement.id]) for statement in STATEMENTS]
 
 
-def drifted(rows: Sequence[Row], record: Sequence[dict[str, Any]]) -> list[str]:
-    """What differs from the record, one line each: rows, statuses, words, and numbers beyond their digits."""
+def drifted(rows: Sequence[dict[str, Any]], record: Sequence[dict[str, Any]]) -> list[str]:
+    """What differs from the record, one line each: statuses, words, and numbers beyond their digits."""
     before = {row["id"]: row for row in record}
-    now = {row.id: row.as_dict() for row in rows}
-    lines = [f"{id}: is not in the record" for id in now if id not in before]
-    lines += [f"{id}: is in the record, but is no longer computed" for id in before if id not in now]
-    for id in now.keys() & before.keys():
-        lines += [f"{id}: {line}" for line in _differences(now[id], before[id])]
-    return sorted(lines)
+    return sorted(f"{row['id']}: {line}" for row in rows for line in _differences(row, before[row["id"]]))
 
 
-def record_text(rows: Sequence[Row]) -> str:
-    """The record as JSON, numbers rounded to their digits."""
-    return json.dumps([row.as_dict() for row in rows], indent=1, ensure_ascii=False) + "\n"
-
-
-def _row(statement: Statement) -> Row:
-    found = statement.compute()
-    return Row(
-        id=statement.id,
-        where=statement.where,
-        stated=statement.stated,
-        outcome=statement.outcome if found.holds else "does not hold: " + statement.outcome,
-        status=str(statement.status if found.holds else Status.NOT_REPRODUCED),
-        digits=statement.digits,
-        tolerance=statement.tolerance,
-        command=statement.command,
-        test=f"tests/article/test_claims.py::{statement.test}",
-        consequence=statement.consequence,
-        values={name: _rounded(value, statement.digits) for name, value in found.values.items()},
-    )
+def record_text(rows: Sequence[dict[str, Any]]) -> str:
+    """The record as JSON, numbers rounded to their digits; rows that do not hold can't be recorded."""
+    if lost := [row["id"] for row in rows if row["status"] == "not reproduced"]:
+        raise ConvergenceError(f"{', '.join(lost)}: not reproduced; mend the statement in statements.toml, or what computes it")
+    return json.dumps({row["id"]: row["values"] for row in rows}, indent=1, ensure_ascii=False) + "\n"
 
 
 def _rounded(value: Any, digits: int) -> Value:

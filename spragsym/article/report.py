@@ -34,7 +34,7 @@ READ = (
 
 _COMMANDS = (
     ("make derive", "derive, check every equation, write generated/"),
-    ("spragsym check", "hold every printed equation against the derivation"),
+    ("spragsym check --again", "hold every printed equation against the derivation"),
     ("make check-claims", "compute every claim and hold it against the record"),
     ("make figures", "draw all figures into figures/"),
     ("spragsym check --report docs/reproduction.md", "write this page"),

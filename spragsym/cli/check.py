@@ -23,10 +23,9 @@ from .options import as_json
 from .tables import print_json, show
 from .targets import force, holds, refuse
 
-_STYLES = {"confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
-
-_CLAIM_STYLES = {
-    "reproduced": "green", "misprint": "yellow", "corrected": "magenta", "input not stated": "cyan", "not reproduced": "bold red",
+_STYLES = {
+    "confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red",
+    "reproduced": "green", "corrected": "magenta", "input not stated": "cyan", "not reproduced": "bold red",
 }  # fmt: skip
 
 
@@ -36,22 +35,24 @@ _CLAIM_STYLES = {
 @click.option(
     "--row", "only", multiple=True, metavar="ROW", help="Only this row, or rows that begin so: eq-9, fig-7. Repeatable."
 )
+@click.option("--again", is_flag=True, help="Derive or compute the rows anew, and compare them with what is committed.")
 @click.option(
-    "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from the records; check nothing."
+    "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from what is committed."
 )
 @click.option("--model", "model_name", metavar="NAME|DIR", help=f"{TEXT} What holds of the article for it.")
 @force
 def check(
-    json_output: bool, claims: bool, only: tuple[str, ...], report: Path | None, model_name: str | None, force: bool
+    json_output: bool, claims: bool, only: tuple[str, ...], again: bool, report: Path | None, model_name: str | None, force: bool
 ) -> None:  # fmt: skip
-    """Hold every printed equation of the article against the derivation, or every statement against computation.
+    """Show how every printed equation of the article compares with the derivation, or every statement with computation.
 
-    Every row is recomputed. The committed record is read only to see whether a row has changed.
+    Rows come from the committed ledger at once; with --again each is derived or computed anew, and compared with it.
 
     \b
     Examples:
       spragsym check
       spragsym check --row eq-9
+      spragsym check --again
       spragsym check --claims --row fig-7
       spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
@@ -74,10 +75,22 @@ def check(
         refuse([report], force)
         put(report, text)
         click.echo(f"wrote {report}", err=True)
-    elif claims:
-        _check_claims(json_output, only)
     else:
-        _check_equations(json_output, only)
+        rows, wrong = (_claims if claims else _equations)(only, again)
+        if json_output:
+            print_json(rows)
+        else:
+            _print_table(rows)
+        for line in wrong:
+            click.echo(f"spragsym check: {line}", err=True)
+        if not again:
+            click.echo(f"as committed; --again {'computes' if claims else 'derives'} every row anew", err=True)
+        if wrong:
+            sys.exit(1)
+
+
+#: Rows of a ledger, and what is wrong with them.
+_Rows = tuple[list[dict[str, Any]], list[str]]
 
 
 def _chosen(only: tuple[str, ...], known: Sequence[str], what: str) -> list[str]:
@@ -92,50 +105,35 @@ def _chosen(only: tuple[str, ...], known: Sequence[str], what: str) -> list[str]
     return [row for row in known if row in chosen]
 
 
-def _check_claims(json_output: bool, only: tuple[str, ...]) -> None:
+def _claims(only: tuple[str, ...], again: bool) -> _Rows:
     from ..article import STATEMENTS, drifted, recorded, run
 
     chosen = _chosen(only, [statement.id for statement in STATEMENTS], "the claims")
+    rows = [row for row in recorded() if row["id"] in chosen]
+    if not again:
+        return rows, []
     with show_progress("computing what the article states"):
-        rows = run([statement for statement in STATEMENTS if statement.id in chosen])
-    if json_output:
-        print_json([row.as_dict() for row in rows])
-    else:
-        from rich.text import Text
-
-        from .tables import print_table
-
-        print_table("", ("row", "status", "outcome"), [
-            (row.id, Text(row.status, style=_CLAIM_STYLES[row.status]), row.outcome) for row in rows
-        ])  # fmt: skip
-    lines = drifted(rows, [row for row in recorded() if not only or row["id"] in chosen])
-    for line in lines:
-        click.echo(f"spragsym check: {line}", err=True)
-    if lines:
-        sys.exit(1)
+        anew = run([statement for statement in STATEMENTS if statement.id in chosen])
+    return anew, drifted(anew, rows)
 
 
-def _check_equations(json_output: bool, only: tuple[str, ...]) -> None:
+def _equations(only: tuple[str, ...], again: bool) -> _Rows:
+    text = resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8")
+    recorded: list[dict[str, Any]] = json.loads(text)["rows"]
+    chosen = _chosen(only, [row["id"] for row in recorded], "the equations (statements of the text: --claims)")
+    if not again:
+        return [row for row in recorded if row["id"] in chosen], []
     try:
         from ..derive.kang_nam import check as derivation
     except ModuleNotFoundError as error:
-        raise MissingExtraError("spragsym check", error.name or "sympy", "derive") from error
+        raise MissingExtraError("spragsym check --again", error.name or "sympy", "derive") from error
     with show_progress("deriving the equations of the article"):
         every = derivation.run()
-    chosen = _chosen(only, [row.id for row in every], "the equations (statements of the text: --claims)")
-    rows = [row for row in every if row.id in chosen]
-    recorded = json.loads(resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8"))["rows"]
-    changed = _changed([row.recorded() for row in rows], [row for row in recorded if not only or row["id"] in chosen])
-    if json_output:
-        print_json([row.as_dict() for row in rows])
-    else:
-        _print_table(rows)
-    for id in changed:
-        click.echo(f"spragsym check: {id} is not as recorded in generated/ledger.json", err=True)
-    for row in derivation.failures(rows):
-        click.echo(f"spragsym check: {row.id} ({row.where}): {row.note}", err=True)
-    if changed or derivation.failures(rows):
-        sys.exit(1)
+    wrong = [f"{row.id} ({row.where}): {row.note}" for row in derivation.failures(every) if row.id in chosen]
+    before, now = ({row["id"]: row for row in rows} for rows in (recorded, [row.recorded() for row in every]))
+    changed = [id for id in sorted(before.keys() | now.keys()) if before.get(id) != now.get(id) and (not only or id in chosen)]
+    wrong += [f"{id} is not as recorded in generated/ledger.json" for id in changed]
+    return [row.recorded() for row in every if row.id in chosen], wrong
 
 
 def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
@@ -161,12 +159,6 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)
 
 
-def _changed(rows: list[dict[str, str]], recorded: list[dict[str, str]]) -> list[str]:
-    before = {row["id"]: row for row in recorded}
-    now = {row["id"]: row for row in rows}
-    return [id for id in sorted(before.keys() | now.keys()) if before.get(id) != now.get(id)]
-
-
 def _print_rows(last: str, styles: Mapping[str, str], rows: Sequence[tuple[str, str, str, str]]) -> None:
     """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
     from rich.table import Table
@@ -178,10 +170,14 @@ def _print_rows(last: str, styles: Mapping[str, str], rows: Sequence[tuple[str, 
     show(table)
 
 
-def _print_table(rows: Sequence[Any]) -> None:
+def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:
+    """Equations with the remark of each; of the text's statements the outcome."""
     from rich.text import Text
 
-    _print_rows("remark", _STYLES, [(row.id, row.where, row.status, row.cause or row.limit or row.note) for row in rows])
+    remarks = ("outcome", "cause", "limit", "note")
+    shown = [(row["id"], row["where"], row["status"], next((row[key] for key in remarks if row.get(key)), "")) for row in rows]
+    _print_rows("remark", _STYLES, shown)
     for row in rows:
-        if row.consequence:
-            show(Text(f"\n{row.id}: right is {row.derived}\n  {row.consequence}"))
+        if row.get("consequence"):
+            right = f": right is {row['derived']}" if "derived" in row else ""
+            show(Text(f"\n{row['id']}{right}\n  {row['consequence']}"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import itertools
+from collections import defaultdict
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,6 @@ from scipy.optimize import brentq, root
 
 import spragsym as ss
 from spragsym import article as claims
-from spragsym.article import Status
 from spragsym.cli import cli
 from spragsym.cli.check import check as check_command
 from spragsym.motion import simulate
@@ -456,17 +456,17 @@ def test_cross_references() -> None:
 
 
 def test_statuses() -> None:
-    by_status: dict[str, set[str]] = {status: set() for status in Status}
+    by_status = defaultdict(set)
     for id, row in record().items():
         by_status[row["status"]].add(id)
-    assert by_status[Status.NOT_REPRODUCED] == set()
-    assert by_status[Status.NOT_STATED] == {"fig-3", "fig-7a", "fig-7b"}
+    assert by_status["not reproduced"] == set()
+    assert by_status["input not stated"] == {"fig-3", "fig-7a", "fig-7b"}
     # A wrong number of an equation or a figure is another matter than a wrong statement.
-    assert by_status[Status.MISPRINT] == {"claim-reference-10", "claim-reference-12", "claim-reference-22"}
+    assert by_status["misprint"] == {"claim-reference-10", "claim-reference-12", "claim-reference-22"}
     corrected = {"claim-mu-cr", "claim-must-jump", "claim-roots-of-21", "fig-7b-fate", "fig-7-oscillation"}
-    assert by_status[Status.CORRECTED] == corrected
+    assert by_status["corrected"] == corrected
     assert all(row["consequence"] for id, row in record().items() if id.startswith("fig-7"))
-    assert len(by_status[Status.REPRODUCED]) == 28
+    assert len(by_status["reproduced"]) == 28
 
 
 #: Rows that stand on 25 motions to τ = 2000 and on the saddles between oscillation and rest.
@@ -487,7 +487,6 @@ def test_nothing_has_drifted() -> None:
         ({"status": "reproduced"}, "claim-mu-cr: status is 'corrected', not 'reproduced'"),
         ({"values": {"mu_cr": 0.574073166169, "0.58 - mu_cr": 0.00592683393142}}, "mu_cr = 0.574073166069, not 0.574073166169"),
         ({"values": {"0.58 - mu_cr": 0.00592683393142}}, "mu_cr = 0.574073166069, not None"),
-        ({"id": "claim-other"}, "claim-other: is in the record, but is no longer computed"),
     ],
 )
 def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:
@@ -510,14 +509,6 @@ def test_every_row_names_a_test_and_a_command_that_exist() -> None:
         found = cli.get_command(click.Context(cli), command)
         assert found is not None
         found.make_context(command, arguments)  # an error if an option is unknown
-
-
-def few(monkeypatch: pytest.MonkeyPatch, change: dict[str, Any] | None = None) -> None:
-    ids = ("claim-mu-cr", "fig-3")
-    statements = tuple(one for one in claims.STATEMENTS if one.id in ids)
-    rows = [row | (change or {}) for row in claims.recorded() if row["id"] in ids]
-    monkeypatch.setattr(claims, "STATEMENTS", statements)
-    monkeypatch.setattr(claims, "recorded", lambda: rows)
 
 
 COMMITTED = (ROOT / "docs" / "reproduction.md").read_text(encoding="utf-8")

@@ -58,6 +58,7 @@ def start(begin: Callable[..., subprocess.Popen[str]]) -> Start:
 @pytest.mark.usefixtures("checked")
 def test_check_prints_every_row(run: Run) -> None:
     rows = json.loads(run("check", "--json"))
+    assert rows == json.loads(run("check", "--json", "--again"))
     assert len(rows) == 53
     assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
 
@@ -98,7 +99,6 @@ def in_the_way(command: str, folder: Path) -> tuple[list[str], Path]:
 
 
 @pytest.mark.parametrize("command", WRITING)
-@pytest.mark.usefixtures("checked")
 def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("matplotlib")
     arguments, target = in_the_way(command, tmp_path)
@@ -114,7 +114,6 @@ def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, caps
 @pytest.mark.by_hand("report")
 @pytest.mark.thorough
 @pytest.mark.parametrize("command", [name for name in WRITING if name != "derive"])  # which replaces only what it wrote itself
-@pytest.mark.usefixtures("checked")
 def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     if command == "cycles" and LONG_MOTIONS_TAKE_MINUTES:

@@ -226,7 +226,7 @@ def test_commands_without_extras(python: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "extra"),
     [
-        (["check"], "derive"),
+        (["check", "--again"], "derive"),
         pytest.param(["bifurcation", "--plot", "a.pdf"], "plot", marks=pytest.mark.thorough),
         pytest.param(["figures", "--out", "figures"], "plot", marks=pytest.mark.thorough),
         (["simulate", "--theta0", "49", "--backend", "heyoka"], "fast"),

@@ -21,8 +21,8 @@ from spragsym.motion import flows, integrators, simulate
 from spragsym.motion.classify import classify
 from spragsym.motion.motions import Motions
 from spragsym.motion.problem import Problem
+from spragsym.motion.problems import prepare
 from spragsym.motion.sweeps import rms_sweep, sensitivity
-from spragsym.motion.sweeps.problems import prepare
 from spragsym.motion.sweeps.workers import pool
 from spragsym.motion.with_heyoka import compiled_for
 

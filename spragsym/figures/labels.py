@@ -11,7 +11,7 @@ from matplotlib.axis import Axis
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from ..models import Model
-from ..motion.field import Field
+from ..models.field import Field
 from ..motion.pictures import in_letters, symbol
 from ..results.points import Points
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated import laws
+from ..models.field import SETTLED
 from ..models.parameters import FloatArray, Parameters
-from ..motion.regimes import SETTLED
 
 
 def rest_index(p: Parameters, places: FloatArray) -> NDArray[np.int8]:

@@ -17,7 +17,7 @@ from .describe import described, explained
 from .parameters import FloatArray, ParameterSet
 
 if TYPE_CHECKING:
-    from ..motion.field import Field
+    from .field import Field
 
 
 class Model:
@@ -83,8 +83,8 @@ class Model:
     @cached_property
     def field(self) -> Field:
         """The field of its motion, with exponentials of the friction law left out far below rounding."""
-        from ..motion.field import REACH
-        from ..motion.model_field import field_of
+        from .field import REACH
+        from .model_field import field_of
 
         return field_of(self, REACH)
 
@@ -135,13 +135,6 @@ class Model:
         balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
         known = [name for name in ("theta0", "mu0") if name in self.parameters]
         return tuple(dict.fromkeys([*known, *balanced]))[:2]
-
-    @property
-    def backends(self) -> tuple[str, ...]:
-        """Integrators that take its motion: what is compiled on installation is that of a model that brings its own."""
-        from ..motion.integrators import BACKENDS, OF_ANY_MODEL
-
-        return BACKENDS if "integrate" in self.closed else OF_ANY_MODEL
 
     @cached_property
     def quantities(self) -> Mapping[str, tuple[str, str]]:

@@ -15,9 +15,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import Field, Mode
+from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
-from .field import Field, Mode
-from .heyoka_library import library
 from .measures import Course
 from .motions import Measured, Motions, Turns
 from .problem import Event, event_at, out_of_range, too_many_steps

@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
+from ..models.field import SETTLED, TURN
 from . import flows
-from .field import TURN
 from .flows import Onward
 from .measures import Course
 from .motions import Measured, Motions
 from .problem import Event, Problem
-from .regimes import SETTLED, Outcome, Regime
+from .regimes import Outcome, Regime
 from .rest import at_rest, is_still
 from .return_map import FEWEST, on_cycle
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..errors import ConvergenceError
+from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
-from .field import REACH, Field
 from .measures import Courses, Ends
 from .periodic_orbit import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
 from .problem import Problem

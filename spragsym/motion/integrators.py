@@ -13,6 +13,7 @@ from types import ModuleType
 import numpy as np
 
 from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
+from ..models.model import Model
 from ..models.parameters import FloatArray
 from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
 from .measures import Course, Courses, Ends, course_of
@@ -27,6 +28,11 @@ BACKENDS = ("heyoka", "compiled", "scipy")
 OF_ANY_MODEL = ("heyoka", "scipy")
 
 _INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_compiled, "scipy": with_scipy}
+
+
+def offered_for(model: Model) -> tuple[str, ...]:
+    """Integrators that take its motion: what is compiled on installation is that of a model that brings its own."""
+    return BACKENDS if "integrate" in model.closed else OF_ANY_MODEL
 
 
 def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:

@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from ..models.field import Field
 from ..models.parameters import FloatArray
-from .field import Field
 from .measures import KEPT, Course, moments_of
 from .problem import Event, Problem, reach_of
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import Field
 from ..models.parameters import FloatArray
-from .field import Field
 from .measures import Courses, Ends
 from .segment import Fly, Passage, Turn
 from .shooting import Conditions, Guess, Loop, once_round, rate, solved

@@ -22,8 +22,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..models.field import Border, Field, Mode
 from ..models.parameters import Range
-from .field import Border, Field, Mode
 
 RELATIVE_TOLERANCE = Range(
     1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"

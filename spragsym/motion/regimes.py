@@ -10,11 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..display import Result, named_fields
+from ..models.field import SETTLED, apart
 from ..names import hint
-from .field import apart
-
-#: A motion has settled when what is left to its limit is this share of its reach; for rest, of L_0.
-SETTLED = 1e-4
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.
 SAME = 1e-6

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..models.field import in_one_turn
 from ..models.parameters import FloatArray
-from .field import in_one_turn
 from .measures import Course
 from .problem import Event, Problem
 from .regimes import Outcome, Regime

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
+from ..models.field import TURN, apart, in_one_turn
 from ..models.parameters import FloatArray
-from .field import TURN, apart, in_one_turn
 from .flows import Onward
 from .measures import Course
 from .periodic_orbit import Closed, section

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ..display import Result
 from ..errors import ParameterError
+from ..models.field import SETTLED
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, as_numbers
 from . import flows
 from .classify import classify
@@ -17,7 +18,7 @@ from .events import Events
 from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
 from .problem import Event, Problem
-from .regimes import SETTLED, Outcome, Regime
+from .regimes import Outcome, Regime
 
 
 class Recorded(Result):

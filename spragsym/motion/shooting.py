@@ -12,8 +12,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import TURN, Field, apart
 from ..models.parameters import FloatArray
-from .field import TURN, Field, apart
 from .multipliers import Multipliers, multipliers_of
 from .segment import Crossing, Fly, Passage, Turn
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -14,12 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 from ..display import Table, caption, words
 from ..errors import ParameterError, ParameterTypeError
 from ..files import storage
+from ..models import forces
+from ..models.field import Field
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number, as_numbers, degrees
 from ..names import hint
 from ..questions import model_of
-from . import forces, integrators, pictures, spectra
+from . import integrators, pictures, spectra
 from .events import Events
 from .problem import MAX_STEPS, Event, Problem
+from .problems import prepare
 from .regimes import Outcome
 from .sampled_motion import Recorded
 
@@ -202,13 +205,10 @@ class Trajectory(Recorded):
         return replace(self, t=t, state=state, events=events, error=error)
 
     def _problem(self, start: tuple[float, ...], length: float) -> Problem:
-        from .sweeps.problems import prepare  # a room above this one
-
-        prepared: Problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
-        return prepared
+        return prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
 
     def _identified(self, found: Outcome) -> Outcome:
-        from ..statics.search import rest_index  # a room above this one
+        from ..statics.search import rest_index
 
         return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
 
@@ -300,12 +300,10 @@ def simulate(
     >>> tr.components, round(tr.largest(), 2)
     (('x', 'vx'), 0.61)
     """
-    from .sweeps.problems import prepare  # a room above this one
-
     model, p = model_of(p), p.given(V=V, d=d)
     state = tuple(as_number(name, value) for name, value in initial_state(model, start, initial).items())
     problem = prepare(model, p, start=state, t_end=t_end, rtol=rtol, max_steps=max_steps)
-    chosen = integrators.choose(backend, model.backends)
+    chosen = integrators.choose(backend, integrators.offered_for(model))
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:
         reference = _run(model, p, replace(problem, rtol=max(problem.rtol / 100, TIGHTEST)), chosen)
@@ -336,6 +334,12 @@ def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, Arr
 def state_of(model: Any, start: ArrayLike | None) -> FloatArray:
     """One initial state as an array; rest where nothing is given."""
     return np.array([as_number("start", value, FINITE) for value in initial_state(model, start, {}).values()])
+
+
+def motion_of(field: Field, values: Sequence[float], state: FloatArray, t_end: float, **options: Any) -> Trajectory:
+    """The motion of the model of a field, by the values of its parameters in order."""
+    p = field.parameter_set(**dict(zip(field.parameters, values, strict=True)))
+    return simulate(p, start=np.asarray(state), t_end=t_end, **options)
 
 
 def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import JUMPED, Field, Mode
+from ..models.heyoka_library import XP, Functions, library
 from ..models.parameters import FloatArray
-from .field import JUMPED, Field, Mode
-from .heyoka_library import XP, Functions, library
 from .lobatto import unit_points
 from .problem import StiffError, check_stiffness, out_of_range
 from .segment import Crossing, Passage, Turn

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
-from .field import GAP, JUMPED, Field, Mode
 from .lobatto import unit_points
 from .problem import Problem, event_at
 from .segment import Crossing, Passage, Turn

@@ -9,9 +9,9 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..generated import SOURCE_HASH
+from ..models.field import GAP, WIDTH
 from ..models.parameters import FloatArray
 from . import with_scipy
-from .field import GAP, WIDTH
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled

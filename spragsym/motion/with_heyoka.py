@@ -11,9 +11,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import GAP, Border, Field, Mode
+from ..models.heyoka_library import Functions, library
 from ..models.parameters import FloatArray
-from .field import GAP, Border, Field, Mode
-from .heyoka_library import Functions, library
 from .lobatto import unit_points
 from .problem import Problem, check_stiffness, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import GAP, Field, Mode
 from ..models.parameters import FloatArray
-from .field import GAP, Field, Mode
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled

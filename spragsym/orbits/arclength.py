@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.field import Field
 from ..motion.segment import Fly
 from ..motion.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, chorded, growth, looped, rate, recut, rounding, solved
 

@@ -12,10 +12,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import Field, apart
 from ..models.parameters import FloatArray
-from ..motion.field import Field, apart
 from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime
+from ..motion.trajectory import motion_of
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of
@@ -96,7 +97,7 @@ def judged(
     """What the motion from a state comes to, looked at later and later as long as that is undecided."""
     state, begun = np.asarray(start, dtype=float), 0.0
     for t_end in times:
-        motion = field.simulate(values, state, t_end - begun, backend=backend, rtol=rtol)
+        motion = motion_of(field, values, state, t_end - begun, backend=backend, rtol=rtol)
         verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
         if verdict.decided:
             break
@@ -116,7 +117,7 @@ def surely(
     if not verdict.decided:
         return verdict
     times = np.arange(0.0, verdict.t)
-    one, other = (field.simulate(values, start, verdict.t, backend=backend, rtol=rtol)(times) for rtol in TOLERANCES)
+    one, other = (motion_of(field, values, start, verdict.t, backend=backend, rtol=rtol)(times) for rtol in TOLERANCES)
     if not np.abs(one - other).max() > PARTED:
         return verdict
     for i in range(BESIDE + 1):

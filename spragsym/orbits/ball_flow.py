@@ -18,7 +18,7 @@ from typing import Any
 from flint import acb, arb, arb_mat, ctx
 
 from ..errors import ParameterError
-from ..motion.field import Field, Mode
+from ..models.field import Field, Mode
 from ..numerics.jets import gradient, variables
 from .jets import XP, Jet
 

@@ -16,7 +16,7 @@ import numpy as np
 from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
-from ..motion.field import Field, Mode
+from ..models.field import Field, Mode
 from .ball_flow import APART, Accuracy, Balls, NotProved, TooWide, bits, polynomial, slopes_at, solution
 from .jets import XP
 

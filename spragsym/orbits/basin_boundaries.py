@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
-from ..motion.field import Field
 from ..motion.flows import carrier, flow
 from ..motion.segment import Fly
 from ..motion.trajectory import state_of

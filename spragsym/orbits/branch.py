@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
-from ..motion.field import Field
 from ..motion.flows import carrier, flow
 from ..motion.shooting import Loop, extent, rate
 from ..progress import doing

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ConvergenceError
+from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
-from ..motion.field import Field
 from ..motion.flows import carrier
 from ..motion.regimes import Regime
 from ..motion.trajectory import state_of

@@ -14,11 +14,11 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import Field, apart
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
-from ..motion.field import Field, apart
 from ..motion.flows import carrier, follower
 from ..motion.regimes import Outcome, Regime, same_limit
-from ..motion.trajectory import state_of
+from ..motion.trajectory import motion_of, state_of
 from ..progress import doing
 from ..questions import model_of
 from .attractors import JUDGED, PARTED, TOLERANCES, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle, surely
@@ -499,7 +499,7 @@ def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, fl
 def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:
     """States where the first coordinate is largest while motions of the two values are on one way, and the times of these."""
     span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE[0]}
-    one, other = (asked.field.simulate(asked.at(value), asked.start, span, **settings) for value in (low, high))
+    one, other = (motion_of(asked.field, asked.at(value), asked.start, span, **settings) for value in (low, high))
     times = np.linspace(0.0, span, int(10 * span) + 1)
     parted = np.abs(one(times) - other(times)).max(axis=0) > PARTED
     until = float(times[int(np.argmax(parted))]) if parted.any() else span

@@ -9,14 +9,15 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..models.field import Field
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
 from ..motion.bifurcation_functions import multipliers
-from ..motion.field import Field
 from ..motion.flows import NEAR, carrier, follower, scout
 from ..motion.regimes import Outcome, Regime
 from ..motion.segment import Fly, Turn
 from ..motion.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, error_of, extent, growth, looped, rate, solved
+from ..motion.trajectory import motion_of
 from ..questions import model_of
 from .orbit import Cycle, cycle_of
 
@@ -148,7 +149,7 @@ def cycle_near(
             break
         start = passage.state
     try:
-        outcome = field.simulate(values, start, 2000.0).outcome(1000.0)
+        outcome = motion_of(field, values, start, 2000.0).outcome(1000.0)
     except ConvergenceError as error:
         raise ConvergenceError(f"no cycle was found near the motion, which could not be followed: {error}") from error
     if outcome.limit == Regime.LIMIT_CYCLE and (patient or settled):
@@ -286,7 +287,7 @@ def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> 
     Returns of a motion are looked at where its first coordinate is largest: there are none then.
     """
     try:
-        moved = np.ptp(field.simulate(values, state, LOOK).state[: len(field.coordinates)], axis=1)
+        moved = np.ptp(motion_of(field, values, state, LOOK).state[: len(field.coordinates)], axis=1)
     except ConvergenceError:
         return ""
     if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:

@@ -14,8 +14,8 @@ import numpy as np
 from scipy.stats import t as student
 
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.field import Field
 from ..motion.segment import Fly
 from ..motion.shooting import rate
 

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
+from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.field import Field
 from ..motion.flows import flow
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.problem import Event
@@ -37,7 +37,7 @@ from ..motion.shooting import (
     recut,
     solved,
 )
-from ..motion.trajectory import Events
+from ..motion.trajectory import Events, motion_of
 
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
@@ -158,7 +158,7 @@ class Cycle(Result):
     def trajectory(self, periods: float = 1.0, **options: Any) -> Any:
         """The motion over one period, or more of them, as :func:`~spragsym.simulate` gives it."""
         chosen = {"rtol": 1e-13, "backend": self.backend} | options
-        return self.field.simulate(self.values, self.state, periods * self.period, **chosen)
+        return motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset``: the samples of one period, with everything else as attributes (extra ``sweep``)."""

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
+from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.field import Field
 from ..motion.segment import Fly
 from .orbit import Cycle
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, unsure
-from ..motion.field import Field
 from ..motion.flows import carrier
 from ..motion.shooting import CLOSED, Loop, looped, solved
 from ..progress import doing

@@ -10,8 +10,8 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
-from ..motion.field import Field
 from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime
 from ..motion.trajectory import state_of

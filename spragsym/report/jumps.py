@@ -13,8 +13,8 @@ import spragsym as ss
 
 from ..display import Result
 from ..errors import ConvergenceError
+from ..models import forces
 from ..models.parameters import FloatArray
-from ..motion import forces
 from ..motion.regimes import Regime
 from ..names import hint
 from ..statics.mechanics.balance import Balance

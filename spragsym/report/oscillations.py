@@ -12,7 +12,7 @@ import spragsym as ss
 
 from ..display import Result
 from ..errors import ConvergenceError
-from ..motion import forces
+from ..models import forces
 from ..motion.regimes import Regime
 from ..orbits import Cycle
 from .states import OfSprings, of_springs

@@ -14,8 +14,8 @@ import spragsym as ss
 
 from ..display import Result
 from ..errors import SpragsymError
+from ..models import forces
 from ..models.parameters import FloatArray
-from ..motion import forces
 from ..names import hint
 from ..results.equilibria import Equilibria, Stability, columns_of
 from ..statics.mechanics.balance import Balance

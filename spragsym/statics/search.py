@@ -11,9 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ParameterError, ParameterTypeError
+from ..models.field import SETTLED, apart
 from ..models.parameters import ParameterSet
-from ..motion.field import apart
-from ..motion.regimes import SETTLED
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals

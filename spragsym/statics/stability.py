@@ -92,7 +92,7 @@ def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[
 
 def told_of_states(eq: Equilibria) -> dict[str, FloatArray]:
     """What follows from where equilibria are: directions, lengths and tensions of inclined springs, the contact's force."""
-    from ..motion.forces import told_of
+    from ..models.forces import told_of
 
     model = eq.parameters.model
     q = [getattr(eq, name) for name in model.coordinates]

@@ -10,12 +10,12 @@ import pytest
 
 import spragsym as ss
 from spragsym.errors import SweepError
+from spragsym.models.field import Field
 from spragsym.motion import Event, batch_heyoka, integrators, simulate
-from spragsym.motion.field import Field
 from spragsym.motion.motions import Measured, Motions
 from spragsym.motion.problem import Problem
+from spragsym.motion.problems import prepare
 from spragsym.motion.sweeps import rms_sweep
-from spragsym.motion.sweeps.problems import prepare
 from spragsym.motion.with_heyoka import compiled_for
 
 pytest.importorskip("heyoka")

@@ -11,9 +11,9 @@ import pytest
 import spragsym as ss
 from spragsym.motion import with_compiled
 from spragsym.motion.problem import Problem
+from spragsym.motion.problems import prepare
 from spragsym.motion.regimes import Regime
 from spragsym.motion.sweeps import basin, rms_sweep
-from spragsym.motion.sweeps.problems import prepare
 from tests.oracles import article_motion
 
 BELT = {"V": 0.5, "d": 10.0}

@@ -18,10 +18,10 @@ import pytest
 import spragsym as ss
 from benchmarks import bench_auto
 from spragsym.generated import laws
+from spragsym.models.field import Border, Field
+from spragsym.models.model_field import exact_field
 from spragsym.motion import bifurcation_functions, multipliers
-from spragsym.motion.field import Border, Field
 from spragsym.motion.flows import carrier
-from spragsym.motion.model_field import exact_field
 from spragsym.numerics.decimals import exactly
 from spragsym.numerics.number_types import Functions
 from spragsym.orbits import attractors, finding, growth_rates, saddles
@@ -121,7 +121,7 @@ def field_of(
         lambda q, c, mode, xp=math: (force(*q, *c, mode),), lambda q, c, mode, xp=math: (slope(*q, *c, mode),),
         lambda q, c, mode, xp=math: ((by_parameter(*q, *c, mode),),), borders,
         lambda q, c: next(m for m in modes if all(b.sign(m) * b.level(q, c, m) >= -1e-300 for b in borders)),
-        tuple(modes), lambda name, value: None, lambda *_: None, lambda mode: mode,
+        tuple(modes), lambda **_: None, lambda mode: mode,
     )  # fmt: skip
 
 

@@ -20,6 +20,7 @@ from ...progress import advance
 from ...questions import model_of
 from .. import batch_heyoka, integrators
 from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
+from ..problems import motions
 from ..trajectory import initial_state
 from . import workers as processes
 from .measure import MotionsOf, Settings, measured
@@ -108,12 +109,10 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
-    from .problems import motions  # a room above this one
-
     model, p = model_of(p), p.given(V=V, d=d)
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
-    settings = settings_of(t_end, transient, rtol, backend, max_steps, model.backends)
+    settings = settings_of(t_end, transient, rtol, backend, max_steps, integrators.offered_for(model))
     return carried_out(Plan(inputs, settings, partial(motions, model), Results(model)), workers, progress, store)
 
 

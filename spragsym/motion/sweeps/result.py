@@ -214,7 +214,7 @@ class Results:
     def equilibrium(self, inputs: dict[str, FloatArray], places: FloatArray) -> NDArray[np.int8]:
         """Slots of the equilibria at places, shape (n, …)."""
         p = self.model.Parameters(**{name: inputs[name] for name in self.model.parameters})
-        from ...statics.search import rest_index  # a room above this one
+        from ...statics.search import rest_index
 
         return rest_index(p, places)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ...motion.field import BEGIN, TURN
+from ...models.field import BEGIN, TURN
 from ...numerics.certified_roots import Roots
 from ...numerics.interval_arrays import FloatArray
 from .balance import Balance

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ParameterError
-from ..models.parameters import FloatArray
+from .parameters import FloatArray
 
 
 def spring_forces(model: Any, states: Any, constants: Sequence[Any]) -> tuple[FloatArray, ...]:

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..models.parameters import FloatArray
+from .parameters import FloatArray
 
 #: What is said of an orbit on which the field jumps.
 JUMPED = (
@@ -28,6 +28,9 @@ WIDTH = 5.0
 
 #: Where a turn of a coordinate that comes around begins: no angle that models have, so that rounding decides no state's turn.
 TURN, BEGIN = 2 * np.pi, -np.pi + 0.012345
+
+#: A motion has settled when what is left to its limit is this share of its reach; for rest, of L_0.
+SETTLED = 1e-4
 
 #: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law out: far below rounding.
 REACH = 42.0
@@ -113,10 +116,8 @@ class Field:
         ``initial_mode(state, constants)``; on a border either side is right; of columns for many states.
     modes : tuple of Mode
         All there are.
-    check : callable
-        ``check(name, value)`` raises where a parameter may not have a value.
-    simulate : callable
-        ``simulate(values, state, t_end)``: the model's own trajectory.
+    parameter_set : callable
+        ``parameter_set(**values)``: the model's parameters of these values, or an error where one may not have its value.
     exact : callable
         ``exact(mode)``: the mode without what is left out below rounding, for proofs.
     forces : tuple of (str, callable)
@@ -146,8 +147,7 @@ class Field:
     borders: tuple[Border, ...]
     initial_mode: Callable[..., Mode]
     modes: tuple[Mode, ...]
-    check: Callable[[str, float], None]
-    simulate: Callable[..., Any]
+    parameter_set: Callable[..., Any]
     exact: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
     again: tuple[str, ...] = ()
@@ -161,6 +161,10 @@ class Field:
         """The first mode, but for its last numbers, which are as at the state."""
         first = self.modes[0]
         return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
+
+    def check(self, name: str, value: float) -> None:
+        """An error where a parameter may not have a value."""
+        self.parameter_set(**{name: value})
 
     @property
     def components(self) -> tuple[str, ...]:

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...errors import ParameterError
-from ...models.parameters import POSITIVE, ParameterSet, as_number
-from ..model_field import field_of
-from ..motions import Motions
-from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, as_steps
-from .measure import Settings
+from ..errors import ParameterError
+from ..models.model_field import field_of
+from ..models.parameters import POSITIVE, ParameterSet, as_number
+from .motions import Motions
+from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, as_steps
 
 if TYPE_CHECKING:
-    from ...models.model import Model
+    from ..models.model import Model
+    from .sweeps.measure import Settings
 
 
 def prepare(

@@ -20,7 +20,7 @@ from . import forces
 from .field import GAP, WIDTH, Border, Field, Mode, never
 
 if TYPE_CHECKING:
-    from ..models.model import Model
+    from .model import Model
 
 
 @cache
@@ -49,8 +49,7 @@ def field_of(model: Model, reach: float) -> Field:
         tuple(borders),
         _initial_mode(model, reach),
         tuple(itertools.product((1, 0), (1, -1), *((1, 0),) * layers, *((1, -1),) * (turns + torsions))),
-        _check(model),
-        _simulate(model),
+        model.Parameters,
         lambda mode: (*mode[:2], *(1 for _ in range(layers)), *mode[2 + layers :]),
         again=(__name__, "exact_field", model.where),
         ways=torsions,
@@ -64,7 +63,7 @@ def field_of(model: Model, reach: float) -> Field:
 
 def exact_field(where: str) -> Field:
     """The field of a model by the name that loads it, for proofs: its contact law has to be a polynomial."""
-    from ..models.load import load
+    from .load import load
 
     model = load(where)
     if not model.about["contact"]["polynomial"]:
@@ -264,20 +263,3 @@ def _constants(model: Model) -> Callable[..., tuple[Any, ...]]:
         return tuple(known[name] for name in model.about["arguments"]["motion"])
 
     return constants
-
-
-def _check(model: Model) -> Callable[[str, float], None]:
-    def check(name: str, value: float) -> None:
-        model.Parameters(**{name: value})
-
-    return check
-
-
-def _simulate(model: Model) -> Callable[..., Any]:
-    from .trajectory import simulate as motion
-
-    def simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
-        p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
-        return motion(p, start=np.asarray(state), t_end=t_end, **options)
-
-    return simulate

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet, as_count
-from ..numerics.certified_roots import Roots, concatenated
+from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..progress import doing
 from ..questions import Method, question
@@ -194,15 +194,7 @@ def _on_each(
         undecided = undecided + 1 if alone.left_point.size else 0
         parts.append(replace(alone, point=np.full_like(alone.point, line), left_point=np.full_like(alone.left_point, line)))
     again = open_[: len(parts)]
-    return replace(found, roots=concatenated([_not_on(found.roots, again), *parts], balance.n + 1))
-
-
-def _not_on(roots: Roots, lines: NDArray[np.int64]) -> Roots:
-    """What is known of other lines."""
-    kept, left = ~np.isin(roots.point, lines), ~np.isin(roots.left_point, lines)
-    return Roots(
-        roots.ends[:, :, kept], roots.alone[:, :, kept], roots.point[kept], roots.left[:, :, left], roots.left_point[left]
-    )
+    return replace(found, roots=concatenated([found.roots.of(again, others=True), *parts], balance.n + 1))
 
 
 def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatArray:

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics.boxes import POLE, Plain
+from ..numerics.boxes import POLE, System
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..statics.mechanics.balance import Balance, matrix
@@ -98,7 +98,7 @@ class State:
         return self.balance.slope(self.values, self.xp)
 
 
-class Augmented(Plain):
+class Augmented(System):
     """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""
 
     def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:
@@ -137,10 +137,6 @@ class Augmented(Plain):
             extra = self.state(variables(list(unknowns), self.condition.order), parameters, shape, sides)
         values = [*at.forces(), *self.condition.equations(extra)]
         return stacked([constant(value) for value in values], shape)
-
-    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
-        """The residuals over boxes without width."""
-        return self.residuals(Intervals.point(middles), parameters)
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Their slopes by coordinates and parameters."""

@@ -32,7 +32,7 @@ SAME = 1e-6
 INFINITY = "infinity"
 
 
-class _Chart(boxes.Plain):
+class _Chart(boxes.System):
     """G at w = 0 with u_pivot = ±1; unknowns are the other u, angles that come around, and one parameter or two.
 
     With two the curve of values at infinity turns back in the last one: ∂G/∂(u, first) is singular.

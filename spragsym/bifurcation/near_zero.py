@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..numerics import boxes, certified_roots
-from ..numerics.certified_roots import Roots
+from ..numerics.certified_roots import Roots, concatenated, once
 from ..numerics.interval_arrays import FloatArray, Intervals
 from .defining_systems import Augmented, State
 from .degenerate_ends import vanishes
@@ -77,16 +77,10 @@ def joined(one: Roots, other: Roots) -> Roots:
 
     What the one leaves in the range of the other is decided there.
     """
-    parts = [one.left[:, :, -one.left[0, -1] <= LOW], other.left[:, :, other.left[1, -1] >= HIGH]]
-    ends, alone = (np.concatenate([getattr(part, name) for part in (one, other)], axis=2) for name in ("ends", "alone"))
-    order = np.argsort(-alone[0, 0])
-    ends, alone = ends[:, :, order], alone[:, :, order]
-    keep, unclear = certified_roots.once(ends, alone, np.zeros(order.size, dtype=np.int64))
-    left = np.concatenate([*parts, ends[:, :, unclear]], axis=2)
-    return Roots(
-        ends[:, :, keep], alone[:, :, keep], np.zeros(keep.size, dtype=np.int64),
-        left, np.zeros(left.shape[2], dtype=np.int64),
-    )  # fmt: skip
+    found = concatenated([one.kept(left=-one.left[0, -1] <= LOW), other.kept(left=other.left[1, -1] >= HIGH)], one.ends.shape[1])
+    found = found.kept(np.argsort(-found.alone[0, 0]))
+    keep, unclear = once(found.ends, found.alone, found.point)
+    return found.kept(keep).besides(found.ends[:, :, unclear], found.point[unclear])
 
 
 def _raised(ends: FloatArray) -> FloatArray:

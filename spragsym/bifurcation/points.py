@@ -20,7 +20,7 @@ from ..numerics.jets import Jet, variables
 from ..results.points import Points
 from ..statics.foremost import in_order
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.border import BITS, on_its_side
+from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.forces import Model
 from ..statics.mechanics.periodic_coordinates import once_around
 from ..statics.regions import region
@@ -128,7 +128,7 @@ def search(
         around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)
     if alone:
         roots = settled(system, fixed, around, roots)
-    roots = on_its_side(system, fixed, roots, partial(PreciseAugmented, system, bits=BITS))
+    roots = on_its_side(system, fixed, roots, partial(PreciseAugmented, system))
     roots = once_around(balance, roots)
     if alone:
         dropped = shared(system, given, spans[0], roots.left)
@@ -144,8 +144,7 @@ def nothing(
 
 
 def _without_points(around: FloatArray, whole: NDArray[np.bool_]) -> Found:
-    none, nowhere = np.empty((2, around.shape[1], 0)), np.empty(0, dtype=np.int64)
-    return Found(Roots(none, none, nowhere, none, nowhere), around, whole)
+    return Found(Roots.none(around.shape[1]), around, whole)
 
 
 def _region(

@@ -8,28 +8,18 @@ brings them down to one unknown.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from ..numerics import contractors
 from ..numerics.ball_functions import XP, cosine_and_sine
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.jets import constant, gradient, variables
-from ..statics.mechanics.precise_balance import (
-    PreciseBalance,
-    Spans,
-    assembled,
-    boxes_of,
-    clusters,
-    reduced,
-    replaced,
-    unsettled,
-    widened,
-    with_digits,
-)
+from ..numerics.krawczyk import Digits
+from ..statics.mechanics.precise_balance import PreciseBalance, Spans, settled_by_digits, unsettled
 from .defining_systems import Augmented, State
 
 #: Boxes beyond which they lie around no points.
@@ -55,29 +45,10 @@ def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roo
         fixed = system.prepared(Intervals.point(np.repeat(given, found.left.shape[2], axis=1)))
         if system.given_up(Intervals(found.left), fixed).any():
             return found  # no number of digits tells what is there
-    hulls, owner = clusters(*boxes_of(found))
-    if owner.size > CLUSTERS:
-        return found
-
-    def precise(bits: int) -> Any:
-        return PreciseAugmented(system, given[:, 0], bits).rows
-
-    n = region.shape[1]
-    parts = [with_digits(0, n, reduced(system, given[:, 0], widened(hulls[:, :, k]), precise)) for k in range(owner.size)]
-    parts = [_or_known(found, hulls[:, :, k], part) for k, part in enumerate(parts)]
-    return replaced(found, points, assembled(region, found, points, parts))
+    return settled_by_digits(system, given, region, found, partial(PreciseAugmented, system), most=CLUSTERS)
 
 
-def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
-    """What many digits tell of a cluster; where they leave something, roots that are known already, to few digits."""
-    inside = contractors.within(found.ends, hull[:, :, None])
-    if not part.left.shape[2] or not inside.any() or not contractors.apart(found.left, hull[:, :, None]).all():
-        return part
-    none = part.left[:, :, :0], part.left_point[:0]
-    return Roots(found.ends[:, :, inside], found.alone[:, :, inside], found.point[inside], *none)
-
-
-class PreciseAugmented:
+class PreciseAugmented(Digits):
     """Balance and condition of balls at one point of the parameters that do not vary; ``spans`` as of the balance."""
 
     def __init__(self, system: Augmented, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
@@ -90,9 +61,9 @@ class PreciseAugmented:
         return [*at.forces(), *self.system.condition.equations(at)]
 
     def values(self, unknowns: Sequence[Any]) -> list[Any]:
-        """The same at balls."""
+        """The same where the condition asks for derivatives, too."""
         order = self.system.condition.order
-        return [constant(row) for row in self.rows(variables(unknowns, order) if order else unknowns)]
+        return [constant(row) for row in self.rows(variables(unknowns, order))] if order else self.rows(unknowns)
 
     def slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
         """Their slopes."""

@@ -21,7 +21,8 @@ from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.krawczyk import as_intervals, narrowed
 from ..numerics.polynomials import Undecided
 from ..statics import stability
-from ..statics.mechanics.border import BITS, on_its_side
+from ..statics.mechanics.border import on_its_side
+from ..statics.mechanics.precise_balance import ROOT_BITS
 from ..statics.search import seen
 from .bifurcation_conditions import Hopf
 from .defining_systems import Augmented
@@ -65,30 +66,21 @@ def with_seen(
     proved_ends = [_proved(system, fixed[:, 0], box) for box in np.moveaxis(wide, 2, 0)]
     sure = np.array([ends is not None for ends in proved_ends], dtype=np.bool_)
     ends = np.concatenate([wide[:, :, :0], *(part for part in proved_ends if part is not None)], axis=2)
-    nothing = found.roots.left[:, :, :0], found.roots.left_point[:0]
     omega = np.array([one.omega for one in sightings])[~sure]
     proved, open_ = (
-        on_its_side(
-            system,
-            fixed,
-            Roots(part, part, np.zeros(part.shape[2], dtype=np.int64), *nothing),
-            partial(PreciseAugmented, system, bits=BITS),
-        )
-        for part in (ends, wide[:, :, ~sure])
+        on_its_side(system, fixed, Roots.at(part), partial(PreciseAugmented, system)) for part in (ends, wide[:, :, ~sure])
     )
     omega = omega[[int(np.abs(candidates[:, ~sure] - z[:, None]).max(axis=0).argmin()) for z in open_.middle.T]]
-    every = certified_roots.concatenated([found.roots, replace(proved, left=nothing[0], left_point=nothing[1])], system.n)
-    order = np.argsort(-every.alone[0, 0])
-    ends, alone = every.ends[:, :, order], every.alone[:, :, order]
-    keep, _ = certified_roots.once(ends, alone, np.zeros(order.size, dtype=np.int64))
-    roots = replace(found.roots, ends=ends[:, :, keep], alone=alone[:, :, keep], point=np.zeros(keep.size, dtype=np.int64))
-    return replace(found, roots=roots), open_, omega
+    every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
+    every = every.kept(np.argsort(-every.alone[0, 0]))
+    keep, _ = certified_roots.once(every.ends, every.alone, every.point)
+    return replace(found, roots=every.kept(keep)), open_, omega
 
 
 def _proved(system: Augmented, given: FloatArray, box: FloatArray) -> FloatArray | None:
     """Floats around the onset in a box of shape (2, n + 1), None where it is not proved."""
     try:
-        root = narrowed(PreciseAugmented(system, given, BITS), box, box)
+        root = narrowed(PreciseAugmented(system, given, ROOT_BITS), box, box)
     except (Undecided, ZeroDivisionError):
         return None
     return None if root is None else as_intervals(root).ends

@@ -96,7 +96,7 @@ def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Mapping[str, Any])
     return [-part if i in odd else part for i, part in enumerate(q)]
 
 
-class _OnMirror(boxes.Plain):
+class _OnMirror(boxes.System):
     """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
 
     def __init__(self, balance: Balance, vary: str, mirror: _Mirror) -> None:
@@ -127,10 +127,6 @@ class _OnMirror(boxes.Plain):
         """Even rows of the balance, and the determinant of the turned block."""
         shape = unknowns.shape[1:]
         return stacked([constant(value) for value in self._equations(self.completed(list(unknowns), parameters, shape))], shape)
-
-    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
-        """The same at floats."""
-        return self.residuals(Intervals.point(middles), parameters)
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Slopes by the even coordinates and the parameter."""
@@ -196,15 +192,8 @@ def _with_pitchforks(
         if sure and only_fold(balance, vary, given, hull, mirror):
             decided += [int(here[0])] if inside[here[0]] else []
             open_boxes &= ~contractors.within(left, hull[:, :, None])
-    roots, point = found.roots, np.zeros(len(decided), dtype=np.int64)
-    every = Roots(
-        np.concatenate([roots.ends, known.ends[:, :, decided]], axis=2),
-        np.concatenate([roots.alone, known.alone[:, :, decided]], axis=2),
-        np.concatenate([roots.point, point]),
-        left[:, :, open_boxes],
-        roots.left_point[open_boxes],
-    )
-    return replace(found, roots=every), len(decided)
+    parts = [found.roots.kept(left=open_boxes), Roots.at(known.ends, known.alone).kept(decided)]
+    return replace(found, roots=certified_roots.concatenated(parts, left.shape[1])), len(decided)
 
 
 def _on_side(balance: Balance, vary: str, given: FloatArray, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:

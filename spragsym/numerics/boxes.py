@@ -41,69 +41,40 @@ SPREAD = 0.35
 
 
 class System(Protocol):
-    """n equations in n unknowns with parameters."""
+    """n equations in n unknowns with parameters; what is not residuals or their slopes has a default that knows nothing more."""
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n, N)."""
 
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """F at floats, of which a system may know more digits than over boxes."""
+        return self.residuals(Intervals.point(middles), parameters)
 
     def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray | None:
         """Floats that may be nearer to roots than the given ones, shape (n, N), if it knows any: nothing is proved of them."""
+        return None
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
+        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """What the methods take as parameters, from the boxes of all nodes of the tree, shape (parameters, nodes)."""
-
-    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """Boxes so small that the mean value theorem tells more than F over them and contraction, shape (N,)."""
-
-    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
-
-    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
-        """Boxes up to a width that halving would never decide, as around a pole of F, shape (N,)."""
-
-
-class Plain:
-    """Defaults of a system that knows only its residuals and their slopes."""
-
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """F, which every system has."""
-        raise NotImplementedError
-
-    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
-        """The residuals over boxes without width."""
-        return self.residuals(Intervals.point(middles), parameters)
-
-    def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray | None:
-        """None."""
-        return None
-
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """No box."""
-        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
-
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """The parameters themselves."""
         return bounds
 
     def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """No box."""
+        """Boxes so small that the mean value theorem tells more than F over them and contraction, shape (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """The boxes themselves."""
+        """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
         return unknowns.ends
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
-        """No box."""
+        """Boxes up to a width that halving would never decide, as around a pole of F, shape (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
 
@@ -176,37 +147,35 @@ def search(
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
     with np.errstate(all="ignore"):
         beyond = np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None]
-        search_state = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), region)
-        search_state.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
-    unique, where, undecided = (joined(part, n) for part in (search_state.unique, search_state.where, search_state.undecided))
-    return Outcome(unique, where, undecided, points, search_state.looks)
+        regions = points.hulls(region) if region.shape[2] > 1 else None
+        here = _Search(system, points, beyond, budget, narrow, bool((low == high).all()), regions, system.prepared(points.bounds))
+        here.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
+    unique, where, undecided = (joined(part, n) for part in (here.unique, here.where, here.undecided))
+    return Outcome(unique, where, undecided, points, here.looks)
 
 
+@dataclass
 class _Search:
     """A stack of pairs, and what has been found."""
 
-    def __init__(
-        self,
-        system: System,
-        points: Tree,
-        limits: FloatArray,
-        budget: int,
-        narrow: float,
-        sharp: bool = True,
-        region: FloatArray | None = None,
-    ) -> None:
-        self.system, self.points, self.limits, self.budget, self.narrow = system, points, limits, budget, narrow
-        #: What is searched for the points of each node, where that is not the same for all points.
-        self.regions = None if region is None or region.shape[2] <= 1 else points.hulls(region)
-        self.parameters = system.prepared(points.bounds)
-        #: Whether points are points. Over a box of them roots are as wide as it makes them, and what is cut closely has no room
-        #: for these.
-        self.sharp = sharp
+    system: System
+    points: Tree
+    limits: FloatArray
+    budget: int
+    narrow: float
+    #: Whether points are points. Over a box of them roots are as wide as it makes them, and what is cut closely has no room
+    #: for these.
+    sharp: bool
+    #: What is searched for the points of each node, where that is not the same for all points.
+    regions: FloatArray | None
+    parameters: Intervals
+    looks: int = 0
+
+    def __post_init__(self) -> None:
         self.unique: list[Pairs] = []
         self.where: list[Pairs] = []
         self.undecided: list[Pairs] = []
-        self.work = np.zeros(points.size.size, dtype=np.int64)
-        self.looks = 0
+        self.work = np.zeros(self.points.size.size, dtype=np.int64)
 
     def run(self, start: Pairs) -> None:
         stack = [start]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,36 @@ class Roots:
     left: FloatArray
     left_point: NDArray[np.int64]
 
+    @classmethod
+    def at(cls, ends: FloatArray, alone: FloatArray | None = None, point: NDArray[np.int64] | None = None) -> Roots:
+        """Roots and nothing left: each alone in its box and of point 0, if nothing else is said."""
+        point = np.zeros(ends.shape[2], dtype=np.int64) if point is None else point
+        return cls(ends, ends if alone is None else alone, point, ends[:, :, :0], point[:0])
+
+    @classmethod
+    def none(cls, n: int) -> Roots:
+        """No roots, of n unknowns."""
+        return cls.at(np.empty((2, n, 0)))
+
+    def kept(self, roots: Any = slice(None), left: Any = slice(None)) -> Roots:
+        """Some of the roots and some of the boxes that are left."""
+        return Roots(
+            self.ends[:, :, roots], self.alone[:, :, roots], self.point[roots], self.left[:, :, left], self.left_point[left]
+        )
+
+    def of(self, points: NDArray[np.int64], others: bool = False) -> Roots:
+        """Roots and boxes of some points, or of all others."""
+        return self.kept(*(np.isin(part, points, invert=others) for part in (self.point, self.left_point)))
+
+    def numbered(self, points: NDArray[np.int64]) -> Roots:
+        """Those of some points by the numbers of all."""
+        return replace(self, point=points[self.point], left_point=points[self.left_point])
+
+    def besides(self, left: FloatArray, point: NDArray[np.int64]) -> Roots:
+        """The same with more boxes that are left."""
+        more = np.concatenate([self.left, left], axis=2)
+        return replace(self, left=more, left_point=np.concatenate([self.left_point, point]))
+
     @property
     def middle(self) -> FloatArray:
         """Floats inside of the boxes, shape (n, roots)."""
@@ -57,15 +88,8 @@ class Roots:
 
 def concatenated(parts: Sequence[Roots], n: int) -> Roots:
     """Roots and boxes of several searches for n unknowns, one after the other."""
-    none, nowhere = np.empty((2, n, 0)), np.empty(0, dtype=np.int64)
-    every = [Roots(none, none, nowhere, none, nowhere), *parts]
-    return Roots(
-        np.concatenate([part.ends for part in every], axis=2),
-        np.concatenate([part.alone for part in every], axis=2),
-        np.concatenate([part.point for part in every]),
-        np.concatenate([part.left for part in every], axis=2),
-        np.concatenate([part.left_point for part in every]),
-    )
+    columns = zip(*(vars(part).values() for part in (Roots.none(n), *parts)), strict=True)
+    return Roots(*(np.concatenate(column, axis=-1) for column in columns))
 
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
@@ -79,26 +103,32 @@ def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray,
 
     A root that can't be told from one on the border of the region is among the boxes that are left.
     """
-    n = outcome.unique.ends.shape[1]
     place, point = outcome.points.below(outcome.unique.nodes)
+    open_, left_point = outcome.points.below(outcome.undecided.nodes)
     alone = outcome.unique.ends[:, :, place]
-    ends = np.minimum(outcome.where.ends[:, :, place], alone)
-    order = np.lexsort((-alone[0, 0], point))
-    point, alone, ends = point[order], alone[:, :, order], ends[:, :, order]
     with np.errstate(all="ignore"):
+        ends = np.minimum(outcome.where.ends[:, :, place], alone)
         ends, gone = _refined(system, ends, Intervals(np.stack([-low, high])), point)
         # Each holds a root; where a law ends at the root itself, as a contact's at the touch, refinement may lose it: undecided.
-        lost, lost_point = alone[:, :, gone], point[gone]
-        ends, alone, point = ends[:, :, ~gone], alone[:, :, ~gone], point[~gone]
-        keep, unclear = once(ends, alone, point)
-        around = np.broadcast_to(region, (*region.shape[:2], low.shape[1]))
-        keep = keep[~contractors.apart(ends[:, :, keep], around[:, :, point[keep]])]
-        border = ~contractors.within(ends[:, :, keep], around[:, :, point[keep]])
-        keep, unclear = keep[~border], np.concatenate([unclear, keep[border]])
-    place, left_point = outcome.points.below(outcome.undecided.nodes)
-    left = np.concatenate([outcome.undecided.ends[:, :, place], ends[:, :, unclear], lost], axis=2).reshape(2, n, -1)
-    left_point = np.concatenate([left_point, point[unclear], lost_point])
-    return Roots(ends[:, :, keep], alone[:, :, keep], point[keep], left, left_point)
+        found = Roots(ends, alone, point, outcome.undecided.ends[:, :, open_], left_point).kept(~gone)
+        return different(found, np.broadcast_to(region, (*region.shape[:2], low.shape[1]))).besides(
+            alone[:, :, gone], point[gone]
+        )
+
+
+def different(found: Roots, regions: FloatArray) -> Roots:
+    """Roots in the regions of their points, each once; what can't be told from another or one on the border is left.
+
+    ``regions`` have the shape (2, n, points).
+    """
+    order = np.lexsort((-found.alone[0, 0], found.point))
+    found = found.kept(order)
+    keep, unclear = once(found.ends, found.alone, found.point)
+    around = regions[:, :, found.point]
+    keep = keep[~contractors.apart(found.ends, around)[keep]]
+    border = ~contractors.within(found.ends, around)[keep]
+    open_ = np.concatenate([unclear, keep[border]])
+    return found.kept(keep[~border]).besides(found.ends[:, :, open_], found.point[open_])
 
 
 def _refined(

@@ -11,6 +11,7 @@ import numpy as np
 from . import contractors
 from .interval_arrays import FloatArray, Intervals
 from .intervals import Ball, Balls
+from .jets import gradient, variables
 
 #: Steps of Newton's method.
 STEPS = 40
@@ -24,11 +25,12 @@ class Digits(Protocol):
     #: Of the balls.
     bits: int
 
-    def values(self, unknowns: Sequence[Ball]) -> Sequence[Any]:
-        """F."""
+    def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """F, of balls or of jets of balls."""
 
-    def slopes(self, unknowns: Sequence[Ball]) -> Sequence[Sequence[Any]]:
+    def slopes(self, unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
         """∂F/∂x over a box."""
+        return [gradient(row, len(unknowns)) for row in self.values(variables(unknowns, 1))]
 
 
 def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = ENOUGH) -> list[Ball] | None:

@@ -4,6 +4,7 @@ springs."""
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +12,8 @@ from numpy.typing import NDArray
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
-from .interval_newton import refined
 from .mechanics.balance import Balance
-from .mechanics.precise_balance import of_each, precise_forces, replaced, settled_by_digits
+from .mechanics.precise_balance import PreciseBalance, refined, settled_by_digits
 from .polar import Polar, ends_are_linear, over_boxes
 
 #: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
@@ -37,53 +37,35 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
     """Roots and undecided boxes of points with a torsion spring, and which points these are.
 
     A model with torsion springs along several lines, or along one whose first end is not at two coordinates, has none of them.
-
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (parameters, points).
-    regions : ndarray
-        Shape (2, n, points) or (2, n, 1).
+    ``given`` are parameters, shape (parameters, points), and ``regions`` have the shape (2, n, points).
     """
     done = np.zeros(given.shape[1], dtype=np.bool_)
     system = _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
     if system is None:
-        return certified_roots.concatenated([], balance.n), done
+        return Roots.none(balance.n), done
     with np.errstate(all="ignore"):
         done = _stiffnesses(balance, given, "torsions").low[0] > 0
-    return _of_points(system, given, of_each(regions, given), np.flatnonzero(done)), done
+    return _of_points(system, given, regions, np.flatnonzero(done)), done
 
 
 def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, NDArray[np.bool_]]:
     """Roots of points with a stiff spring that are decided around one of the springs, and which points these are."""
-    count = given.shape[1]
     if not hasattr(balance.model.algebra, "stiffnesses"):
-        return certified_roots.concatenated([], balance.n), np.zeros(count, dtype=np.bool_)
+        return Roots.none(balance.n), np.zeros(given.shape[1], dtype=np.bool_)
     with np.errstate(all="ignore"):
         least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
         stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
-    return _of_any_spring(balance, given, of_each(regions, given), np.flatnonzero(stiff))
+    return _of_any_spring(balance, given, regions, np.flatnonzero(stiff))
 
 
 def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots, wider: float = WIDE) -> Roots:
     """What a search has left along circles around anchors, decided in polar coordinates where that succeeds.
 
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (parameters, points).
-    regions : ndarray
-        Shape (2, n, points) or (2, n, 1).
-    wider : float
-        Width of a box that is left from which on a point is looked at.
+    ``wider`` is the width of a box that is left from which on a point is looked at.
     """
     wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > wider
-    points = np.unique(found.left_point[wide])
-    again, done = _of_any_spring(balance, given, of_each(regions, given), points)
-    if not done.any():
-        return found
-    decided = np.flatnonzero(done)
-    return replaced(found, decided, replace(again, point=np.searchsorted(decided, again.point)))
+    again, done = _of_any_spring(balance, given, regions, np.unique(found.left_point[wide]))
+    return certified_roots.concatenated([found.of(np.flatnonzero(done), others=True), again], balance.n) if done.any() else found
 
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
@@ -107,16 +89,9 @@ def _of_any_spring(
         if system is not None:
             found = _of_points(system, given, around, points)
             decided = np.setdiff1d(points, found.left_point)
-            parts.append(_picked(found, decided))
+            parts.append(found.of(decided))
             done[decided] = True
     return certified_roots.concatenated(parts, balance.n), done
-
-
-def _picked(found: Roots, points: NDArray[np.int64]) -> Roots:
-    """The roots of points of which nothing is left."""
-    keep = np.isin(found.point, points)
-    nothing = np.empty((2, found.ends.shape[1], 0)), np.empty(0, dtype=np.int64)
-    return Roots(found.ends[:, :, keep], found.alone[:, :, keep], found.point[keep], *nothing)
 
 
 def _system(balance: Balance, given: FloatArray, spring: int, turns: bool) -> Polar | None:
@@ -140,7 +115,7 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: NDA
             if some.size:
                 columns = np.concatenate([given[:, some], scale[None, some]])
                 found = _searched(replace(system, tight=tight), columns, sides[:, :, some], around[:, :, some])
-                parts.append(replace(found, point=points[some][found.point], left_point=points[some][found.left_point]))
+                parts.append(found.numbered(points[some]))
     return certified_roots.concatenated(parts, system.balance.n)
 
 
@@ -176,7 +151,7 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
     with np.errstate(all="ignore"):
         outcome = boxes.search(system, sides, given, given)
         found = certified_roots.roots(system, outcome, sides, given, given)
-        found = replace(found, ends=refined(system, given, found.ends, found.point, system.precise))
+        found = refined(given, found, system.precise)
         found = settled_by_digits(system, given, sides, found, system.precise)
         found = found if system.turns else _once_around(found)
         prepared = system.prepared(Intervals.point(given))
@@ -187,12 +162,12 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         left = np.concatenate([left, ends[:, :, ~sure]], axis=2)
         left_point = np.concatenate([left_point, point[~sure]])
         balance, point = system.balance, point[sure]
-        roots = system.cartesian(ends[:, :, sure], prepared[:, point])
+        roots = Roots.at(system.cartesian(ends[:, :, sure], prepared[:, point]), point=point)
         # On which side of the border a root lies that floats can't tell from it, digits do.
-        on_border = ~contractors.within(roots, around[:, :, point])
-        roots = refined(balance, given[:-1], roots, point, precise_forces(balance), on_border)
+        on_border = ~contractors.within(roots.ends, around[:, :, point])
+        roots = refined(given[:-1], roots, partial(PreciseBalance, balance), on_border)
         left = system.cartesian(left, prepared[:, left_point])
-    return _apart(roots, point, left, left_point, around)
+    return _apart(roots.besides(left, left_point), around)
 
 
 def _once_around(found: Roots) -> Roots:
@@ -202,13 +177,11 @@ def _once_around(found: Roots) -> Roots:
     turn = np.array([[-TURN], [TURN]])
     ends[:, 0, back] += turn + TURN_ERROR
     alone[:, 0, back] += turn - TURN_ERROR
-    order = np.lexsort((-alone[0, 0], found.point))
-    ends, alone, point = ends[:, :, order], alone[:, :, order], found.point[order]
-    keep, unclear = certified_roots.once(ends, alone, point)
+    turned = replace(found, ends=ends, alone=alone)
     inside = Intervals(found.left[:, 0]).mignitude <= HALF_TURN
-    left = np.concatenate([found.left[:, :, inside], ends[:, :, unclear]], axis=2)
-    left_point = np.concatenate([found.left_point[inside], point[unclear]])
-    return Roots(ends[:, :, keep], alone[:, :, keep], point[keep], left, left_point)
+    turned = turned.kept(np.lexsort((-alone[0, 0], found.point)), inside)
+    keep, unclear = certified_roots.once(turned.ends, turned.alone, turned.point)
+    return turned.kept(keep).besides(turned.ends[:, :, unclear], turned.point[unclear])
 
 
 def _possible(system: Polar, ends: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:
@@ -238,14 +211,11 @@ def _sharpened(system: Polar, ends: FloatArray, parameters: Intervals) -> FloatA
     return ends
 
 
-def _apart(
-    roots: FloatArray, point: NDArray[np.int64], left: FloatArray, left_point: NDArray[np.int64], around: FloatArray
-) -> Roots:
+def _apart(found: Roots, around: FloatArray) -> Roots:
     """Roots of the region, each in a box of its own; those in boxes that meet are among what is left."""
-    order = np.lexsort((-roots[0, 0], point))
-    roots, point = roots[:, :, order], point[order]
-    inside = ~contractors.apart(roots, around[:, :, point])
-    roots, point = roots[:, :, inside], point[inside]
+    found = found.kept(np.lexsort((-found.ends[0, 0], found.point)))
+    found = found.kept(~contractors.apart(found.ends, around[:, :, found.point]))
+    roots, point = found.ends, found.point
     clear = contractors.within(roots, around[:, :, point])
     for shift in range(1, point.size):
         near = (point[shift:] == point[:-shift]) & (roots[1, 0, :-shift] >= -roots[0, 0, shift:])
@@ -254,8 +224,5 @@ def _apart(
         first = np.flatnonzero(near)
         meet = first[~contractors.apart(roots[:, :, first], roots[:, :, first + shift])]
         clear[meet] = clear[meet + shift] = False
-    left = np.concatenate([left, roots[:, :, ~clear]], axis=2)
-    left_point = np.concatenate([left_point, point[~clear]])
-    possible = ~contractors.apart(left, around[:, :, left_point])
-    ends = roots[:, :, clear]
-    return Roots(ends, ends, point[clear], left[:, :, possible], left_point[possible])
+    found = found.kept(clear).besides(roots[:, :, ~clear], point[~clear])
+    return found.kept(left=~contractors.apart(found.left, around[:, :, found.left_point]))

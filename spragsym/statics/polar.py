@@ -46,8 +46,7 @@ from ..numerics import ball_functions, boxes, jets
 from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..numerics.interval_functions import cos, sin
 from ..numerics.interval_functions import length as interval_length
-from ..numerics.krawczyk import ball
-from ..numerics.reduction import Evaluate
+from ..numerics.krawczyk import Digits, ball
 from .mechanics.balance import Balance, matrix
 from .mechanics.directions import direction
 from .mechanics.laws import XP
@@ -88,7 +87,7 @@ _BALLS = Kind(ball_functions.XP, ball_functions.cosine_and_sine, _quotients)
 
 
 @dataclass(frozen=True)
-class Polar(boxes.Plain):
+class Polar(boxes.System):
     """The balance along and across a spring's line; unknowns are φ, the length, and the other coordinates.
 
     The unknown for the length is l over a scale, or where the spring is so stiff that l stays beyond half of its undeformed
@@ -236,10 +235,22 @@ class Polar(boxes.Plain):
         q, _, _ = self.place(*self._taken(list(Intervals(ends)), parameters))
         return stacked(q, ends.shape[2:]).ends
 
-    def precise(self, given: FloatArray, bits: int) -> Evaluate:
+    def precise(self, given: FloatArray, bits: int) -> _PrecisePolar:
         """The equations of balls."""
-        values, scale = PreciseBalance(self.balance, given[:-1], bits).arguments, ball(float(given[-1]), bits)
-        return lambda unknowns: self.rows(unknowns, values, scale, _BALLS)
+        return _PrecisePolar(self, given, bits)
+
+
+class _PrecisePolar(Digits):
+    """The equations at one point, of balls or jets of balls."""
+
+    def __init__(self, system: Polar, given: FloatArray, bits: int) -> None:
+        self.system, self.bits = system, bits
+        self.arguments = PreciseBalance(system.balance, given[:-1], bits).arguments
+        self.scale = ball(float(given[-1]), bits)
+
+    def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """The equations."""
+        return self.system.rows(unknowns, self.arguments, self.scale, _BALLS)
 
 
 def end_slopes(balance: Balance, values: Mapping[str, Any], near: Any = 0) -> list[tuple[list[Any], list[Any]]]:

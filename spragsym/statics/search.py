@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -21,23 +20,18 @@ from ..results.equilibria import Equilibria, Held, Undecided
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
 from .foremost import in_order
-from .interval_newton import refined
 from .mechanics.balance import Balance
-from .mechanics.border import BITS, on_its_side
+from .mechanics.border import on_its_side
 from .mechanics.forces import Model
 from .mechanics.periodic_coordinates import once_around
 from .mechanics.precise_balance import (
     PreciseBalance,
-    assembled,
-    at,
     boxes_of,
     clustered,
     hull_of_each,
     lines,
-    of_each,
-    of_points,
-    precise_forces,
-    replaced,
+    refined,
+    renewed,
     settled_by_digits,
     unsettled,
 )
@@ -118,44 +112,33 @@ def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -
 def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
     around, whole = region(balance, Intervals.point(given), asked)
-    if not given.shape[1]:
-        none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
-        return Roots(none, none, nowhere, none, nowhere), around, whole
     turned, turning = turned_points(balance, given, around)
     others = np.flatnonzero(~turning)
-    stiff, stiff_done = stiff_points(balance, given[:, others], of_each(around, given)[:, :, others])
-    if not turning.any() and not stiff_done.any():
-        return _narrowed(balance, given, _by_boxes(balance, given, around)), around, whole
-    rest = others[~stiff_done]
-    parts = [turned, at(stiff, others)]
-    if rest.size:
-        parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
-    return _narrowed(balance, given, certified_roots.concatenated(parts, balance.n)), around, whole
-
-
-def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
-    """The same roots, those known to few digits in narrower boxes, on their side of the border; angles that come around once."""
-    found = replace(found, ends=refined(balance, given, found.ends, found.point, precise_forces(balance)))
-    found = on_its_side(balance, given, found, partial(PreciseBalance, balance, bits=BITS))
-    return once_around(balance, found)
+    stiff, done = stiff_points(balance, given[:, others], around[:, :, others])
+    rest = others[~done]
+    parts = [turned, stiff.numbered(others), _by_boxes(balance, given[:, rest], around[:, :, rest]).numbered(rest)]
+    precise = partial(PreciseBalance, balance)
+    found = refined(given, certified_roots.concatenated(parts, balance.n), precise)
+    return once_around(balance, on_its_side(balance, given, found, precise)), around, whole
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
+    if not given.shape[1]:
+        return Roots.none(balance.n)
     found = _searched(balance, given, around, STAGES[0])
     along = lines(found)
     for stage in STAGES[1:]:
         points = np.setdiff1d(unsettled(found), along)
         if points.size:
-            left, owner = boxes_of(found)
-            mine = np.isin(owner, points)
-            hulls = hull_of_each(left[:, :, mine], np.searchsorted(points, owner[mine]), points.size)
-            part = at(_searched(balance, given[:, points], hulls, stage, again=True), points)
+            left, owner = boxes_of(found.of(points))
+            hulls = hull_of_each(left, np.searchsorted(points, owner), points.size)
+            part = _searched(balance, given[:, points], hulls, stage, again=True).numbered(points)
             along = np.union1d(along, lines(part))
             points = np.setdiff1d(points, along)
-            found = replaced(found, points, assembled(of_each(around, given), found, points, [of_points(part, points)]))
+            found = renewed(found, around, points, [part.of(points)])
     found = around_anchors(balance, given, around, found)
-    found = settled_by_digits(balance, given, around, found, precise_forces(balance), along.tolist())
+    found = settled_by_digits(balance, given, around, found, partial(PreciseBalance, balance), without=along.tolist())
     return around_anchors(balance, given, around, found, 0.0)
 
 
@@ -164,8 +147,7 @@ def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: f
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
     found = certified_roots.roots(balance, outcome, around, given, given)
     along = lines(found, ALL_OVER) if again else np.empty(0, dtype=np.int64)
-    some = of_points(found, np.setdiff1d(np.arange(given.shape[1]), along)) if along.size else found
-    return certified_roots.concatenated([clustered(given, around, some), of_points(found, along)], balance.n)
+    return certified_roots.concatenated([clustered(around, found.of(along, others=True)), found.of(along)], balance.n)
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> Equilibria:

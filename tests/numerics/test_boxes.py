@@ -32,7 +32,7 @@ def test_all_roots_of_known_problems(problem):
     assert values.holds_zero().all()
 
 
-class Quadratic(boxes.Plain):
+class Quadratic(boxes.System):
     """x² + p x + q = 0 and y = x³: one or two parameters for each point, roots known in closed form."""
 
     def residuals(self, unknowns, parameters):

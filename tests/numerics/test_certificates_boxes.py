@@ -141,7 +141,7 @@ def test_products_hold_the_exact_ones(spread):
 # ---------------------------------------------------------------------------------------------- one look at boxes
 
 
-class Lines(boxes.Plain):
+class Lines(boxes.System):
     """(x − a)(x − b) = 0 and y = c x: the roots (a, c a) and (b, c b), for parameters a, b, c."""
 
     def residuals(self, unknowns, parameters):
@@ -185,7 +185,7 @@ def test_no_look_loses_a_root(steps):
     b = a + rng.choice([1e-6, 1e-3, 0.1, 2.0], 64)
     values = np.stack([a, b, c])
     points = tree(values, values)
-    search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 5, boxes.NARROW)
+    search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 5, boxes.NARROW, True, None, points.bounds)
     pairs, roots = random_pairs(rng, 600, points)
     left = pairs
     for _ in range(steps):

@@ -29,7 +29,7 @@ PI = interval(np.pi, np.nextafter(np.pi, 4))
 
 
 @dataclass(frozen=True)
-class Problem(boxes.Plain):
+class Problem(boxes.System):
     """Equations without parameters, by their values; derivatives come from jets."""
 
     title: str

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...numerics import contractors, jets
-from ...numerics.boxes import POLE
+from ...numerics.boxes import POLE, System
 from ...numerics.interval_arrays import FloatArray, Intervals, stacked
 from .forces import Forces
 from .laws import FREE
@@ -28,7 +28,7 @@ NOTHING = 1e-290
 Excluded: TypeAlias = Callable[[NDArray[np.int64], Sequence[int]], NDArray[np.bool_]]
 
 
-class Balance(Forces):
+class Balance(Forces, System):
     """Forces as the search asks for them: unknowns are the coordinates.
 
     Parameters of the search are those of the page, in its order; :meth:`prepared` turns them into the arguments of the
@@ -47,10 +47,6 @@ class Balance(Forces):
     def anywhere(self) -> list[int]:
         """``sides`` for what needs no derivatives: turnings that jump in a box have any value there."""
         return [0] * len(self.torsions)
-
-    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
-        """Forces at floats, shape (n, N)."""
-        return self.residuals(Intervals.point(middles), parameters)
 
     def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray:
         """Newton's method in floats."""

@@ -8,7 +8,7 @@ What digits do not tell from a root on the border is among the boxes that are le
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from contextlib import suppress
 from typing import Any, Protocol
 
 import numpy as np
@@ -18,11 +18,9 @@ from ...numerics.boxes import System
 from ...numerics.certified_roots import Roots
 from ...numerics.interval_arrays import FloatArray, Intervals
 from ...numerics.intervals import Ball
-from ...numerics.krawczyk import Digits, as_intervals, narrowed
+from ...numerics.krawczyk import as_intervals, narrowed
 from ...numerics.polynomials import Undecided
-
-#: Bits of a root where floats do not tell the sign of its gap.
-BITS = 256
+from .precise_balance import ROOT_BITS
 
 
 class WithGap(System, Protocol):
@@ -38,14 +36,7 @@ class WithGap(System, Protocol):
         """The gap of the contact over boxes, shape (N,)."""
 
 
-class DigitsWithGap(Digits, Protocol):
-    """The same of balls, at one point."""
-
-    def gap(self, unknowns: Any) -> Any:
-        """The gap of the contact."""
-
-
-def on_its_side(system: WithGap, given: FloatArray, found: Roots, precise: Callable[[FloatArray], DigitsWithGap]) -> Roots:
+def on_its_side(system: WithGap, given: FloatArray, found: Roots, precise: Callable[[FloatArray, int], Any]) -> Roots:
     """Roots on the side of the border that was asked for; those that may lie on it among the boxes that are left.
 
     Parameters
@@ -59,17 +50,15 @@ def on_its_side(system: WithGap, given: FloatArray, found: Roots, precise: Calla
         return found
     inside, beyond = on_side(system, _at(system, given, found.point), found.ends)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
-        gap = _gap(precise(given[:, found.point[row]]), found.ends[:, :, row], found.alone[:, :, row])
-        if gap is not None:
-            inside[row : row + 1], beyond[row : row + 1] = system.sides(gap)
+        digits = precise(given[:, found.point[row]], ROOT_BITS)
+        with suppress(Undecided, ZeroDivisionError):
+            root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
+            gap = None if root is None else digits.gap(root)
+            if isinstance(gap, Ball):
+                inside[row : row + 1], beyond[row : row + 1] = system.sides(as_intervals([gap])[0])
     open_ = ~(inside | beyond)
-    left = np.concatenate([found.left, found.ends[:, :, open_]], axis=2)
-    left_point = np.concatenate([found.left_point, found.point[open_]])
-    possible = ~on_side(system, _at(system, given, left_point), left)[1]
-    return replace(
-        found, ends=found.ends[:, :, inside], alone=found.alone[:, :, inside], point=found.point[inside],
-        left=left[:, :, possible], left_point=left_point[possible],
-    )  # fmt: skip
+    found = found.kept(inside).besides(found.ends[:, :, open_], found.point[open_])
+    return found.kept(left=~on_side(system, _at(system, given, found.left_point), found.left)[1])
 
 
 def on_side(system: WithGap, parameters: Intervals, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
@@ -84,13 +73,3 @@ def on_side(system: WithGap, parameters: Intervals, ends: FloatArray) -> tuple[N
 def _at(system: WithGap, given: FloatArray, point: NDArray[np.int64]) -> Intervals:
     with np.errstate(all="ignore"):
         return system.prepared(Intervals.point(given[:, point]))
-
-
-def _gap(precise: DigitsWithGap, box: FloatArray, alone: FloatArray) -> Intervals | None:
-    """The gap at a root, of many digits before it is rounded outward; None where the root is not known to as many."""
-    try:
-        root = narrowed(precise, box, alone)
-        gap = None if root is None else precise.gap(root)
-    except (Undecided, ZeroDivisionError):
-        return None
-    return as_intervals([gap])[0] if isinstance(gap, Ball) else None

@@ -23,12 +23,8 @@ def once_around(balance: Balance, found: Roots) -> Roots:
         return found
     beyond, across = _parted(found.ends, balance.around)
     hidden, _ = _parted(found.left, balance.around)
-    keep, left = ~beyond & ~across, ~hidden
-    return Roots(
-        found.ends[:, :, keep], found.alone[:, :, keep], found.point[keep],
-        np.concatenate([found.left[:, :, left], found.ends[:, :, across & ~beyond]], axis=2),
-        np.concatenate([found.left_point[left], found.point[across & ~beyond]]),
-    )  # fmt: skip
+    open_ = across & ~beyond
+    return found.kept(~beyond & ~across, ~hidden).besides(found.ends[:, :, open_], found.point[open_])
 
 
 def _parted(ends: FloatArray, around: list[int]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from types import MappingProxyType
@@ -11,23 +12,23 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...numerics import certified_roots, contractors
+from ...numerics import contractors
 from ...numerics.ball_functions import XP
 from ...numerics.boxes import POLE, System
-from ...numerics.certified_roots import Roots
+from ...numerics.certified_roots import Roots, concatenated, different
 from ...numerics.interval_arrays import FloatArray, Intervals
 from ...numerics.intervals import Balls
-from ...numerics.krawczyk import ball, outward
+from ...numerics.krawczyk import Digits, as_intervals, ball, narrowed, outward
 from ...numerics.polynomials import Undecided
-from ...numerics.reduction import Evaluate, Reduced, reduced_roots
+from ...numerics.reduction import Reduced, reduced_roots
 from .balance import Balance
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 #: A system at one point of parameters, with a number of bits.
-Precise: TypeAlias = Callable[[FloatArray, int], Evaluate]
-#: Bits of the forces.
-BITS = (160, 320)
+Precise: TypeAlias = Callable[[FloatArray, int], Digits]
+#: Bits of the forces where roots are looked for, and of a root that is known.
+BITS, ROOT_BITS = (160, 320), 256
 #: Bound on the error up to which a state counts as settled.
 TOLERANCE = 1e-12
 #: Clusters of boxes of a point: more lie around no equilibria.
@@ -42,7 +43,7 @@ TOGETHER = 512
 AROUND = 2.0**-13
 
 
-class PreciseBalance:
+class PreciseBalance(Digits):
     """Forces of a balance at one point, of balls or jets of balls; ``spans`` are parameters that lie in a range."""
 
     def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
@@ -78,32 +79,23 @@ class PreciseBalance:
 
 def unsettled(found: Roots) -> NDArray[np.int64]:
     """Points with boxes that are left, or with roots that are known to few digits only."""
-    poor = ~(found.error <= TOLERANCE)
-    out: NDArray[np.int64] = np.unique(np.concatenate([found.left_point, found.point[poor]]))
+    out: NDArray[np.int64] = np.unique(boxes_of(found)[1])
     return out
 
 
-def replaced(found: Roots, points: NDArray[np.int64], again: Roots) -> Roots:
-    """Roots and boxes of all points, those of the given ones by what a search among these has found."""
-    old, left = ~np.isin(found.point, points), ~np.isin(found.left_point, points)
-    return Roots(
-        np.concatenate([found.ends[:, :, old], again.ends], axis=2),
-        np.concatenate([found.alone[:, :, old], again.alone], axis=2),
-        np.concatenate([found.point[old], points[again.point]]),
-        np.concatenate([found.left[:, :, left], again.left], axis=2),
-        np.concatenate([found.left_point[left], points[again.left_point]]),
-    )
+def renewed(found: Roots, around: FloatArray, points: NDArray[np.int64], parts: Sequence[Roots]) -> Roots:
+    """Roots and boxes of all points, of the given ones those that are known well or are in the parts, each once."""
+    mine, n = found.of(points), around.shape[1]
+    again = different(concatenated([mine.kept(mine.error <= TOLERANCE, slice(0)), *parts], n), around)
+    # Clusters are looked at in boxes that are wider than they are.
+    inside = ~contractors.apart(again.left, around[:, :, again.left_point])
+    return concatenated([found.of(points, others=True), again.kept(left=inside)], n)
 
 
-def clustered(given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+def clustered(around: FloatArray, found: Roots) -> Roots:
     """The same with one hull for each cluster of boxes that are left, and of boxes around roots that are known to few digits."""
-    points = unsettled(found)
-    if not points.size:
-        return found
     hulls, owner = clusters(*boxes_of(found))
-    none = np.empty((2, hulls.shape[1], 0))
-    part = Roots(none, none, np.empty(0, dtype=np.int64), hulls, owner)
-    return replaced(found, points, assembled(of_each(around, given), found, points, [part]))
+    return renewed(found, around, np.unique(owner), [Roots.none(len(hulls[0])).besides(hulls, owner)])
 
 
 def lines(found: Roots, most: int = LINE) -> NDArray[np.int64]:
@@ -111,51 +103,50 @@ def lines(found: Roots, most: int = LINE) -> NDArray[np.int64]:
     return np.flatnonzero(np.bincount(found.left_point) > most)
 
 
-def precise_forces(balance: Balance) -> Precise:
-    """The balance at a point of parameters with a number of bits."""
-    return lambda given, bits: PreciseBalance(balance, given, bits).values
+def refined(given: FloatArray, found: Roots, precise: Precise, among: NDArray[np.bool_] | bool = False) -> Roots:
+    """The same roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
+    ends = found.ends.copy()
+    for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
+        system = precise(given[:, found.point[root]], ROOT_BITS)
+        with suppress(Undecided, ZeroDivisionError):
+            box = narrowed(system, ends[:, :, root], found.alone[:, :, root])
+            if box is not None:
+                ends[:, :, root] = np.fmin(as_intervals(box).ends[:, :, 0], ends[:, :, root])
+    return replace(found, ends=ends)
 
 
 def settled_by_digits(
-    system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise, without: Sequence[int] = ()
-) -> Roots:
-    """What a search has left or knows to few digits, with many digits, one point after the other; ``without`` some points."""
-    if not unsettled(found).size:
-        return found
+    system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise,
+    *, without: Collection[int] = (), most: int = CLUSTERS,
+) -> Roots:  # fmt: skip
+    """What a search has left or knows to few digits, with many digits, one cluster after the other.
+
+    Not of the points ``without``, nor of those with more clusters than ``most``.
+    """
     hulls, owner = clusters(*boxes_of(found))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
-    few = (count <= CLUSTERS) & ~np.isin(points, without)
-    points, hulls, owner = points[few], hulls[:, :, few[which]], owner[few[which]]
+    few = (count <= most) & ~np.isin(points, list(without))
     parts = [
-        with_digits(point, around.shape[1], _reduced(system, given[:, point], widened(hull), precise))
-        for hull, point in zip(np.moveaxis(hulls, 2, 0), owner.tolist(), strict=True)
+        _or_known(found.of(np.array([point])), hulls[:, :, k], reduced(system, given[:, point], hulls[:, :, k], precise, point))
+        for k, point in enumerate(owner.tolist())
+        if few[which[k]]
     ]
-    return replaced(found, points, assembled(of_each(around, given), found, points, parts))
+    return renewed(found, around, points[few], parts) if parts else found
 
 
-def of_each(around: FloatArray, given: FloatArray) -> FloatArray:
-    """The region of each point."""
-    return np.broadcast_to(around, (*around.shape[:2], given.shape[1]))
+def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
+    """What many digits tell of a cluster; where they leave something, roots that are known already, to few digits."""
+    inside = contractors.within(found.ends, hull[:, :, None])
+    if not part.left.shape[2] or not inside.any() or not contractors.apart(found.left, hull[:, :, None]).all():
+        return part
+    return found.kept(inside, slice(0))
 
 
 def hull_of_each(boxes: FloatArray, owner: NDArray[np.int64], count: int) -> FloatArray:
     """The hull of all boxes of each owner, as they are looked at."""
     order = np.argsort(owner, kind="stable")
     hulls: FloatArray = np.maximum.reduceat(boxes[:, :, order], np.searchsorted(owner[order], np.arange(count)), axis=2)
-    return widened(hulls)
-
-
-def at(found: Roots, points: NDArray[np.int64]) -> Roots:
-    """Roots of some points by the numbers of all."""
-    return replace(found, point=points[found.point], left_point=points[found.left_point])
-
-
-def of_points(found: Roots, points: NDArray[np.int64]) -> Roots:
-    """Roots and boxes of some points."""
-    mine, left = np.isin(found.point, points), np.isin(found.left_point, points)
-    return Roots(
-        found.ends[:, :, mine], found.alone[:, :, mine], found.point[mine], found.left[:, :, left], found.left_point[left]
-    )
+    return _widened(hulls)
 
 
 def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
@@ -165,76 +156,32 @@ def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
     return ends, np.concatenate([found.left_point, found.point[poor]])
 
 
-def widened(hull: FloatArray) -> FloatArray:
+def _widened(hull: FloatArray) -> FloatArray:
     """The box in which a cluster is looked at."""
     out: FloatArray = hull + 0.25 * (hull[0] + hull[1]) + 1e-9
     return out
 
 
-def with_digits(point: int, n: int, by_digits: Reduced) -> Roots:
-    """What a reduction with many digits has found of a point, of n unknowns."""
-    ends, alone, left = (
-        np.concatenate([np.empty((2, n, 0)), *(outward(box).ends for box in boxes)], axis=2)
-        for boxes in (by_digits.roots, by_digits.alone, by_digits.left)
-    )
-    return Roots(ends, alone, np.full(ends.shape[2], point), left, np.full(left.shape[2], point))
-
-
-def assembled(regions: FloatArray, found: Roots, points: NDArray[np.int64], parts: Sequence[Roots]) -> Roots:
-    """Roots of some points, each once, that are known well or are in the parts; boxes left; and both by places among the points.
-
-    Parameters
-    ----------
-    regions : ndarray
-        Shape (2, n, points), of all points.
-    """
-    good = np.isin(found.point, points) & (found.error <= TOLERANCE)
-    every = np.concatenate([found.ends[:, :, good], *(part.ends for part in parts)], axis=2)
-    only = np.concatenate([found.alone[:, :, good], *(part.alone for part in parts)], axis=2)
-    point = np.concatenate([found.point[good], *(part.point for part in parts)])
-    order = np.lexsort((-only[0, 0], point))
-    every, only, point = every[:, :, order], only[:, :, order], point[order]
-    keep, unclear = certified_roots.once(every, only, point)
-    keep = keep[~contractors.apart(every[:, :, keep], regions[:, :, point[keep]])]
-    border = ~contractors.within(every[:, :, keep], regions[:, :, point[keep]])
-    open_ = np.concatenate([unclear, keep[border]])
-    left = np.concatenate([*(part.left for part in parts), every[:, :, open_]], axis=2)
-    left_point = np.concatenate([*(part.left_point for part in parts), point[open_]])
-    # Clusters are looked at in boxes that are wider than they are.
-    inside = ~contractors.apart(left, regions[:, :, left_point])
-    left, left_point = left[:, :, inside], left_point[inside]
-    kept = keep[~border]
-    return Roots(
-        every[:, :, kept], only[:, :, kept], np.searchsorted(points, point[kept]),
-        left, np.searchsorted(points, left_point),
-    )  # fmt: skip
-
-
-def _reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Precise) -> Reduced:
-    """Roots in a cluster."""
-    return reduced(system, given, cluster, lambda bits: precise(given, bits))
-
-
-def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Callable[[int], Evaluate]) -> Reduced:
-    """Roots of a system in a cluster, with more bits if fewer leave something; ``precise`` gives it for a number of bits."""
+def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Precise, point: int = 0) -> Roots:
+    """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave something."""
+    cluster = _widened(cluster)
     middle = Intervals(cluster).middle
     with np.errstate(all="ignore"):
         parameters = system.prepared(Intervals.point(given[:, None]))
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
         pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
     box = [(-float(low), float(high)) for low, high in cluster.T]
-    whole = [(Fraction(low), Fraction(high)) for low, high in box]
-    out = Reduced([], [], [whole])
-    if pole or not np.isfinite(slopes).all():
-        return out
-    for bits in BITS:
-        try:
-            out = reduced_roots(precise(bits), box, slopes, bits)
-        except Undecided:
-            continue
-        if not out.left or len(out.left) > ALL_OVER:
-            break
-    return out
+    found = Reduced([], [], [[(Fraction(low), Fraction(high)) for low, high in box]])
+    for bits in BITS if not pole and np.isfinite(slopes).all() else ():
+        with suppress(Undecided):
+            found = reduced_roots(precise(given, bits).values, box, slopes, bits)
+            if not found.left or len(found.left) > ALL_OVER:
+                break
+    ends, alone, left = (
+        np.concatenate([np.empty((2, len(box), 0)), *(outward(one).ends for one in boxes)], axis=2)
+        for boxes in (found.roots, found.alone, found.left)
+    )
+    return Roots(ends, alone, np.full(ends.shape[2], point), left, np.full(left.shape[2], point))
 
 
 def clusters(boxes: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:

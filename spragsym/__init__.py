@@ -53,7 +53,7 @@ _HOMES = {
     for home, name in _re.findall(r"^from (\.[\w.]*) import (\w+) as", _LIST.read_text(encoding="utf-8"), _re.MULTILINE)
 }
 
-__all__ = sorted(_HOMES)
+__all__ = sorted({*_HOMES} - {"open"})  # which an import of all names would put in the place of Python's own
 
 
 def __getattr__(name: str) -> _Any:

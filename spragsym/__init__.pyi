@@ -83,6 +83,7 @@ from .results.bifurcation_sets import BifurcationSet as BifurcationSet
 from .results.bifurcation_sets import Curve as Curve
 from .results.equilibria import Equilibria as Equilibria
 from .results.equilibria import Stability as Stability
+from .results.files import open as open
 from .results.lowest_ends import LowestEnd as LowestEnd
 from .results.onsets import Onsets as Onsets
 from .results.paths import Jump as Jump

@@ -10,8 +10,10 @@ import enum
 import html
 import importlib
 import math
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass
+from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
@@ -98,6 +100,18 @@ class Result(Shown):
             column = column.astype(object) if column.dtype.kind == "U" else column
             variables[name] = (dims, column, {key: text for key, text in told if text})
         return _imported("xarray", "a dataset").Dataset(variables)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to ``*.csv`` or ``*.nc``."""
+        from .results.files import save
+
+        save(self, path)
+
+    def _save_columns(self, path: Path) -> None:
+        from .files.storage import provenance, write
+
+        known = getattr(self.table_model, "quantities", {})
+        write(path, self.to_xarray, self.data, provenance(), {name: known.get(name, ("", "")) for name in self.data()})
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra ``plot``)."""
@@ -335,7 +349,9 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
     """The fields, each array by its smallest and its largest value."""
     out: dict[str, Any] = {}
     for key, value in values.items():
-        if isinstance(value, np.ndarray) and value.ndim:
+        if isinstance(value, np.ndarray) and value.ndim and value.dtype.kind in "USO":
+            out[key] = ", ".join(dict.fromkeys(map(str, value.ravel())))
+        elif isinstance(value, np.ndarray) and value.ndim:
             out |= {f"{key} from": value.min() if value.size else np.inf, f"{key} to": value.max() if value.size else -np.inf}
         else:
             out[key] = value

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -183,9 +182,9 @@ class Trajectory(Recorded):
             }
         return dataset
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def _save_columns(self, path: Path) -> None:
         """Write netCDF to ``*.nc`` (extra ``sweep``), with the events, or the samples alone to ``*.csv``."""
-        storage.write(Path(path), self.to_dataset, self.data, self._attributes(), self.model.quantities)
+        storage.write(path, self.to_dataset, self.data, self._attributes(), self.model.quantities)
 
     # -------------------------------------------------------------------------------------------- inner parts
 

@@ -90,7 +90,7 @@ class FateMap(Result):
         """How many points are of each kind."""
         return {kind.name.lower().replace("_", "-"): int(np.count_nonzero(self.kind == kind)) for kind in Kind}
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def _save_columns(self, path: Path) -> None:
         """Write ``*.csv``: one line a point."""
         explained = {**self.model.quantities, "t": (self.model.quantities["t"][0], "how long the motion was followed")}
         names = (f"{name}0" for name in (*self.model.coordinates, *self.model.rates))
@@ -99,7 +99,7 @@ class FateMap(Result):
             "backend": self.backend,
             "fingerprint": _fingerprint(self.model, self.inputs, self.start, self.t_end, self.backend),
         }  # fmt: skip
-        storage.write(Path(path), dict, self._columns, made, explained)
+        storage.write(path, dict, self._columns, made, explained)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         shape = self.kind.shape

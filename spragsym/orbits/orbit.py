@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -170,9 +169,8 @@ class Cycle(Result):
         }  # fmt: skip
         return dataset
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def _save_columns(self, path: Path) -> None:
         """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
-        path = Path(path)
         if path.suffix == ".nc":
             storage.write(path, self.to_dataset, dict, {}, {})
         else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import math
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -230,6 +231,12 @@ class Equilibria(Result):
             "growth": growth,
             "error": self.error[states],
         }
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write all of it to a JSON file, which :func:`spragsym.open` reads."""
+        names = (*self.columns, "stability", "marginal", "eigenvalues", "error", "region", "whole", "escalated", "fold")
+        known = {name: column for name in names if (column := self._source.column(name)) is not None}
+        Result.save(replace(self, _source=Held(known, self._source.around)), path)
 
     def _is_short(self) -> bool:
         return int(self.count.sum()) <= WHOLE

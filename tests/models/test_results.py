@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,12 +23,13 @@ def _results() -> dict[str, Any]:
         "path": lambda: ss.quasi_static_path(p, "mu0", [0.0, 0.2, 0.6]),
         "path of a rod": lambda: ss.quasi_static_path(rod.Parameters(theta0=0.6), "mu0", [0.0, 0.2]),
         "bifurcation set": lambda: ss.bifurcation_set(ss.Parameters.article()),
+        "onset curves": lambda: ss.onset_curves(ss.load("mode_coupling").Parameters(), ("mu0", "beta"), n=3),
         "motion": lambda: ss.simulate(p, t_end=5.0),
         "sweep": lambda: ss.rms_sweep(p.replace(mu0=[0.1, 0.2]), t_end=20.0, transient=5.0),
     }
 
 
-@pytest.fixture(params=_results())
+@pytest.fixture(scope="module", params=_results())
 def result(request: pytest.FixtureRequest) -> Any:
     return _results()[request.param]()
 
@@ -39,6 +41,32 @@ def test_a_result_shows_itself(result: Any) -> None:
     assert type(result).__name__ in repr(result)
     first = next((name for name in result.offered if name in columns), None)
     assert first is None or first in repr(result)
+
+
+def test_a_saved_result_is_read_back(result: Any, tmp_path: Path) -> None:
+    result.save(tmp_path / "result.json")
+    found = ss.open(tmp_path / "result.json")
+    assert type(found) is type(result)
+    assert (repr(found), str(found)) == (repr(result), str(result))
+    for name, column in result.data().items():
+        assert np.array_equal(found.data()[name], column, equal_nan=column.dtype.kind == "f")
+    result.save(tmp_path / "again.json")
+    assert (tmp_path / "again.json").read_bytes() == (tmp_path / "result.json").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("{}", "holds no result"),
+        ('{"spragsym":"0.0.1","result":null}', "was written by spragsym 0.0.1"),
+        ('{"spragsym":"VERSION","result":{"class":["os","system",{}]}}', "is no class of results"),
+        ('{"spragsym":"VERSION","result":{"model":["elsewhere",false]}}', "no shipped model"),
+    ],
+)
+def test_a_file_runs_no_code(text: str, what: str, tmp_path: Path) -> None:
+    (tmp_path / "a.json").write_text(text.replace("VERSION", ss.__version__))
+    with pytest.raises(ss.ParameterError, match=what):
+        ss.open(tmp_path / "a.json")
 
 
 def test_rows_are_the_columns(result: Any) -> None:

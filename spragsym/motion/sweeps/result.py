@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -120,9 +119,9 @@ class Sweep(Result):
         }
         return dataset
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def _save_columns(self, path: Path) -> None:
         """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
-        storage.write(Path(path), self.to_dataset, self._columns, self._attributes(), self.explained)
+        storage.write(path, self.to_dataset, self._columns, self._attributes(), self.explained)
 
     @property
     def angles(self) -> tuple[str, ...]:

@@ -1,0 +1,170 @@
+"""Results as files: all that a result holds as JSON, and read back as the same class, bit for bit.
+
+Only classes of this package are made from a file, from their fields, and no code in it is run.
+"""
+
+from __future__ import annotations
+
+import base64
+import enum
+import importlib
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from .._version import __version__
+from ..errors import ParameterError
+from ..files.text import text_of
+from ..files.writing import put
+from ..models.field import Field
+from ..models.load import load, shipped
+from ..models.model import Model
+from ..models.parameters import ParameterSet
+
+#: Bytes of a file that is read back, at most.
+LARGEST = 1 << 30
+
+
+def save(result: Any, path: str | os.PathLike[str]) -> None:
+    """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
+    if Path(path).suffix == ".json":
+        put(path, json.dumps({"spragsym": __version__, "result": _written(result)}, separators=(",", ":")) + "\n")
+    else:
+        result._save_columns(Path(path))
+
+
+def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
+    """The result in a file that its ``save`` wrote.
+
+    Parameters
+    ----------
+    path : str or path-like
+    model : Model, optional
+        The model that the result is of, needed if it is none of the shipped ones: a file never loads a folder by itself.
+
+    Raises
+    ------
+    ParameterError
+        If the file can't be read, holds no result of this version, or is of a model that is not known.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile, spragsym as ss
+    >>> file = pathlib.Path(tempfile.mkdtemp(), "folds.json")
+    >>> ss.folds(ss.Parameters.article()).save(file)
+    >>> len(ss.open(file))
+    2
+    """
+    text = text_of(path, LARGEST, "a file that save() wrote")
+    try:
+        held = json.loads(text)
+        version, held = held["spragsym"], held["result"]
+        if version == __version__:
+            return _read(held, model)
+    except (ValueError, TypeError, KeyError, AttributeError, ImportError) as error:
+        if isinstance(error, ParameterError):
+            raise
+        raise ParameterError(
+            f"{os.fspath(path)} holds no result of spragsym ({error!r:.80}); give a file that save() wrote"
+        ) from error
+    raise ParameterError(f"{os.fspath(path)} was written by spragsym {version}, this is {__version__}; compute it anew")
+
+
+def _written(thing: Any) -> Any:
+    """What JSON knows as it is, all else under the name of its kind."""
+    match thing:
+        case None | bool() | str():
+            return thing
+        case enum.Enum():
+            return {"enum": [*_place(type(thing)), _written(thing.value)]}
+        case int():
+            return int(thing)
+        case float():
+            return {"float": float(thing).hex()}
+        case np.ndarray() | np.generic():
+            array = np.ascontiguousarray(thing)
+            return {"array": [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]}
+        case mpmath.mpf():
+            return {"mpf": [int(part) for part in thing._mpf_]}
+        case Fraction():
+            return {"fraction": str(thing)}
+        case Mapping():
+            return {"dict": [[_written(key), _written(value)] for key, value in thing.items()]}
+        case Model():
+            return {"model": [thing.where, thing is thing.search]}
+        case ParameterSet():
+            values = {name: getattr(thing, name) for name in thing.ranges}
+            return {"parameters": [_written(part) for part in (thing.model, values, thing.followed)]}
+        case Field():
+            return {"field": thing.again[2]}
+        case tuple() | list() if not hasattr(thing, "_fields"):
+            return {type(thing).__name__: [_written(part) for part in thing]}
+    whole: Any = thing
+    names = getattr(thing, "_fields", None) or [each.name for each in fields(whole)]
+    return {"class": [*_place(type(thing)), {name: _written(getattr(thing, name)) for name in names}]}
+
+
+def _place(kind: type) -> tuple[str, str]:
+    return kind.__module__, kind.__qualname__
+
+
+def _read(held: Any, given: Model | None) -> Any:
+    """What :func:`_written` wrote."""
+    if not isinstance(held, dict):
+        return held
+    ((kind, value),) = held.items()
+
+    def model(where: str) -> Model:
+        if given is not None and given.where == where:
+            return given
+        if where not in shipped():
+            raise ParameterError(f"model: the result is of {where}, which is no shipped model; give model=spragsym.load(...)")
+        return load(where)
+
+    def read(part: Any) -> Any:
+        return _read(part, given)
+
+    match kind:
+        case "float":
+            return float.fromhex(value)
+        case "array":
+            return np.frombuffer(base64.b64decode(value[2]), np.dtype(value[0])).reshape(value[1]).copy()
+        case "tuple" | "list":
+            return (tuple if kind == "tuple" else list)(map(read, value))
+        case "dict":
+            return {read(key): read(part) for key, part in value}
+        case "fraction":
+            return Fraction(value)
+        case "mpf":
+            return mpmath.make_mpf(tuple(value))
+        case "model":
+            return model(value[0]).search if value[1] else model(value[0])
+        case "field":
+            return model(value).field
+        case "parameters":
+            known, values, followed = map(read, value)
+            p = known.Parameters(**values)
+            return p if followed is None else p.following(**followed)
+        case "enum":
+            return _class(*value[:2])(read(value[2]))
+    made, parts = _class(*value[:2]), {name: read(part) for name, part in value[2].items()}
+    if hasattr(made, "_fields"):
+        return made(**parts)
+    out = object.__new__(made)
+    out.__dict__.update({each.name: parts[each.name] for each in fields(made)})
+    return out
+
+
+def _class(module: str, name: str) -> Any:
+    """A class of this package that holds data."""
+    made = getattr(importlib.import_module(module), name) if module.startswith("spragsym.") else None
+    if not isinstance(made, type) or not (is_dataclass(made) or issubclass(made, enum.Enum) or hasattr(made, "_fields")):
+        raise ValueError(f"{module}.{name} is no class of results")
+    return made

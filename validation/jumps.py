@@ -74,13 +74,13 @@ def at_once(number: int, rng: np.random.Generator) -> dict[str, Any]:
 
 
 def probability(rng: np.random.Generator) -> dict[str, Any]:
-    """Whether the interval and that of 10⁶ plain samples meet, but for one case in twenty thousand."""
+    """Whether the interval and four standard deviations of 10⁶ plain samples meet, but for one case in six thousand."""
     many, hits = 1_000_000, 0
     p = ss.Parameters(**{name: rng.uniform(*ends, many) for name, ends in TOLERANCES.items()})
     hits = int((have_jumped(p) == 1).sum())
     share = hits / many
-    found = ss.jump_probability(TOLERANCES, n=1 << 14, rng=rng)
-    far = 4 * (share * (1 - share) / many) ** 0.5 + (found.high - found.low)
+    found = ss.jump_probability(TOLERANCES, n=1 << 17, rng=rng, confidence=0.9999)
+    far = 4 * (share * (1 - share) / many) ** 0.5
     wrong = [] if found.low - far < share < found.high + far else [f"{found.low} to {found.high}, samples {share}"]
     return {"kind": "probability", "wrong": wrong}
 

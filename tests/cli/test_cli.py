@@ -63,6 +63,20 @@ def test_check_prints_every_row(run: Run) -> None:
     assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
 
 
+def test_a_point_without_an_answer_costs_no_other(run: Run) -> None:
+    """Lengths of 1e399 are no floats: that point says so, in the table and in JSON, and the others are listed."""
+    asked = shlex.split("equilibria --theta0 50 --mu0 1e200 --alpha 1 --sigma 1 --beta 1 --kappa 0.3,1e200,0.4")
+    shown = run(*asked)
+    assert [line.split()[:2] for line in shown.splitlines()[1:3]] == [["0.3", "contact"], ["0.4", "contact"]]
+    assert "contact, undecided: log10 L = 399" in shown
+    points = json.loads(run(*asked, "--json"))["points"]
+    assert [point["complete"] for point in points] == [True, False, True]
+    assert [len(point["equilibria"]) for point in points] == [1, 0, 1]
+    (hopeless,) = points[1]["undecided"]
+    assert hopeless["state"] == "contact"
+    assert "beyond float64" in hopeless["reason"]
+
+
 # ------------------------------------------------------------------------------------------------ files in the way
 
 MOTION = ["--theta0", "49", "--t-end", "20", "--backend", "scipy"]
@@ -250,20 +264,3 @@ def end_as_documented(arguments: list[str]) -> None:
 @example("bifurcation", [("--sigma", "1e-300")], [])
 def test_any_arguments_end_as_documented(command: str, options: list[tuple[str, str]], rest: list[str]) -> None:
     end_as_documented([command, *(word for pair in options for word in pair), *rest])
-
-
-ASKED = {
-    "path --vary theta0=10:60:2": (0, "44.55932"),
-    "folds --vary theta0": (0, "44.5593"),
-    "critical --vary theta0 --mu0 0.7": (0, "35.353706"),
-    "path": (2, "Give it as mu0=FROM:TO"),
-    "path --vary mu0=0:1": (2, "Missing option '--theta0'"),
-    "folds --model trolley --vary mu0": (2, "'--theta0': theta0 has no base value in trolley; see spragsym folds --help"),
-    "critical --model trolley --vary mu0": (2, "'--theta0': theta0 has no base value in trolley; see spragsym critical --help"),
-    "path --vary theta0=0:60": (2, "--vary theta0=0:60: theta0_deg = 0 is not in (0, 180)"),
-    "path --theta0 40 --vary kappa=0.01:0": (2, "--vary kappa=0.01:0: kappa = 0 is not in (0, inf)"),
-    "critical --theta0 49 --mu0 0.7 --vary kappa": (0, "it has jumped already"),
-    "critical --theta0 30 --mu0 0.3 --vary beta": (0, "never"),
-    "simulate --theta0 49 --t-end 1e12": (2, "give at most 2e+06 sqrt(m)/sqrt(k_c)"),
-    "sweep --theta0 49 --t-end 1e12 -o long.csv": (2, "followed to its end: give at most 2e+06 sqrt(m)/sqrt(k_c)"),
-}

@@ -94,8 +94,8 @@ def main(arguments: list[str] | None = None) -> int:
     if unproved or (failed and not options.variant):
         print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
         return 1
-    files = _step("emit", lambda: emission.render(outcome))
-    files |= _step("models", lambda: models(variant=options.variant))
+    of_models = _step("models", lambda: models(variant=options.variant))
+    files = _step("emit", lambda: emission.render(outcome, of_models))
     files["files.json"] = write.as_json(sorted({*files, "files.json"}))
     write.write(write.sealed(files), options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
@@ -118,7 +118,7 @@ def models(*, variant: bool = False) -> dict[str, str]:
         model = pages.read(path)
         files |= {f"models/{model.name}/{name}": text for name, text in folder.render(model, write.header(), shared).items()}
         if model.name == ARTICLE and not variant:  # its page of the explorer is written without SymPy
-            files |= {f"javascript/{name}": text for name, text in export.for_the_browser(model, write.header()).items()}
+            files |= {f"models/{model.name}/{name}": text for name, text in export.for_the_browser(model, write.header()).items()}
     return files
 
 

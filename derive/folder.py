@@ -27,9 +27,8 @@ from . import (
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
-from .emit.targets.python import algebra
-from .emit.targets import runtime
-from .emit.targets import python as python_target
+from .emit import python
+from .emit.python import algebra
 from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
 from .model import Friction, Page, acceleration_of
 from .pages import Model
@@ -50,7 +49,7 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
     files = {"algebra.py": _algebra(model, header, shared)}
     if alone:
         files["page.py"] = model.text
-        files["_broadcast.py"] = runtime(python_target.__file__, "_broadcast.py").replace("@header@", header)
+        files["_broadcast.py"] = python.beside("_broadcast.py", header)
     digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     entries = {**description(model), "files": digests, **({"digest": write.DIGEST} if alone else {})}
     return {**files, "model.json": write.sealed_alone(write.as_json(dict(sorted(entries.items()))))}

@@ -12,9 +12,8 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from .function import SPELLED, Function
+from .definitions import SPELLED, Definition
 from .language import FLAG, REAL, KernelError, Source, parse, passes
-from .targets.python.algebra import definition
 
 WIDE = "Wide"
 _ROUTINES = {"maximum": "dd_larger", "minimum": "dd_smaller", "absolute": "dd_absolute", "sqrt": "dd_sqrt"}
@@ -25,7 +24,7 @@ Typed = tuple[ast.expr, str]
 def widened(
     kernel: Source,
     arithmetic: Source,
-    algebra: Mapping[str, Function],
+    algebra: Mapping[str, Definition],
     called: Iterable[tuple[str, tuple[str, ...]]],
 ) -> Source:
     """The functions that ``called`` names with the kinds of their arguments, and all that they need.
@@ -45,7 +44,7 @@ class _Program:
 
     kernel: Source
     arithmetic: Source
-    algebra: Mapping[str, Function]
+    algebra: Mapping[str, Definition]
     texts: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -105,17 +104,8 @@ class _Program:
         """The function of generated algebra on double-doubles, and the kind of its result."""
         if name not in self.functions:
             function = self.algebra[name]
-            text = definition(function)
-            (tree,) = ast.parse(text).body
-            assert isinstance(tree, ast.FunctionDef)
-            for node in ast.walk(tree):
-                match node:
-                    case ast.Name():
-                        node.id = SPELLED.get(node.id, node.id)
-                    case ast.arg():
-                        node.arg = SPELLED.get(node.arg, node.arg)
-            given = {argument.arg: WIDE for argument in tree.args.args}
-            self.write(name, function.summary, given, tree.body[1:])
+            given = {SPELLED.get(argument, argument): WIDE for argument in function.arguments}
+            self.write(name, function.summary, given, function.tree(SPELLED).body)
         return f"wide_{name}", self.functions[name][1]
 
     def write(self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt]) -> None:

@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from .function import Results
 from .language import KernelError, Kinds, Routine, Source
 
 _ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
@@ -135,11 +134,3 @@ def places(target: ast.expr, place: tuple[int, ...] = ()) -> Iterator[tuple[str,
         assert isinstance(target, ast.Name)
         yield target.id, place
 
-
-def result_places(results: Results, place: tuple[int, ...] = ()) -> Iterator[tuple[int, ...]]:
-    """The place of every result of a function, in order."""
-    if isinstance(results, tuple):
-        for index, item in enumerate(results):
-            yield from result_places(item, (*place, index))
-    else:
-        yield place

@@ -7,9 +7,6 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
-#: Symbols with the name of a function that languages have, and what stands for them where the two would be confused.
-SPELLED = {"cos": "cos_theta", "sin": "sin_theta"}
-
 #: Nested results: an expression, or a tuple of such.
 Results = sp.Expr | tuple["Results", ...]
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-
-import sympy as sp
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -23,16 +22,14 @@ class Interval:
 class Quantity:
     """One entry of a nomenclature; ``str(symbol)`` is the name in generated code.
 
-    The number may be a multiple of some ``scale``, as a length over L_0 is: then ``meaning`` describes the number and ``measured``
-    what is measured in that scale.
+    The number may be a multiple of some ``scale``, as a length over L_0 is.
     """
 
-    symbol: sp.Symbol
+    symbol: Any  #: SymPy's, or only its name
     article: str
     meaning: str
     unit: str = "1"
     domain: str = "real"
-    measured: str = ""
     scale: str = ""
 
     @property
@@ -50,6 +47,14 @@ def interval(domain: str) -> Interval:
     if ends := re.fullmatch(r"([(\[{])(\S+), (\S+)([)\]}])", domain):
         return Interval(_number(ends[2]), _number(ends[3]), ends[1] == "(", ends[4] == ")")
     raise ValueError(f"{domain!r} is not a domain; write it as real, > 0, >= 0, (0, pi) or [-1, 1]")
+
+
+def written(allowed: Interval) -> str:
+    """An interval as a domain is written."""
+    low, high = ("pi" if end == math.pi else f"{end:g}" for end in (allowed.low, allowed.high))
+    if math.isinf(allowed.high):
+        return "real" if math.isinf(allowed.low) else f">{'' if allowed.low_open else '='} {low}"
+    return f"{'(' if allowed.low_open else '['}{low}, {high}{')' if allowed.high_open else ']'}"
 
 
 def _number(text: str) -> float:

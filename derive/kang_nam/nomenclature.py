@@ -30,7 +30,7 @@ def _scaled(
     over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
     said = f", {remark}" if remark else ""
     symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
-    return _enter(Quantity(symbol, article, meaning or f"{measured}{over}{said}", "1", domain, measured + said, scale))
+    return _enter(Quantity(symbol, article, meaning or f"{measured}{over}{said}", "1", domain, scale))
 
 
 def _local(code: str, meaning: str, article: str = "") -> sp.Symbol:

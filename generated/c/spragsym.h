@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "5b594e344f12873d"
+#define SPRAGSYM_SOURCE "c7707e96d9d9d079"
 
 /** What became of a call. */
 typedef enum {

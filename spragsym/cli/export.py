@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from importlib import resources
-from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
+from ..derive.emit.targets import languages
+from ..derive.kang_nam.library import exported
 from ..errors import MissingExtraError
 from ..files.writing import probe, put
 from ..models.load import page_of
@@ -21,20 +20,9 @@ if TYPE_CHECKING:
     from ..models import Model
 
 
-def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
-    """Each language that was generated: its folder, and the files of an export, as its ``target.json`` names them."""
-    found = {}
-    for folder in resources.files("spragsym.generated").iterdir():
-        entry = folder / "target.json"
-        if entry.is_file():
-            target = json.loads(entry.read_text(encoding="utf-8"))
-            found[target["language"]] = folder, tuple(target["files"])
-    return found
-
-
 @command()
 @click.option("--model", "model_name", metavar="NAME|DIR", help=TEXT)
-@click.option("--language", type=click.Choice(sorted(languages())), default="c", show_default=True, help="Language to write.")
+@click.option("--language", type=click.Choice(languages()), default="c", show_default=True, help="Language to write.")
 @click.option(
     "--out",
     "-o",
@@ -63,18 +51,13 @@ def export(model_name: str | None, language: str, out: Path, force: bool) -> Non
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
     """
     probe(out / "file", made=True)
-    texts = _of_name(model_name, language) if model_name else _of_article(language)
+    texts = _of_name(model_name, language) if model_name else exported(language)
     changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
     refuse((out / name for name in changed), force, made=True)
     for name, text in changed.items():
         put(out / name, text, made=True)
     for name in texts:
         click.echo(out / name)
-
-
-def _of_article(language: str) -> dict[str, str]:
-    folder, names = languages()[language]
-    return {name: (folder / name).read_text(encoding="utf-8") for name in names}
 
 
 def _of_name(name: str, language: str) -> dict[str, str]:

@@ -10,7 +10,7 @@ from ..models import Model
 
 def shipped(model: Model) -> tuple[str, str] | None:
     """The module and the drawing, as SVG, that come with the package; None for a model that has none there."""
-    folder = resources.files("spragsym.generated") / "javascript"
+    folder = resources.files("spragsym.generated") / "models" / model.name
     files = [folder / f"{model.name}.{ending}" for ending in ("mjs", "svg")]
     if model.where != model.name or not files[0].is_file():
         return None

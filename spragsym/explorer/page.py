@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from importlib import resources
 
 from .._version import __version__
+from ..derive.kang_nam.library import exported
 from ..models import Model, load
 from ..models.load import USUAL
 from .derived import required
@@ -97,9 +98,8 @@ def _solver(model: Model) -> dict[str, str]:
         words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
         head = _filled(_asset("head.html"), words)
         return {"HEAD": head, "SURFACE": "", "LEGEND": "", "BUNDLES": bundle, "WORKER": "", "SOLVER": ""}
-    module = resources.files("spragsym.generated") / "javascript" / "spragsym.mjs"
-    own = {path.name: path.read_text(encoding="utf-8") for path in (*folder.iterdir(), module)}
-    solver = f"{_in_a_script(own['spragsym.mjs'])}\n{own['start.js']}"
+    own = {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+    solver = f"{_in_a_script(exported('javascript')['spragsym.mjs'])}\n{own['start.js']}"
     return {
         "HEAD": own["head.html"],
         "SURFACE": own["surface.html"],

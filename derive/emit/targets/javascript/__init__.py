@@ -7,7 +7,7 @@ import math
 import re
 import textwrap
 
-from .. import Material, Target, runtime
+from .. import Material, ranges, runtime
 from . import algebra, kernel
 
 _EXAMPLE = "example.mjs"
@@ -53,7 +53,7 @@ def _words(material: Material) -> dict[str, str]:
         "base": json.dumps(dict(material.base_values)),
         "typed_base": " ".join(f"{name}: number;" for name in material.base_values),
         "ranges": _ranges(material),
-        "symbols": algebra.symbols(functions.values(), material.quantities),
+        "symbols": algebra.meanings(functions.values(), material.quantities),
         "algebra": "\n".join(map(algebra.definition, functions.values())),
         "members": "".join(algebra.declaration(it) for it in functions.values()),
     }
@@ -65,10 +65,8 @@ def _spoken(text: str, words: dict[str, str]) -> str:
 
 def _ranges(material: Material) -> str:
     """The allowed values of what the algebra takes, one a line; what may have any value is left out, and infinite ends."""
-    taken = {str(symbol) for function in material.algebra.values() for symbol in function.accepted}
     lines = []
-    for name in [*material.parameters, *sorted(taken - set(material.parameters))]:
-        allowed = material.quantities[name].interval
+    for name, allowed in ranges(material).items():
         ends: dict[str, float | bool] = {}
         if math.isfinite(allowed.low):
             ends |= {"low": allowed.low, "low_open": allowed.low_open}
@@ -77,9 +75,3 @@ def _ranges(material: Material) -> str:
         if ends:
             lines.append(f"  {name}: {json.dumps(ends)},\n")
     return "{\n" + "".join(lines) + "}" if lines else "{}"
-
-
-TARGET = Target(
-    "javascript", "JavaScript", "javascript", render,
-    exported=("{library}.mjs", "{library}.d.ts", "{library}.d.mts", _EXAMPLE),
-)  # fmt: skip

@@ -13,9 +13,10 @@ import textwrap
 from collections.abc import Iterable
 from dataclasses import replace
 
+from ...definitions import symbols
 from ...expressions import number
-from ...quantities import Quantity
-from .. import Material, Target, runtime
+from ...quantities import Interval
+from .. import Material, ranges, runtime, spoken
 from . import algebra, kernel
 
 #: The model's files that begin with this stand beside the package folder.
@@ -38,9 +39,10 @@ def render(material: Material) -> dict[str, str]:
     if own:
         checks = (*(runtime(__file__, name) for name in _INPUT), _ranges(material))
         texts[f"{package}/input.m"] = _namespace("input", "Checks of what is given.", checks)
-    texts |= {name if name.startswith(_EXAMPLE) else f"{package}/{name}": text for name, text in own.items()}
+    texts |= {f"{package}/{name}": text for name, text in own.items() if not name.startswith(_EXAMPLE)}
     texts[f"{package}/Contents.m"] = _contents(material, own)
-    return {name: _spoken(text, _words(material)) for name, text in texts.items()}
+    texts |= {name: text for name, text in own.items() if name.startswith(_EXAMPLE)}
+    return {name: spoken(text, _words(material)) for name, text in texts.items()}
 
 
 def _namespace(name: str, summary: str, functions: Iterable[str]) -> str:
@@ -66,10 +68,6 @@ def _words(material: Material) -> dict[str, str]:
     }
 
 
-def _spoken(text: str, words: dict[str, str]) -> str:
-    return re.sub(r"@(\w+)@", lambda place: words.get(place[1], place[0]), text)
-
-
 def _contents(material: Material, own: dict[str, str]) -> str:
     """What ``help`` says about the package."""
     lines = textwrap.wrap(f"{material.summary} {material.header.replace('``', '')}", algebra.WIDTH)
@@ -79,11 +77,11 @@ def _contents(material: Material, own: dict[str, str]) -> str:
             first = re.search(r"^%\w+\s+(.*)$", text, re.MULTILINE)
             lines += _listed(f"{name.removesuffix('.m'):18} - {first[1] if first else ''}", 2)
     lines += ["", f"  {material.library}.algebra holds the generated algebra:"]
-    for module in material.all_modules:
-        lines += _listed(", ".join(it.name for it in module.functions), 4)
+    for module in material.modules:
+        lines += _listed(", ".join(it.name for it in module), 4)
     lines += ["", "  Their arguments:"]
-    for symbol in dict.fromkeys(str(symbol) for it in material.algebra.values() for symbol in it.accepted):
-        lines += _listed(f"{symbol:10} - {material.quantities[symbol].meaning}", 4)
+    for name in symbols(material.algebra.values()):
+        lines += _listed(f"{name:10} - {material.quantities[name].meaning}", 4)
     if material.kernel.routines:
         lines += ["", *_listed(f"{material.library}.kernel: {_said(material)}", 2)]
     return "".join(f"% {line}".rstrip() + "\n" for line in lines)
@@ -95,26 +93,22 @@ def _listed(text: str, indent: int) -> list[str]:
 
 def _ranges(material: Material) -> str:
     """A function that knows the allowed values of what the algebra takes."""
-    taken = {str(symbol) for function in material.algebra.values() for symbol in function.accepted}
     alike: dict[str, list[str]] = {}
-    for name in [*material.parameters, *sorted(taken - set(material.parameters))]:
-        alike.setdefault(_ends(material.quantities[name]), []).append(f"'{name}'")
+    for name, allowed in ranges(material).items():
+        alike.setdefault(_ends(allowed, material.quantities[name].unit), []).append(f"'{name}'")
     cases = [
         line for ends, names in alike.items() for line in (*algebra.wrapped(f"    case {{{', '.join(names)}}}"), f"      {ends}")
     ]
-    return _spoken(runtime(__file__, "range.m"), {"cases": "\n".join(cases).strip()})
+    return spoken(runtime(__file__, "range.m"), {"cases": "\n".join(cases).strip()})
 
 
-def _ends(quantity: Quantity) -> str:
-    allowed = quantity.interval
+def _ends(allowed: Interval, unit: str) -> str:
     ends = [_number(allowed.low), _number(allowed.high)]
     text = f"{'(' if allowed.low_open else '['}{', '.join(ends)}{')' if allowed.high_open else ']'}"
-    said = ": angles are radians" if quantity.unit == "rad" else ""
+    said = ": angles are radians" if unit == "rad" else ""
     return f"ends = [{', '.join(ends)}, {allowed.low_open:d}, {allowed.high_open:d}]; text = '{text}'; remedy = '{said}';"
 
 
 def _number(value: float) -> str:
     return "pi" if value == math.pi else f"{value:g}".replace("inf", "Inf")
 
-
-TARGET = Target("matlab", "MATLAB and Octave", "matlab", render, exported=("+*/*.m", f"{_EXAMPLE}*.m"))

@@ -3,59 +3,45 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping
-from typing import ClassVar
 
-import sympy as sp
-
-from ...function import Function
-from ...statements import Body, flatten, straight_line
-from ..python.algebra import NAMES, DividingPrinter
+from ...definitions import NAMES, Definition, ported
 
 #: Of a function, which is indented by four.
 WIDTH = 126
 
 
-class MatlabPrinter(DividingPrinter):
-    """Algebra in MATLAB."""
-
-    functions: ClassVar[Mapping[str, str]] = {name: name for name in NAMES}
-
-    def doprint(self, expr: sp.Expr) -> str:
-        """An expression in which every product and quotient is one of elements; powers are products by now."""
-        return str(super().doprint(expr)).replace("*", ".*").replace("/", "./")
+_FUNCTIONS = {name: name for name in NAMES}
 
 
-def definition(function: Function) -> str:
+def definition(function: Definition) -> str:
     """One function."""
-    body = straight_line(function)
-    printer = MatlabPrinter.of(body)
-    results = list(flatten(body.results))
-    names = _outputs(body, results)
-    given = ", ".join(map(str, function.accepted))
+    names = _outputs(function)
+    given = ", ".join(function.accepted)
     returned = names[0] if len(names) == 1 else f"[{', '.join(names)}]"
     lines = [
         *wrapped(f"function {returned} = {function.name}({given})"),
         *comment(
             f"{function.name.upper()}  {function.summary} Returns {function.returns}. "
-            f"Source: {function.equations}. Operations: {body.operations}.", ""
+            f"Source: {function.equations}. Operations: {function.operations}.", ""
         ),
     ]  # fmt: skip
-    if function.further:
-        missing = len(function.arguments)
-        for place, symbol in enumerate(function.further):
-            lines += [f"  if nargin < {missing + place + 1}", f"    {symbol} = 0;", "  end"]
-    statements = [*((str(symbol), value) for symbol, value in body.statements), *zip(names, results, strict=True)]
-    for name, value in statements:
-        if name != str(value):
-            lines += wrapped(f"  {name} = {printer.doprint(value)};")
+    for place, name in enumerate(function.further, len(function.arguments) + 1):
+        lines += [f"  if nargin < {place}", f"    {name} = 0;", "  end"]
+    for name, value in (*function.statements, *zip(names, function.leaves, strict=True)):
+        if name != value:
+            lines += wrapped(f"  {name} = {_printed(value)};")
     return "\n".join([*lines, "end", ""])
 
 
-def _outputs(body: Body, results: list[sp.Expr]) -> list[str]:
+def _printed(expression: str) -> str:
+    """An expression in which every product and quotient is one of elements."""
+    return ported(expression, _FUNCTIONS).replace("*", ".*").replace("/", "./")
+
+
+def _outputs(function: Definition) -> list[str]:
     """Names of what is returned: of a result that has a statement of its own, the name there."""
-    named = {symbol for symbol, _ in body.statements if results.count(symbol) == 1}
-    return [str(value) if value in named else f"result{place}" for place, value in enumerate(results, 1)]
+    leaves, known = function.leaves, dict(function.statements)
+    return [leaf if leaf in known and leaves.count(leaf) == 1 else f"result{place}" for place, leaf in enumerate(leaves, 1)]
 
 
 def comment(text: str, indent: str) -> list[str]:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
-from ...quantities import Quantity
-from .. import Material
+from ..quantities import Quantity
 
 _HEAD = '''
 from __future__ import annotations
@@ -29,24 +29,25 @@ class Quantity(NamedTuple):
 '''
 
 
-def render(material: Material, header: str) -> str:
+def render(
+    quantities: Mapping[str, Quantity], parameters: tuple[str, ...], base_values: Mapping[str, float], header: str
+) -> str:
     """``generated/quantities.py``."""
-    entries = "".join(f"    {name!r}: {_entry(quantity)},\n" for name, quantity in material.quantities.items())
-    base = "".join(f"    {name!r}: {value!r},\n" for name, value in material.base_values.items())
+    entries = "".join(f"    {name!r}: {_entry(quantity)},\n" for name, quantity in quantities.items())
+    base = "".join(f"    {name!r}: {value!r},\n" for name, value in base_values.items())
     return (
         f'"""What every name stands for, its unit, its allowed values and its value in the article.\n\n{header}\n"""\n'
         f"{_HEAD}"
         f"QUANTITIES: dict[str, Quantity] = {{\n{entries}}}\n\n"
-        f"#: Dimensionless parameters, in the order in which every function takes them.\nPARAMETERS = {material.parameters!r}\n\n"
+        f"#: Dimensionless parameters, in the order in which every function takes them.\nPARAMETERS = {parameters!r}\n\n"
         f"#: The article's base values.\nBASE_VALUES: dict[str, float] = {{\n{base}}}\n"
     )
 
 
 def _entry(quantity: Quantity) -> str:
     allowed = quantity.interval
-    meaning, unit = (quantity.measured, quantity.scale) if quantity.scale else (quantity.meaning, quantity.unit)
     ends = f"{_number(allowed.low)}, {_number(allowed.high)}, {allowed.low_open}, {allowed.high_open}"
-    return f"Quantity({quantity.article!r}, {meaning!r}, {unit!r}, {ends})"
+    return f"Quantity({quantity.article!r}, {quantity.meaning!r}, {quantity.scale or quantity.unit!r}, {ends})"
 
 
 def _number(value: float) -> str:

@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
-from ...language import Kinds, Source
-from .. import Material
+from ..function import Module
+from ..language import Kinds, Source
 
 
 #: What the language's primitives are for arrays; the cube root and the choice have files of their own.
 _PRIMITIVES = {"maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt"}
 
 
-def render(material: Material, header: str) -> str:
+def render(source: Source, counts: Mapping[str, float], modules: Iterable[Module], header: str) -> str:
     """``generated/kernel.py``: functions of floats and of arrays of any float type."""
-    source = material.kernel
     tree = ast.parse(source.text)
     kinds = Kinds(source)
     called = {name for it in source.routines.values() for name in kinds.calls(it)}
-    homes = {function.name: module.name for module in material.modules for function in module.functions}
+    homes = {function.name: module.name for module in modules for function in module.functions}
     used = sorted((homes[name], name) for name in called if name in homes)
     bound = "\n".join(f"{name} = inspect.unwrap(_{home}.{name})" for home, name in used)
     imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
-    counts = "\n".join(f"{name} = {value!r}" for name, value in material.counts.items())
+    counted = "\n".join(f"{name} = {value!r}" for name, value in counts.items())
     # Another number type says by itself what its leading double is.
     code = _code(source).replace("\ndef rough(", "\n@functools.singledispatch\ndef rough(")
     return (
@@ -33,7 +32,7 @@ def render(material: Material, header: str) -> str:
         f"{_TYPES}{_primitives(_PRIMITIVES)}\n"
         f"{bound}\n\n"
         "# Counts of roundings, derived from the statements of this file and of the algebra.\n"
-        f"{counts}\n\n{code}"
+        f"{counted}\n\n{code}"
     )
 
 

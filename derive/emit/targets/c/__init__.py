@@ -6,10 +6,10 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
+from ...definitions import Definition
 from ...expressions import hands_back, printed
-from ...function import Function
 from ...language import Kinds, Routine, Source
-from .. import Material, Target, runtime
+from .. import Material, runtime, spoken
 from . import algebra, cost, kernel
 from .layout import WIDTH, plain
 
@@ -37,13 +37,13 @@ def render(material: Material) -> dict[str, str]:
     }
     names = {"library": library, "LIBRARY": library.upper()}
     header, source = (
-        _spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n" for name in ("library.h", "library.c")
+        spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n" for name in ("library.h", "library.c")
     )
     words = {**_words(material), **_costs(header + source, {item.name: item.operations for item in statics})}
     files = {f"{library}.h": header, f"{library}.c": source}
     if _EXAMPLE in own:
-        files |= {"Makefile": _spoken(runtime(__file__, "Makefile"), names), _EXAMPLE: own[_EXAMPLE]}
-    return {name: _spoken(text, words) for name, text in files.items()}
+        files |= {"Makefile": spoken(runtime(__file__, "Makefile"), names), _EXAMPLE: own[_EXAMPLE]}
+    return {name: spoken(text, words) for name, text in files.items()}
 
 
 def _words(material: Material) -> dict[str, str]:
@@ -68,11 +68,6 @@ def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
     return words | {f"constant:{name}": str(value) for name, value in cost.constants(source).items()}
 
 
-def _spoken(text: str, words: Mapping[str, str]) -> str:
-    """Put the words in the places that ``@name@`` marks."""
-    return re.sub(r"@([\w:]+)@", lambda place: words.get(place[1], place[0]), text)
-
-
 def _filled(text: str, parts: Mapping[str, str]) -> str:
     """Put emitted text in the places marked ``/* @name@ */``; a text that is put in may hold further such places."""
     for name, part in parts.items():
@@ -80,7 +75,7 @@ def _filled(text: str, parts: Mapping[str, str]) -> str:
     return text
 
 
-def _called(material: Material, known: Mapping[str, Function]) -> set[str]:
+def _called(material: Material, known: Mapping[str, Definition]) -> set[str]:
     kinds = Kinds(material.kernel)
     return {name for it in material.kernel.routines.values() for name in kinds.calls(it) if name in known}
 
@@ -116,5 +111,3 @@ def _in_order(source: Source, routines: Iterable[Routine]) -> list[Routine]:
         place(routine.name)
     return list(ordered.values())
 
-
-TARGET = Target("c", "C99", "c", render, exported=("{library}.h", "{library}.c", "Makefile", _EXAMPLE))

@@ -5,23 +5,21 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
-from typing import Any, ClassVar, Self
+from typing import Any
 
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
-from ...function import Function, Module, Results
-from ...quantities import Quantity
-from ...statements import Body, straight_line
+from ..function import Function, Module, Results
+from ..quantities import Quantity
+from ..statements import Body, straight_line
 
-#: What is printed: algebra, and functions by their names in each language.
+#: What is printed: algebra, and functions by their names.
 KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 BY_NAME: Mapping[type[sp.Basic], str] = {
     sp.exp: "exp", sp.log: "log", sp.tanh: "tanh", sp.atan: "atan", sp.cos: "cos", sp.sin: "sin", sp.atan2: "atan2",
     sp.Abs: "abs", sp.sign: "sign",
 }  # fmt: skip
-#: All that a language has a name for.
-NAMES = ("sqrt", "pi", *BY_NAME.values())
 
 _WIDTH = 126
 
@@ -37,14 +35,12 @@ class AlgebraPrinter(StrPrinter):
     one = ""
     #: Names for which something else is printed: a power, or another name.
     inlined: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
-    #: What functions are called in the language.
-    functions: ClassVar[Mapping[str, str]] = {name: f"xp.{name}" for name in NAMES} | {"abs": "abs"}
 
     @classmethod
-    def of(cls, body: Body) -> Self:
+    def of(cls, body: Body, one: str = "") -> AlgebraPrinter:
         """A printer for the statements of a function."""
         printer = cls({"order": None})
-        printer.inlined = body.inlined
+        printer.inlined, printer.one = body.inlined, one
         return printer
 
     def square(self, base: sp.Expr) -> str:
@@ -56,18 +52,14 @@ class AlgebraPrinter(StrPrinter):
         return f"({text})" if item in self.inlined and "*" in text else text
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
-        if expression not in self.inlined:
-            return self.name(expression)
-        value = self.inlined[expression]
+        value = self.inlined.get(expression)
+        if value is None:
+            return str(expression.name)
         return self.square(value.base) if value.is_Pow else str(self._print(value))
-
-    def name(self, symbol: sp.Symbol) -> str:
-        """What a symbol is called."""
-        return str(symbol.name)
 
     def call(self, name: str, *arguments: sp.Expr) -> str:
         """A function of these arguments."""
-        return f"{self.functions[name]}({', '.join(map(self._print, arguments))})"
+        return f"{'' if name == 'abs' else 'xp.'}{name}({', '.join(map(self._print, arguments))})"
 
     def _print(self, expression: Any, **options: Any) -> str:
         # The printer of SymPy writes whatever it is given, under SymPy's name for it.
@@ -98,14 +90,9 @@ class AlgebraPrinter(StrPrinter):
             return str(super()._print_Pow(expression, rational=rational))
         if abs(expression.exp.p) != 1 or not expression.exp.is_Rational:
             raise ArithmeticError(f"{expression} is not a reciprocal or a root: powers are products by now")
-        root = self.root(expression.base, expression.exp.q)
+        base, order = expression.base, expression.exp.q  # of what is not negative; of 0, exp(−∞)
+        root = self.call("sqrt", base) if order == 2 else f"xp.exp({self.call('log', base)}/{order})"
         return root if expression.exp > 0 else f"1/{root}"
-
-    def root(self, base: sp.Expr, order: int) -> str:
-        """A root of what is not negative; of 0, exp(−∞)."""
-        if order == 2:
-            return self.call("sqrt", base)
-        return f"{self.functions['exp']}({self.call('log', base)}/{self._print(sp.Integer(order))})"
 
     def _print_Function(self, expression: sp.Function) -> str:
         return self.call(BY_NAME[expression.func], *expression.args)
@@ -117,19 +104,7 @@ class AlgebraPrinter(StrPrinter):
         return self.call("exp", sp.S.One)
 
     def _print_Pi(self, expression: sp.Expr) -> str:
-        return self.functions["pi"]
-
-
-class DividingPrinter(AlgebraPrinter):
-    """For languages without a namespace of arrays: a rational is a division of two whole numbers, which rounds once."""
-
-    def _print_Rational(self, expression: sp.Rational) -> str:
-        return f"({expression.p}/{expression.q})"
-
-    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
-        if expression.exp == 2:  # of a name: straight_line() names what is squared
-            return self.square(expression.base)
-        return super()._print_Pow(expression, rational=rational)
+        return "xp.pi"
 
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
@@ -190,8 +165,7 @@ def _statements(function: Function, body: Body) -> list[str]:
     except RoundedError:
         if not function.accepted:
             raise
-    printer = AlgebraPrinter.of(body)
-    printer.one = "_one"
+    printer = AlgebraPrinter.of(body, "_one")
     total = " + ".join(map(str, function.accepted))
     return [_wrap(f"    {printer.one} = 0*({total}) + 1"), *_printed(body, printer)]
 

@@ -1,0 +1,129 @@
+"""Generated algebra in C: the statements of Python, operation for operation."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from ...definitions import NAMES, SPELLED, Definition, ported
+from ...quantities import Quantity
+from .layout import WIDTH, broken, comment, definition, plain
+
+#: Angles by their names, and the arguments of the algebra that stand for one, cosine and sine last.
+Angles = Mapping[str, tuple[str, ...]]
+
+_FUNCTIONS = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
+_LARGEST_EXACT = 2**53
+
+
+def _expression(text: str) -> str:
+    """The expression in C: whole numbers are doubles, and a square is a call."""
+    text = re.sub(r"(?<!\w)\((\w+)\*\1\)|\b(\w+)\*\2\b", lambda found: f"square({found[1] or found[2]})", text)
+    text = re.sub(r"(?<![\w.])(\d+)(?![\w.])", _whole, text)
+    text = re.sub(r"(?<![\w.])(cos|sin)\b(?!\()", lambda found: SPELLED[found[1]], text)
+    return re.sub(r"([*/])", r" \1 ", ported(text, _FUNCTIONS))
+
+
+def _whole(found: re.Match[str]) -> str:
+    if int(found[1]) > _LARGEST_EXACT:
+        raise ArithmeticError(f"the integer {found[1]} would be rounded")
+    return f"{found[1]}.0"
+
+
+@dataclass(frozen=True)
+class Emitted:
+    """A static function of the C source."""
+
+    name: str
+    text: str
+    operations: int
+
+
+def c_name(name: str) -> str:
+    """A name of the algebra as C has it."""
+    return SPELLED.get(name, name)
+
+
+def _result(function: Definition) -> str:
+    return f"double result[{len(function.leaves)}]" if isinstance(function.results, tuple) else "double *result"
+
+
+def _signature(start: str, names: Iterable[str], result: str | None) -> str:
+    arguments = [f"double {name}" for name in names] + ([] if result is None else [result])
+    return broken(f"{start}({', '.join(arguments)})")
+
+
+def taken(function: Definition, angles: Angles) -> list[str]:
+    """Arguments of the public function: those of the algebra, an angle in the place of its cosine and sine."""
+    angle_of = {part: angle for angle, parts in angles.items() for part in parts}
+    return list(dict.fromkeys(c_name(angle_of.get(name, name)) for name in function.arguments))
+
+
+def static(name: str, function: Definition) -> Emitted:
+    """The algebra itself, unchecked: one result is returned, several are written to an array."""
+    several = isinstance(function.results, tuple)
+    said = comment(f"{function.summary} Source: {function.equations}. Operations: {function.operations}.")
+    start = f"INLINE {'void' if several else 'double'} {name}"
+    head = f"{_signature(start, map(c_name, function.arguments), _result(function) if several else None)} {{"
+    lines = [
+        *(f"    (void){c_name(name)};" for name in function.arguments if name not in function.read),
+        *_statements(function, "result" if several else "return"),
+    ]
+    return Emitted(name, said + definition(head, "".join(f"{line}\n" for line in lines)), function.operations)
+
+
+def _statements(function: Definition, result: str) -> list[str]:
+    """Shorthands, then the results: into an array, or for one result behind what begins its statement."""
+    if isinstance(function.results, tuple):
+        results = [(f"{result}[{place}] =", value) for place, value in enumerate(function.leaves)]
+    else:
+        results = [(result, function.results)]
+    named = [(f"const double {c_name(name)} =", expression) for name, expression in function.statements]
+    return [broken(f"    {target} {_expression(expression)};") for target, expression in (*named, *results)]
+
+
+def public(function: Definition, library: str, angles: Angles, *, inside: bool) -> str:
+    """The public function: no null pointer in, no NaN out. What the library calls itself, ``inside``, stands in a function of its own."""
+    count = len(function.leaves)
+    several = isinstance(function.results, tuple)
+    names = taken(function, angles)
+    if inside:
+        arguments = ", ".join(map(c_name, function.arguments))
+        called = f"algebra_{function.name}({arguments}{', value' if several else ''});"
+        computed = [broken(f"    {called if several else f'const double value = {called}'}")]
+    else:
+        computed = _statements(function, "value" if several else "const double value =")
+    asked = "\n".join(computed)
+    return "\n".join([
+        _signature(f"{library}_status {library}_{function.name}", names, _result(function)) + " {",
+        broken(f"    const double given[] = {{{', '.join(names)}}};"),
+        *([f"    double value[{count}];"] if several else []),
+        f"    if (!result || !finite_all({len(names)}, given)) {{",
+        f"        return {library.upper()}_BAD_INPUT;",
+        "    }",
+        *(
+            f"    const double {part} = {turn}({angle});"
+            for angle, parts in angles.items() if angle in names
+            for turn, part in zip(("cos", "sin"), parts[-2:], strict=True) if re.search(rf"\b{part}\b", asked)
+        ),
+        *computed,
+        f"    return deliver({count}, {'value' if several else '&value'}, result);",
+        "}\n",
+    ])  # fmt: skip
+
+
+def prototype(function: Definition, library: str, angles: Angles) -> str:
+    """The declaration of the public function."""
+    text = f"{function.summary} Result: {function.returns}. Source: {function.equations}. Operations: {function.operations}."
+    said = textwrap.fill(plain(text), WIDTH - len(" */"), initial_indent="/** ", subsequent_indent=" * ")
+    start = f"{library}_status {library}_{function.name}"
+    return f"\n{said} */\n" + _signature(start, taken(function, angles), _result(function)) + ";\n"
+
+
+def symbols(functions: Iterable[Definition], quantities: Mapping[str, Quantity], angles: Angles) -> str:
+    """What every argument of the public functions is, as lines of a comment."""
+    known = {c_name(name): quantity for name, quantity in quantities.items()}
+    names = dict.fromkeys(name for function in functions for name in taken(function, angles))
+    return "\n * ".join(f"{name}: {plain(known[name].meaning)}" for name in names)

@@ -1,0 +1,127 @@
+"""The article's model as a library in any language, from the generated Python package; without SymPy."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ..emit import definitions, double_double_kernel, language, targets
+from ..emit.definitions import Definition
+from ..emit.quantities import Interval, Quantity, written
+
+#: Algebra that a library in another language offers to its callers.
+PUBLIC = (
+    "contact_quartic", "liftoff_quartic", "f_coefficients", "f", "f_slope", "f_curvature",
+    "t_quartic", "resolvent", "state", "residuals", "stiffness", "invariants", "damping", "characteristic",
+    "spring_length", "friction", "rhs", "regime_rhs", "regime_jacobian", "energy",
+)  # fmt: skip
+
+#: The functions of the page that the library has, and the equations that are in them.
+OF_PAGE = {
+    "rhs": "(8)–(11)", "regime_rhs": "(8)–(10)", "regime_jacobian": "(8)–(10)", "regime_by_parameters": "(8)–(10)",
+    "energy": "(1), (2)", "friction_power": "(8)",
+}  # fmt: skip
+#: Those that take no more than they read; the others take all that a motion is given.
+_SHORT = ("energy", "friction_power")
+
+#: What solvers call on double-double numbers: functions of the kernel with the kinds of their arguments.
+WIDELY = (
+    ("balance", ("Point",)), ("moderate", ("Point",)), ("representable", ("Balance",)), ("guesses", ("Point", "Balance", "Real")),
+    ("at_root", ("Wide", "Point", "Balance", "Real")), ("apart", ("Wide", "Real", "Wide", "Real")),
+)  # fmt: skip
+
+#: What spragsym/kang_nam/quartic/_compiled.c calls of the kernel besides.
+ASKED = ("one_or_three",)
+
+SUMMARY = "Equilibria, stability and motion of the sprag-slip oscillator, for real-time use."
+_NO_ALGEBRA = ("kernel", "double_double", "quantities")
+_HERE = Path(__file__).parent
+_GENERAL = Path(language.__file__).parent
+_GENERATED = _HERE.parent.parent / "generated"
+
+
+def exported(written_in: str) -> dict[str, str]:
+    """The files of the library in a language, by their names, from the package that was generated beside this one."""
+    return render(written_in, lambda name: (_GENERATED / name).read_text(encoding="utf-8"))
+
+
+def render(written_in: str, generated: Callable[[str], str]) -> dict[str, str]:
+    """The same from the texts of a generated package, given by their names."""
+    return targets.render(written_in, material(generated))
+
+
+def material(generated: Callable[[str], str]) -> targets.Material:
+    """What every target prints."""
+    package, table = generated("__init__.py"), _run(generated("quantities.py"))
+    names = re.findall(r"^- :mod:`(\w+)`", package, re.MULTILINE)
+    parts = [definitions.of_module(generated(f"{name}.py")) for name in names if name not in _NO_ALGEBRA]
+    modules = (*parts, _of_page(generated("models/kang_nam/algebra.py")))
+    solver, arithmetic = kernel(), double_doubles()
+    functions = {function.name: function for module in modules for function in module}
+    return targets.Material(
+        modules=modules,
+        kernel=solver,
+        counts={name: float(value) for name, value in re.findall(r"^(COUNT_\w+) = (.+)$", generated("kernel.py"), re.MULTILINE)},
+        quantities={
+            name: Quantity(name, article, meaning, unit, written(Interval(*ends)))
+            for name, (article, meaning, unit, *ends) in table["QUANTITIES"].items()
+        },
+        parameters=table["PARAMETERS"],
+        base_values=table["BASE_VALUES"],
+        public=PUBLIC,
+        digest=_run(package)["SOURCE_HASH"],
+        header=package.split("\n\n")[2].partition("\n")[0],
+        summary=SUMMARY,
+        runtime=own_files(),
+        asked=ASKED,
+        arithmetic=arithmetic,
+        widened=double_double_kernel.widened(solver, arithmetic, functions, WIDELY),
+    )
+
+
+def kernel() -> language.Source:
+    """How the equilibria of a point are found and examined, as every target prints it."""
+    return language.read(_HERE / "kernel.py", _HERE / "examination.py", _GENERAL / "elementary.py")
+
+
+def double_doubles() -> language.Source:
+    """The arithmetic on which the kernel runs a second time."""
+    return language.read(_GENERAL / "double_double.py")
+
+
+def own_files() -> dict[str, dict[str, str]]:
+    """What the article's model offers besides algebra, by language: the files of ``runtime/<language>/``."""
+    return {
+        folder.name: {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.iterdir()) if path.is_file()}
+        for folder in sorted((_HERE / "runtime").iterdir())
+    }
+
+
+def _of_page(text: str) -> tuple[Definition, ...]:
+    """Functions of the page, with n̄ for contact and all exponentials of the friction law felt; no name begins with an underscore."""
+    known = {function.name: function for function in definitions.of_module(text)}
+    return tuple(_library_form(known[name], equations) for name, equations in OF_PAGE.items())
+
+
+def _library_form(function: Definition, equations: str) -> Definition:
+    form = function.spelled(_spelled)
+    statements = tuple((name, value) for name, value in form.statements if not name.startswith("near"))
+    arguments = tuple(name for name in form.arguments if not name.startswith("near"))
+    if function.name in _SHORT:
+        arguments = tuple(name for name in arguments if name in form.read)
+    return replace(form, equations=equations, arguments=arguments, statements=statements)
+
+
+def _spelled(text: str) -> str:
+    text = re.sub(r"-near\d\*(xp\.exp\(.*\)) \+ 1", r"1 - \1", text)
+    return re.sub(r"near\d\*|\b_", "", text).replace("pushing", "nbar")
+
+
+def _run(text: str) -> dict[str, Any]:
+    """The names of a generated module."""
+    names: dict[str, Any] = {}
+    exec(text, names)  # noqa: S102  # our own file, as every import is
+    return names

@@ -104,4 +104,3 @@ def _example(model: pages.Model) -> str:
     text = (Path(__file__).parent / "runtime" / "c" / "main.c").read_text(encoding="utf-8")
     filled = re.sub(r"@(\w+)@", lambda place: words[place[1]], text)
     return "\n".join(broken(line) if len(line) > WIDTH else line for line in filled.split("\n"))
-

@@ -101,7 +101,8 @@ def definition(text: str) -> Definition:
     names = [argument.arg for argument in node.args.args]
     count = len(names) - len(node.args.defaults)
     *assigned, last = node.body[1:]
-    assert isinstance(last, ast.Return) and last.value is not None
+    assert isinstance(last, ast.Return)
+    assert last.value is not None
     statements = [(ast.unparse(it.targets[0]), _plain(text, it.value)) for it in assigned if isinstance(it, ast.Assign)]
     return Definition(
         node.name, said[1], said[2], said[3] or "", int(said[4]), tuple(names[:count]), tuple(names[count:]),

@@ -133,4 +133,3 @@ def places(target: ast.expr, place: tuple[int, ...] = ()) -> Iterator[tuple[str,
     else:
         assert isinstance(target, ast.Name)
         yield target.id, place
-

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.derive.emit.targets.c99 import cost
+from spragsym.derive.emit.targets.c import cost
 from tests.oracles import c_target, languages, reference
 from tests.oracles.families import FAMILIES
 from tests.support import ROOT, few, in_python, leaves, lowest_sets

@@ -102,7 +102,7 @@ def test_a_failed_check_writes_nothing_and_names_the_row(
 @pytest.mark.usefixtures("quick")
 def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     print_wrongly(monkeypatch)
-    monkeypatch.setattr(emission, "render", lambda outcome: {"new.py": "new\n"})
+    monkeypatch.setattr(emission, "render", lambda outcome, models: {"new.py": "new\n"})
     assert command.main(["--out", str(target), "--variant"]) == 0
     assert files_of(target) == {"new.py": b"new\n", "files.json": b'["files.json", "new.py"]\n'}
 

@@ -7,9 +7,12 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from spragsym.derive.emit import targets
+from spragsym.derive.kang_nam import library
 from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
@@ -23,25 +26,14 @@ def section(title: str) -> str:
 # ------------------------------------------------------------------------------------------------- a new language
 
 
-def steps() -> str:
-    """The section on languages, without the indentation that the text of a numbered step has."""
-    return re.sub(r"^   ", "", section("Add a language"), flags=re.MULTILINE)
-
-
-@pytest.fixture(scope="module")
-def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the tree with the folder that CONTRIBUTING shows, and nothing else changed."""
-    copy = tmp_path_factory.mktemp("house")
-    ignored = shutil.ignore_patterns("__pycache__", "*.so", "*.egg-info")
-    for folder in ("derive", "generated", "spragsym"):
-        shutil.copytree(ROOT / folder, copy / folder, symlinks=True, ignore=ignored)
-    for name in ("pyproject.toml", "README.md", "LICENSE"):
-        shutil.copy(ROOT / name, copy)
-    shown = r"`(derive/emit/targets/\w+/__init__\.py)`:\n\n```python\n(.*?)\n```"
-    ((path, program),) = re.findall(shown, steps(), re.DOTALL)
-    (copy / path).parent.mkdir()
-    (copy / path).write_text(program + "\n", encoding="utf-8")
-    return copy
+def test_the_language_that_contributing_adds_is_printed() -> None:
+    """Its one file, as it stands there, gives every function of the library with the statements of Python."""
+    steps = re.sub(r"^   ", "", section("Add a language"), flags=re.MULTILINE)
+    ((name, program),) = re.findall(r"`derive/emit/targets/(\w+)/__init__\.py`:\n\n```python\n(.*?)\n```", steps, re.DOTALL)
+    space: dict[str, Any] = {"__package__": f"{targets.__name__}.{name}"}
+    exec(program, space)
+    ((_, text),) = space["render"](library.material(lambda name: (ROOT / "generated" / name).read_text(encoding="utf-8"))).items()
+    assert "f_third(cos, sin, a_f, b_f, d_f, m_f) gives f‴\n  w0 = 4*a_f\n" in text
 
 
 # ----------------------------------------------------------------------------------------- what is printed

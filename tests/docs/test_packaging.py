@@ -218,9 +218,11 @@ def test_commands_without_extras(python: Path) -> None:
     assert call(python, "-m", "spragsym", "--version").stdout == f"spragsym, version {spragsym.__version__}\n"
     done = call(python, "-m", "spragsym", "equilibria", "--theta0", "30", "--json")
     assert len(json.loads(done.stdout)["equilibria"]) == 4, done.stderr
-    done = call(python, "-m", "spragsym", "export", "--out", str(python.parent / "c"))
-    assert done.returncode == 0, done.stderr
-    assert (python.parent / "c/spragsym.c").is_file()
+    for language in ("c", "javascript", "matlab"):  # put together from what was generated, without SymPy
+        done = call(python, "-m", "spragsym", "export", "--language", language, "--out", str(python.parent / language))
+        assert done.returncode == 0, done.stderr
+    for name in ("c/spragsym.c", "javascript/spragsym.mjs", "matlab/+spragsym/kernel.m"):
+        assert (python.parent / name).is_file()
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.explore import explore
+from spragsym.derive.kang_nam.library import exported
 from spragsym.explorer import explorer_page
 from spragsym.models.parameters import NAMES
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
@@ -44,8 +45,9 @@ def test_the_page_is_whole_and_the_same_every_time() -> None:
     for name, version in bundled.items():
         assert re.search(rf"^{re.escape(f'{name} {version}')}, MIT$", page, re.MULTILINE)
     assert page.count("Permission is hereby granted") == len(bundled)
-    for module in ("spragsym.mjs", "kang_nam.mjs"):
-        assert (ROOT / "generated/javascript" / module).read_text(encoding="utf-8").strip() in page
+    module = (ROOT / "generated/models/kang_nam/kang_nam.mjs").read_text(encoding="utf-8")
+    for text in (module, exported("javascript")["spragsym.mjs"]):
+        assert text.strip() in page
 
 
 @pytest.mark.thorough

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from spragsym.derive.emit import language
-from spragsym.derive.kang_nam import bounds, emission
+from spragsym.derive.kang_nam import bounds, library
 from spragsym.derive.kang_nam.catalogue import equilibrium, stability
 from spragsym.generated import kernel as emitted
 from spragsym.kang_nam.quartic import kernel
@@ -97,4 +97,4 @@ def test_theta_is_off_by_four_units_at_most() -> None:
 
 
 def _kernel() -> language.Source:
-    return emission.kernel()
+    return library.kernel()

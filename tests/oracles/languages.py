@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import json
 import math
@@ -10,7 +11,7 @@ import subprocess
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 
 import spragsym as ss
 from benchmarks.timing import on_backend
+from spragsym.derive.kang_nam.library import exported
 from spragsym.models.parameters import NAMES
 from tests.oracles import c_target
 from tests.oracles.families import FAMILIES
@@ -31,7 +33,6 @@ STABILITY = ("none", "stable", "divergent", "flutter")
 #: Columns of results, in the order in which the MATLAB driver writes them.
 COLUMNS = ("theta", "L", "x", "y", "stability", "error")
 _RUNTIME = Path(str(resources.files("spragsym.derive"))) / "kang_nam" / "runtime"
-_GENERATED = Path(str(resources.files("spragsym.generated")))
 
 
 @dataclass(frozen=True)
@@ -44,11 +45,22 @@ class Found:
     nanoseconds: float  #: a point, without start-up and without reading and writing
 
 
+@cache
+def library(language: str) -> Path:
+    """A folder with the exported library, for as long as the process lives."""
+    folder = Path(tempfile.mkdtemp(prefix="spragsym-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    for name, text in exported(language).items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
 def answers(calls: Sequence[tuple[Any, ...]]) -> list[dict[str, Any]]:
     """What the JavaScript module returns for calls (name, arguments …): ``value``, or ``error`` and ``message`` where it throws."""
     text = json.dumps([{"name": name, "given": _encoded(given)} for name, *given in calls])
     driver = _RUNTIME / "javascript" / "tests" / "driver.mjs"
-    command = [str(NODE), str(driver), str(_GENERATED / "javascript" / "spragsym.mjs")]
+    command = [str(NODE), str(driver), str(library("javascript") / "spragsym.mjs")]
     done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=600, check=False)
     if done.returncode or done.stderr:
         raise RuntimeError(f"node failed: {done.stderr}")
@@ -110,7 +122,7 @@ def in_octave(p: ss.Parameters, contact: bool) -> Found:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         c_target.table(p).tofile(folder / "points")
-        printed = octave(folder, program, str(_GENERATED / "matlab"), "points", str(int(contact)), "answers")
+        printed = octave(folder, program, str(library("matlab")), "points", str(int(contact)), "answers")
         slots = 4 - contact
         table = np.fromfile(folder / "answers").reshape(-1, 2 + 6 * slots)
     columns = {name: np.full((len(table), 4), np.nan) for name in COLUMNS}

@@ -61,4 +61,3 @@ def _package(material: Material) -> str:
         f'"""Plain algebra, derived from first principles and checked against the article.\n\n{listed}\n\n{material.header}\n"""\n\n'
         f'#: SHA-256 over all files that were generated with this one.\nSOURCE_HASH = "{material.digest}"\n'
     )
-

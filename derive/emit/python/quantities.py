@@ -29,9 +29,7 @@ class Quantity(NamedTuple):
 '''
 
 
-def render(
-    quantities: Mapping[str, Quantity], parameters: tuple[str, ...], base_values: Mapping[str, float], header: str
-) -> str:
+def render(quantities: Mapping[str, Quantity], parameters: tuple[str, ...], base_values: Mapping[str, float], header: str) -> str:
     """``generated/quantities.py``."""
     entries = "".join(f"    {name!r}: {_entry(quantity)},\n" for name, quantity in quantities.items())
     base = "".join(f"    {name!r}: {value!r},\n" for name, value in base_values.items())

@@ -110,4 +110,3 @@ def _in_order(source: Source, routines: Iterable[Routine]) -> list[Routine]:
     for routine in routines:
         place(routine.name)
     return list(ordered.values())
-

@@ -111,4 +111,3 @@ def _ends(allowed: Interval, unit: str) -> str:
 
 def _number(value: float) -> str:
     return "pi" if value == math.pi else f"{value:g}".replace("inf", "Inf")
-

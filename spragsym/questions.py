@@ -30,7 +30,7 @@ Method: TypeAlias = Literal["auto", "closed", "search"]
 WAYS = ("auto", "closed", "search")
 #: Questions about a state that is followed: closed forms know the reference state, not one that ``p.following(…)`` chose.
 FOLLOWING = frozenset((
-    "quasi_static_path", "first_ends", "have_jumped", "certify", "safe_within", "critical_friction", "critical_value",
+    "first_ends", "have_jumped", "certify", "safe_within", "critical_friction",
 ))  # fmt: skip
 
 

@@ -100,7 +100,7 @@ def bifurcation_set(
     vary = model.two(vary)
     as_count("n", n, 2)
     spans, unsaid = ranges(model, vary, between or {}), endless(model, vary, between or {})
-    known = list(extrema(model, p, vary, between or {}, within))
+    known = list(extrema(p, vary, between or {}, within))
     balance = Balance(model, contact=True)
     given = given_column(p, balance.parameters, vary)
     more = np.concatenate([rows_of(balance, vary, points) for _, points in known], axis=1)

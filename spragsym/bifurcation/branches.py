@@ -31,7 +31,7 @@ from .points import given_column
 from .tubes.tube_regions import Parts
 from .tubes.tubes import Tubes
 
-#: Times a step is halved, and steps beyond which nothing more is hoped for; halvings for what is only drawn.
+#: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3
 #: Values of the parameter at the beginning and the end of a step.
 Step: TypeAlias = tuple[float, float]
@@ -47,28 +47,6 @@ class Along:
     at: FloatArray
     kinds: NDArray[Any]
 
-    def equilibria(self, values: FloatArray) -> Equilibria:
-        """All of them, at values of the parameter."""
-        return equilibria(self.p.replace(**{self.vary: values}), self.balance.contact)
-
-
-@question
-def linked(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None, *, method: Method = "auto") -> list[dict[int, int]]:
-    """:func:`links` between neighbours of the values at which equilibria are known, as far as a few halvings tell.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars; ``vary`` is not used.
-    eq : Equilibria
-        Along ``vary``.
-    turns : Points, optional
-        Folds along it; None in lift-off, where there are none.
-    """
-    at, kinds = (np.empty(0), np.empty(0, dtype=str)) if turns is None else (getattr(turns, vary), turns.kind)
-    along = Along(Balance(p.model, eq.contact), p, vary, at, kinds)
-    return links(along, np.asarray(getattr(eq.parameters, vary)), eq, DRAWN)
-
 
 @dataclass(frozen=True)
 class _States:
@@ -79,14 +57,22 @@ class _States:
     sides: FloatArray
 
 
-def links(
-    along: Along, stops: FloatArray, eq: Equilibria, most: int | None = None, only: int | None = None
-) -> list[dict[int, int]]:
-    """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one.
+@question
+def linked(
+    p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None, *, most: int = DRAWN, only: int | None = None,
+    method: Method = "auto",
+) -> list[dict[int, int]]:  # fmt: skip
+    """For each step between values of a parameter and each slot at its beginning, the slot at its end on the same branch, if any.
 
     Parameters
     ----------
-    most : int, optional
+    p : Parameters
+        Scalars; ``vary`` is not used.
+    eq : Equilibria
+        Along ``vary``.
+    turns : Points, optional
+        All points along it at which states vanish; None in lift-off, where there are none.
+    most : int
         Times that a step is halved at most; a step that is not known then has the pairs that tubes join, and no others.
     only : int, optional
         The one step that is asked for.
@@ -94,8 +80,11 @@ def links(
     Raises
     ------
     ConvergenceError
-        Where branches can't be told apart, without ``most``.
+        Where branches can't be told apart by :data:`HALVINGS`.
     """
+    at, kinds = (np.empty(0), np.empty(0, dtype=str)) if turns is None else (getattr(turns, vary), turns.kind)
+    along = Along(Balance(p.model, eq.contact), p, vary, at, kinds)
+    stops = np.asarray(getattr(eq.parameters, vary))
     turned = _turned(along, stops)
     states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
     steps = list(itertools.pairwise(map(float, stops)))[slice(only, None if only is None else only + 1)]
@@ -106,7 +95,7 @@ def links(
         known, complete = _by_tubes(along, pending, states)
         proved |= {step: known[step] for step in complete}
         failed = [step for step in pending if step not in proved]
-        if failed and most is not None and (halving >= most or len(failed) > MANY):
+        if failed and most < HALVINGS and (halving >= most or len(failed) > MANY):
             proved |= {step: known[step] for step in failed}
             failed = []
         if not failed:
@@ -116,15 +105,13 @@ def links(
         # Not in the middle, where the fold is.
         middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
         halved |= middles
-        between = along.equilibria(np.array(list(middles.values())))
+        between = equilibria(p.replace(**{vary: np.array(list(middles.values()))}), eq.contact)
         states |= {middle: _states(along, between, k, turned) for k, middle in enumerate(middles.values())}
         pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
     if not steps:
         return []
     why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
-    raise ConvergenceError(
-        f"branches between {along.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart{why}"
-    )
+    raise ConvergenceError(f"branches between {vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart{why}")
 
 
 def _turned(along: Along, stops: FloatArray) -> list[int]:

@@ -19,16 +19,15 @@ from ..results.lowest_ends import LowestEnd
 from ..results.points import Points
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.forces import Model
 from ..statics.reference_state import reference_state
 from ..statics.remarks import of_ranges
 from .bifurcation_conditions import Touch, TouchTurn
 from .cusps import cusps
 from .escapes import INFINITY, escapes
-from .fold_extrema import extrema, isolated
+from .fold_extrema import extrema
 from .folds import folds
-from .paths import OVER_BORDER, ModelEnd, first_end
-from .points import endless, given_column, ranges
+from .paths import ModelEnd, first_end
+from .points import OVER_BORDER, endless, given_column, isolated, ranges
 from .tubes.tubes import carried
 
 #: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
@@ -110,7 +109,7 @@ def critical_friction(
     if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
     between = between or {}
-    search_of = _Search(model, p, vary, over, np.array(ranges(model, (over, vary), between)))
+    search_of = _Search(p, vary, over, ranges(model, (over, vary), between))
     unsaid = endless(model, (over, vary), between)
     try:
         found, open_from, remarks = search_of.lowest()
@@ -261,9 +260,9 @@ def critical_value(
 class _Search:
     """Candidates, and what becomes of the state at each of them."""
 
-    def __init__(self, model: Model, p: Any, vary: str, over: str, spans: Any) -> None:
-        self.model, self.p, self.vary, self.over = model, p, vary, over
-        self.balance = Balance(model, contact=True)
+    def __init__(self, p: Any, vary: str, over: str, spans: FloatArray) -> None:
+        self.p, self.vary, self.over = p, vary, over
+        self.balance = Balance(p.model, contact=True)
         for span, name in zip(spans, (over, vary), strict=True):
             span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]
         self.spans = spans
@@ -314,7 +313,7 @@ class _Search:
         """Extrema and ends of curves of folds, and the same of the border, if the model has one."""
         both = (self.over, self.vary)
         whole = True
-        for kind, points in extrema(self.model, self.p, both, dict(zip(both, map(tuple, self.spans.tolist()), strict=True))):
+        for kind, points in extrema(self.p, both, dict(zip(both, map(tuple, self.spans.tolist()), strict=True))):
             whole &= points.whole and bool(np.isfinite(points.region).all())
             yield kind, points
         if not whole:
@@ -322,10 +321,11 @@ class _Search:
             for end in self.spans[0]:
                 yield INFINITY, escapes(self.balance, self.p.replace(**{self.over: float(end)}), (self.vary,), self.spans[1:])
         if self.balance.opens:
-            beyond = Balance(self.model, contact=True, room=OVER_BORDER)
-            yield "border", isolated(beyond, self.p, TouchTurn(), both, self.spans)
+            beyond = Balance(self.p.model, contact=True, room=OVER_BORDER)
+            yield "border", isolated(beyond, self.p, TouchTurn(), both, self.spans, "border")
             for end in self.spans[0]:
-                yield "border", isolated(beyond, self.p.replace(**{self.over: float(end)}), Touch(), (self.vary,), self.spans[1:])
+                here = self.p.replace(**{self.over: float(end)})
+                yield "border", isolated(beyond, here, Touch(), (self.vary,), self.spans[1:], "border")
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""
@@ -336,7 +336,7 @@ class _Search:
             raise ConvergenceError(
                 f"no state at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
             )
-        slot = reference_state(self.model, eq, self.p.followed)
+        slot = reference_state(self.p.model, eq, self.p.followed)
         first = np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
         way = self.carried(here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))

@@ -9,33 +9,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
-from ..numerics.interval_arrays import FloatArray
 from ..progress import doing
 from ..results.points import Points
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.forces import Model
-from ..statics.regions import by_hand
 from .bifurcation_conditions import FoldOnBorder, Turn
 from .cusps import cusps
-from .defining_systems import Condition
 from .folds import folds
-from .paths import OVER_BORDER
-from .points import arranged, given_column, ranges, search
+from .points import OVER_BORDER, isolated, ranges
 
 
 def extrema(
-    model: Model, p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]],
+    p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]],
     within: Mapping[str, tuple[float, float]] | None = None,
 ) -> Iterator[tuple[str, Points]]:  # fmt: skip
     """Where curves of folds have extreme values of the second parameter or end, by kind, each proved.
 
     Parameters
     ----------
-    model : Model
     p : Parameters
-        Of the model, scalars; those that vary are not used.
+        Scalars; those that vary are not used.
     vary : pair of str
         Two parameters.
     between : mapping
@@ -50,28 +42,18 @@ def extrema(
         end of the range of v; and ``"border"``, where folds leave a contact that opens.
     """
     over, along = vary
-    spans, rest = ranges(model, vary, between), {name: ends for name, ends in between.items() if name != over}
+    spans, rest = ranges(p.model, vary, between), {name: ends for name, ends in between.items() if name != over}
     with doing("cusps over {} and {}", *vary):
         found = cusps(p, vary, between=between, within=within)
     yield "cusp", found
-    balance = Balance(model, contact=True)
+    balance = Balance(p.model, contact=True)
     # Where no state depends on one of the two, curves are straight along it.
     bends = set(vary) <= set(balance.balanced)
     if bends:
-        yield "turn", isolated(balance, p, Turn(), vary, spans, within)
+        yield "turn", isolated(balance, p, Turn(), vary, spans, "turn", within)
     for end in spans[0]:
         value = p.ranges[over].reached(float(end), float(spans[0, 1] - spans[0, 0]))
         yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
     if balance.opens and bends:
-        yield "border", isolated(Balance(model, contact=True, room=OVER_BORDER), p, FoldOnBorder(), vary, spans, within)
-
-
-def isolated(
-    balance: Balance, p: Any, condition: Condition, vary: Sequence[str], spans: FloatArray,
-    within: Mapping[str, tuple[float, float]] | None = None,
-) -> Points:  # fmt: skip
-    """Points of one condition along one parameter or in the plane of two."""
-    given = given_column(p, balance.parameters, vary)
-    with doing("extrema and ends of curves over {}", " and ".join(vary)):
-        found = search(balance, vary, condition, given, spans, asked=by_hand(balance.coordinates, within))
-    return arranged(balance, p, vary, given, found, np.full(found.roots.point.size, "candidate"))
+        beyond = Balance(p.model, contact=True, room=OVER_BORDER)
+        yield "border", isolated(beyond, p, FoldOnBorder(), vary, spans, "border", within)

@@ -7,7 +7,7 @@ only to the state that is proved to lie on the same branch: see :mod:`spragsym.b
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -25,25 +25,24 @@ from ..results.points import Points
 from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.forces import Model
 from ..statics.reference_state import chosen_state
 from ..statics.search import columns
 from ..statics.stability import with_a_zero
 from .bifurcation_conditions import Touch
-from .branches import Along, links
+from .branches import HALVINGS, linked
 from .escapes import INFINITY, escapes
 from .folds import folds
-from .points import arranged, given_column, search
+from .points import OVER_BORDER, given_column, isolated
 from .tubes.tube_regions import Parts, Place
 from .tubes.tubes import Tubes
 from .tubes.turning_points import turned
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
 BESIDE = 1e-3
+#: An error of a fold that is no more than rounding: other floats than its own are on one side of it.
+ROUNDED = 2.0**-52
 #: How far beyond its ends a range is searched, over the larger of 1 and the end, where as much as that is not decided.
 AROUND = 1e-6
-#: How far beyond the border of the contact states on it are looked for.
-OVER_BORDER = 1e-3
 #: How near to a fold the place lies at which a tube turns, over the size of its coordinates.
 MATCH = 1e-6
 #: Of two folds that are stops themselves the one this much nearer, over the distance of the other, is that of a state there.
@@ -60,8 +59,6 @@ class ModelEnd(Result):
     error: float  #: bound on the error of ``value``
 
 
-#: Stability that nobody asks for.
-NONE = np.zeros(2, dtype=np.int8)
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
 Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
@@ -86,8 +83,8 @@ def quasi_static_path(
         that ``p.following(…)`` chose; the stable equilibrium of largest first coordinate, by size; or a slot of
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
-        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the stable one that is nearest.
-        Whether the motion settles there or on a limit cycle, :func:`spragsym.simulate` tells.
+        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the stable one that is nearest, or
+        the only one that is left. Whether the motion settles there or on a limit cycle, :func:`spragsym.simulate` tells.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one for these arguments, the closed form only, or the search.
 
@@ -107,7 +104,7 @@ def quasi_static_path(
     Source: article, Figures 6 and 13; all folds along the parameter, see :func:`spragsym.folds`, and which states lie on one
     branch, see :mod:`spragsym.bifurcation.branches`.
 
-    A value that lies within the ``error`` of a fold of ``folds``
+    A value that lies within the ``error`` of a fold of ``folds``, or is its float where that error is no more than rounding,
     counts as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the
     first value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then
     the path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria become one that is stable
@@ -126,7 +123,7 @@ def quasi_static_path(
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
     if along.ndim != 1 or not along.size or not ((steps > 0).all() or (steps < 0).all()):
         raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
-    way = _Way(p.model, p, vary, along)
+    way = _Way(p, vary, along)
     place = way.begin(start)
     out = [way.state(0, place)]
     jumps = []
@@ -145,14 +142,30 @@ def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str 
 
     Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it is not asked.
     """
-    way = _Way(p.model, p, vary, np.array(span))
+    way = _Way(p, vary, np.array(span))
     place = way.begin(start)
     for stop in range(1, way.stops.size):
         following = way.followed(stop, place)
         if following is None:
-            return way.end(stop, place)
+            return way.end(way.ending(stop, place))
         place = following
     return None
+
+
+@question
+def open_ends(
+    p: ParameterSet, vary: str, span: tuple[float, float], turns: Points, *, method: Method = "auto"
+) -> list[Points]:  # fmt: skip
+    """Where states leave the contact or come into it, and where they run to infinity, if they do, beside the folds ``turns``."""
+    balance, found = Balance(p.model, contact=True), list[Points]()
+    if balance.opens:
+        beyond = Balance(p.model, contact=True, room=OVER_BORDER)
+        found = [isolated(beyond, p, Touch(), (vary,), np.array([span]), "border")]
+        if not found[0].decided:
+            raise ConvergenceError(f"whether equilibria leave the contact along {vary} is not decided; shorten the range")
+    if not (turns.whole and np.isfinite(turns.region).all()):  # states run to infinity only where nothing bounds them
+        found.append(escapes(balance, p, (vary,), np.array([span])))
+    return found
 
 
 class _Way:
@@ -161,26 +174,23 @@ class _Way:
     A place is a slot of the equilibria at a stop, or ``~number`` for the state in which two meet at a fold that is a stop itself.
     """
 
-    def __init__(self, model: Model, p: Any, vary: str, along: FloatArray) -> None:
-        self.model, self.vary, self.balance = model, vary, Balance(model, contact=True)
-        self.p = p
+    def __init__(self, p: Any, vary: str, along: FloatArray) -> None:
+        self.p, self.model, self.vary, self.balance = p, p.model, vary, Balance(p.model, contact=True)
         try:
             self.ends = self._ends(along, BESIDE)
         except ConvergenceError:  # of what lies beyond the values nothing is asked
             self.ends = self._ends(along, AROUND)
-        at = self._snapped(along)
-        self.within = (at >= along.min()) & (at <= along.max())
-        self.at, self.kinds = at[self.within], self._column("kind")
+        self.turns = self._turns_within(along)
+        self.at, self.kinds = getattr(self.turns, vary), self.turns.kind
         self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
         self.stops, self.wanted = self._stops(along)
         self.eq = self._with_meetings(equilibria(p.replace(**{vary: self.stops})))
         if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
-        self.along = Along(self.balance, p, vary, self.at, self.kinds)
         self.every: dict[int, dict[int, int]] = {}
         self.turnings: dict[tuple[int, int, int], int | None] = {}
-        self.joined = links(self.along, self.stops, self.eq, most=0)
+        self.joined = linked(p, vary, self.eq, self.turns, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
         """The same; at values at which states meet, and which digits don't decide, with what is known of those.
@@ -216,16 +226,10 @@ class _Way:
                 f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all decided; ss.folds lists the boxes, "
                 "and a path needs a range without them"
             )
-        # States run to infinity only where nothing bounds them.
-        far = (
-            []
-            if found.whole and np.isfinite(found.region).all()
-            else [escapes(self.balance, self.p, (self.vary,), np.array([[low, high]]))]
-        )
-        return [found, *self._touches((low, high)), *far]
+        return [found, *open_ends(self.p, self.vary, (low, high), found)]
 
-    def _snapped(self, along: FloatArray) -> FloatArray:
-        """Where states vanish: one value for those that coincide within their errors, and the value asked for that lies there.
+    def _turns_within(self, along: FloatArray) -> Points:
+        """Where states vanish on the way: one value for those that coincide within their errors, and the value asked for there.
 
         Twins by a mirror coincide, and each search rounds in its own way.
         """
@@ -235,7 +239,12 @@ class _Way:
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
         near = off.argmin(axis=1)
-        return np.where(off[np.arange(at.size), near] <= error, along[near], at)
+        at = np.where(off[np.arange(at.size), near] <= np.where(error <= ROUNDED, 0.0, error), along[near], at)
+        first, *others = self.ends
+        names = self.balance.coordinates if others else first.columns
+        values = {name: self._every(name) for name in names} | {self.vary: at}
+        every = replace(first, kind=self._every("kind"), error=error, _values=values, _ended=None if others else first._ended)
+        return every.select((at >= along.min()) & (at <= along.max()))
 
     def _every(self, name: str) -> NDArray[Any]:
         """A column of all points at which states vanish."""
@@ -243,20 +252,8 @@ class _Way:
 
     def _column(self, name: str) -> NDArray[Any]:
         """The same of those on the way."""
-        column: NDArray[Any] = self._every(name)[self.within]
+        column: NDArray[Any] = getattr(self.turns, name)
         return column
-
-    def _touches(self, span: tuple[float, float]) -> list[Points]:
-        """Where an equilibrium gets into contact or out of it."""
-        if not self.balance.opens:
-            return []
-        beyond = Balance(self.model, contact=True, room=OVER_BORDER)
-        given = given_column(self.p, beyond.parameters, (self.vary,))
-        found = search(beyond, (self.vary,), Touch(), given, np.array([span]))
-        points = arranged(beyond, self.p, (self.vary,), given, found, np.full(found.roots.point.size, "border"))
-        if not points.decided:
-            raise ConvergenceError(f"whether equilibria leave the contact along {self.vary} is not decided; shorten the range")
-        return [points]
 
     def _stops(self, along: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
         """The values in their order, with a stop on each side of each fold."""
@@ -266,7 +263,8 @@ class _Way:
             room = min(BESIDE * max(1.0, abs(fold)), 0.25 * float(others[others > 0].min(initial=np.inf)))
             beside += [fold - room, fold + room]
         low, high = along.min(), along.max()
-        extra = np.array([value for value in beside if low < value < high])
+        known = {*along.tolist(), *self.at.tolist()}  # between floats next to each other there is no other
+        extra = np.array([value for value in beside if low < value < high and value not in known])
         stops = np.concatenate([along, extra])
         wanted = np.concatenate([np.ones(along.size, dtype=np.bool_), np.zeros(extra.size, dtype=np.bool_)])
         order = np.argsort(stops)
@@ -322,7 +320,7 @@ class _Way:
         several = self._candidates(stop - 1, stop).size > 1
         if not (several and self._turns(stop - 1, place, stop) is not None) and place in self._links(stop - 1):
             return self._links(stop - 1)[place]
-        number = self._ending(stop, place)
+        number = self.ending(stop, place)
         return ~number if number in self._met(stop) else None
 
     def _begun(self, stop: int, number: int) -> int | None:
@@ -380,7 +378,7 @@ class _Way:
         """Coordinates of points at which states vanish, shape (n, numbers)."""
         return np.array([self._column(name)[numbers] for name in self.balance.coordinates])
 
-    def _ending(self, stop: int, place: int) -> int:
+    def ending(self, stop: int, place: int) -> int:
         """The number of the point at which a state vanishes on its way to a stop from a place at the one before."""
         here = self._candidates(stop - 1, stop)
         if place < 0 or here.size == 1:
@@ -407,7 +405,7 @@ class _Way:
     def _links(self, step: int) -> dict[int, int]:
         """All pairs of slots of a step on one branch, not only those that tubes join at once."""
         if step not in self.every:
-            (self.every[step],) = links(self.along, self.stops, self.eq, only=step)
+            (self.every[step],) = linked(self.p, self.vary, self.eq, self.turns, most=HALVINGS, only=step)
         return self.every[step]
 
     def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
@@ -421,7 +419,8 @@ class _Way:
 
     def jump(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
-        end = self.end(stop, place)
+        number = self.ending(stop, place)
+        end = self.end(number)
         before = end.before
         eq = equilibria(self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
@@ -432,7 +431,7 @@ class _Way:
         if choose is None and end.kind == INFINITY:
             raise ConvergenceError(f"{ends}, from where no state is the nearest: say in Python by after_jump where it goes")
         if choose is None:
-            stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
+            stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE or (count == 1 and eq.whole)]
             if not stable:
                 raise ConvergenceError(
                     f"{ends}, and nothing stable in contact is left there: end the path before it, or say in Python by "
@@ -448,10 +447,11 @@ class _Way:
         behind = np.array([float(eq.coordinates[name][slot]) for name in before])
         after = dict(zip(before, self._at_end(end, behind), strict=True))
         kind = Stability(int(eq.stability[slot]))
-        places = [np.array([before[name], after[name]]) for name in before]
-        at = one_each(self.p.replace(**{self.vary: [end.value] * 2}), dict(zip(before, places, strict=True)), NONE, end.error)
-        both = [{name: float(getattr(at, name)[row, 0]) for name in at.columns} for row in range(2)]
-        return self._slot(stop, behind), Jump(end.value, end.kind, both[0], both[1], kind, end.error)
+        places = {name: np.array([value]) for name, value in after.items()}
+        at = one_each(self.p.replace(**{self.vary: [end.value]}), places, np.zeros(1, dtype=np.int8), end.error)
+        whole = {name: float(self._column(name)[number]) for name in at.columns}
+        after = {name: float(getattr(at, name)[0, 0]) for name in at.columns}
+        return self._slot(stop, behind), Jump(end.value, end.kind, whole, after, kind, end.error)
 
     def _slot(self, stop: int, state: FloatArray) -> int:
         """The slot at a stop of a state: another search may list those in another order whose first coordinates are alike."""
@@ -468,9 +468,8 @@ class _Way:
         nearest = np.linalg.norm(states - behind[:, None], axis=0).argmin()
         return [float(value) for value in states[:, nearest]]
 
-    def end(self, stop: int, place: int) -> ModelEnd:
-        """The same, as a result."""
-        number = self._ending(stop, place)
+    def end(self, number: int) -> ModelEnd:
+        """A point at which states vanish, as a result."""
         before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
         error, kind = float(self._column("error")[number]), str(self._column("kind")[number])
         kind = INFINITY if self.far[number] else kind

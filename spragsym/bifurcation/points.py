@@ -17,13 +17,14 @@ from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.jets import Jet, variables
+from ..progress import doing
 from ..results.points import Points
 from ..statics.foremost import in_order
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.forces import Model
 from ..statics.mechanics.periodic_coordinates import once_around
-from ..statics.regions import region
+from ..statics.regions import by_hand, region
 from ..statics.remarks import of_boxes, of_ranges, of_region
 from . import near_zero
 from .defining_systems import Augmented, Condition
@@ -36,6 +37,8 @@ BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
 MANY = 200
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
 FAR = 10.0
+#: How far beyond the border of the contact states on it are looked for.
+OVER_BORDER = 1e-3
 
 
 @dataclass(frozen=True)
@@ -234,3 +237,14 @@ def arranged(
     return Points(
         p, tuple(vary), kind[order], found.roots.error[order], box, bool(found.whole.all()), endless, boxes_left, remarks, values
     )
+
+
+def isolated(
+    balance: Balance, p: Any, condition: Condition, vary: Sequence[str], spans: FloatArray, kind: str,
+    within: Mapping[str, tuple[float, float]] | None = None,
+) -> Points:  # fmt: skip
+    """Points of one condition along one parameter or in the plane of two."""
+    given = given_column(p, balance.parameters, vary)
+    with doing("points of the kind {} over {}", kind, " and ".join(vary)):
+        found = search(balance, vary, condition, given, spans, asked=by_hand(balance.coordinates, within))
+    return arranged(balance, p, vary, given, found, np.full(found.roots.point.size, kind))

@@ -84,7 +84,7 @@ def branches(
     Notes
     -----
     Folds and onsets are solved for; between them equilibria are solved for at each point, and belong together where a tube joins
-    them, see :func:`spragsym.bifurcation.branches.links`. Where a curve leaves the contact it ends at the last of these
+    them, see :func:`spragsym.bifurcation.branches.linked`. Where a curve leaves the contact it ends at the last of these
     points.
     """
     model = p.model

@@ -51,8 +51,9 @@ def test_an_angle_after_a_turn_is_the_same_state() -> None:
     """States are listed within one turn, and a state that is followed may leave it."""
     rod = ss.load("sprag_rod")
     stops, nothing = np.array([0.5, 0.6]), np.empty(0)
-    along = Along(Balance(rod, contact=True), rod.Parameters(theta0=0.5), "theta0", nothing, nothing.astype(str))
-    eq = along.equilibria(stops)
+    p = rod.Parameters(theta0=0.5)
+    along = Along(Balance(rod, contact=True), p, "theta0", nothing, nothing.astype(str))
+    eq = ss.equilibria(p.replace(theta0=stops))
     begin, end = (_states(along, eq, stop) for stop in (0, 1))
     later = replace(end, q=end.q + 2 * np.pi)
     known, complete = _by_tubes(along, [(0.5, 0.6)], {0.5: begin, 0.6: later})

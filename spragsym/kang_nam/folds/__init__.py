@@ -7,7 +7,6 @@ from .flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
 from .fold_points import folds
 from .linear import LinearSprag, linear_critical_friction, linear_sprag
 from .lowest_fold import critical_friction
-from .paths import quasi_static_path
 from .sliding import sliding_friction
 
 __all__ = [
@@ -22,7 +21,6 @@ __all__ = [
     "folds",
     "linear_critical_friction",
     "linear_sprag",
-    "quasi_static_path",
     "sliding_friction",
     "surface",
 ]

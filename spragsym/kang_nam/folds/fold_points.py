@@ -28,19 +28,17 @@ STATE = ("theta", "L", "x", "y")
 
 @dataclass(frozen=True)
 class Turn:
-    """One row of :func:`folds`, and what :mod:`spragsym.kang_nam.folds.paths` has to know of it, proved.
+    """One row of :func:`folds`, and what is proved of it.
 
     ``side`` is 1 where there are three equilibria above its value and one below, −1 for the reverse, 0 if their number stays;
-    ``upper`` says that those that meet are the upper two of three in θ; ``rounded`` is −1 where the float of its value
-    lies below the true one and 1 where it lies above: with all other parameters rational they are never equal (Lindemann).
-    ``after`` is θ, L, x and y of the equilibrium that is left, NaN where there is none.
+    ``upper`` says that those that meet are the upper two of three in θ; ``after`` is θ, L, x and y of the equilibrium that is
+    left, NaN where there is none.
     """
 
     values: tuple[float, ...]
     kind: str
     side: int
     upper: bool
-    rounded: int
     after: tuple[float, ...] = (math.nan,) * 4
 
 
@@ -129,10 +127,9 @@ def _turn(arith: Arithmetic, fold: fold_proofs.Fold, place: int) -> Turn:
         after, error = as_floats(arith, fold.after)
         values = (*values[:-1], max(values[-1], error))
     low, high = arith.ends(fold.point.parameters[place])
-    rounded = 1 if high < values[place] else -1 if low > values[place] else 0
-    if rounded == 0 or high - low > abs(low) / 10**25:
-        raise Undecided("a fold and the float next to it")
-    return Turn(values, fold.kind, fold.side, fold.upper, rounded, tuple(after))
+    if high - low > abs(low) / 10**25:
+        raise Undecided("a fold to 25 digits")
+    return Turn(values, fold.kind, fold.side, fold.upper, tuple(after))
 
 
 def _mirrored(turn: Turn, vary: str) -> Turn:
@@ -141,4 +138,4 @@ def _mirrored(turn: Turn, vary: str) -> Turn:
     values = (math.pi - theta0, -mu0, kappa, alpha, sigma, beta, math.pi - theta, L, -x, y, error)
     after = (math.pi - turn.after[0], turn.after[1], -turn.after[2], turn.after[3])
     side = -turn.side if vary == "theta0" else turn.side
-    return Turn(values, turn.kind, side, not turn.upper, turn.rounded, after)
+    return Turn(values, turn.kind, side, not turn.upper, after)

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...bifurcation.paths import first_end
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import NAMES, FloatArray, Parameters
 from ...numerics.affine import Affine
 from ...results.equilibria import Stability
-from ..folds.paths import quasi_static_path
 from ..quartic import kernel
 from ..quartic.solver import count, equilibria
 from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
@@ -252,7 +252,7 @@ def _jumps(boxes: Boxes) -> Parameters | None:
     for values, jumps in ((middle, found.value), (corner, in_corner.value)):
         for i in np.flatnonzero(jumps < values["mu0"] * (1 - 1e-11))[:1]:
             point = _point(values, int(i))
-            if quasi_static_path(point, "mu0", [0.0, float(point.mu0)]).jumps:
+            if first_end(point, "mu0", (0.0, float(point.mu0))) is not None:
                 return point
     return None
 

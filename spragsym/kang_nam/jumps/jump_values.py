@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...bifurcation.paths import first_end
 from ...design.jump_ends import Ends
 from ...design.values import FIRST_ANGLE, FROM_LOWER_END
 from ...errors import ConvergenceError, ParameterError
@@ -25,7 +26,6 @@ from ...results.equilibria import Equilibria, Stability
 from ..folds import fold_arrays
 from ..folds.fold_digits import sharpened
 from ..folds.fold_points import turns
-from ..folds.paths import quasi_static_path
 from ..quartic import kernel
 from ..quartic.solver import equilibria
 
@@ -197,12 +197,13 @@ def _with_more_digits(
 
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
-    found = [turn.values[NAMES.index(vary)] for turn in turns(p, vary)]
+    found = turns(p, vary)
+    values = [turn.values[NAMES.index(vary)] for turn in found]
     if vary == "theta0":
-        start = min([FIRST_ANGLE, *(value / 2 for value in found)])
+        start = min([FIRST_ANGLE, *(value / 2 for value in values)])
     else:
         start = FROM_LOWER_END[vary] if vary in FROM_LOWER_END else float(getattr(p, vary))
-    ahead = [value for value in found if forward * (value - start) >= 0]
+    ahead = [value for value in values if forward * (value - start) >= 0]
     if not ahead:
         return math.nan, math.nan
     if forward > 0:
@@ -210,6 +211,8 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
         end = 2 * max(ahead) + 1 if math.isinf(high) else (max(ahead) + high) / 2
     else:
         end = min(ahead) / 2
-    path = quasi_static_path(p, vary, [start, end])
-    jump = next(iter(path.jumps), None)
-    return (jump.value, jump.before["theta"]) if jump else (math.nan, math.nan)
+    jump = first_end(p, vary, (start, end))
+    if jump is None:
+        return math.nan, math.nan
+    value, fold = min(zip(values, found, strict=True), key=lambda one: abs(one[0] - jump.value))
+    return value, fold.values[6]

@@ -14,9 +14,8 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.report.jump_verdicts import jumping
 from spragsym.report.redesigns import changes
-from spragsym.report.tolerances import varied
+from spragsym.report.tolerances import jumping, varied
 
 CASES = 300
 #: A proposition → what follows from it; both with their truth values.

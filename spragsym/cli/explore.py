@@ -127,9 +127,7 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     if study is None:
         _, first = model.cases()[0]
         return explorer_page(model, derived=_derived(model), onsets=_map(model, first, None, onsets))
-    from ..report.brake_quantities import dimensionless
-
-    point, _ = dimensionless(study.model, study.values)
+    point = study.kind.parameter_set(study.values)
     preset = Preset.of(f"Your data: {study.source}", point)
     drawn = _map(model, point, study, onsets)
     return explorer_page(model, [preset], derived=_derived(model), units=_units(study), onsets=drawn)
@@ -169,20 +167,17 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
 
 def _units(study: Study) -> Units:
     """The units of the user's file."""
-    from ..models import load
-    from ..report.brake_quantities import scale_of
     from ..report.units import factor
 
-    about = load(study.model).about
-    bases = {entry["name"]: (study.quantities[entry["name"]].value, entry["unit"]) for entry in about["units"]}
-    length = next((study.quantities[entry["name"]].unit for entry in about["units"] if entry["unit"] == "m"), "m")
+    kind = study.kind
+    length = next((study.quantities[name].unit for name, unit in kind.bases.items() if unit == "m"), "m")
     parameters: dict[str, Any] = {}
-    for entry in about["parameters"]:
-        quantity = entry["quantity"]
-        if quantity in study.quantities and entry["quantity_unit"] not in ("rad", "1"):
-            one = study.in_file(quantity, scale_of(entry["quantity_unit"], bases))
-            parameters[entry["name"]] = quantity, one, study.quantities[quantity].unit or entry["quantity_unit"]
-    fixed = ", ".join(f"{name} = {study.shown(name, value)}" for name, (value, _) in bases.items())
+    for quantity, name in kind.parameters.items():
+        unit = kind.units[quantity]
+        if quantity in study.quantities and unit not in ("rad", "1"):
+            one = study.in_file(quantity, study.scale(unit))
+            parameters[name] = quantity, one, study.quantities[quantity].unit or unit
+    fixed = ", ".join(f"{name} = {study.shown(name)}" for name in kind.bases)
     return Units(
         f"those of {study.source}, at its {fixed}.",
         (study.scales.length / factor(length, "m"), length or "m"),

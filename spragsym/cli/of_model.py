@@ -188,17 +188,16 @@ class OfModel(click.Command):
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them."""
-        from ..report import brake_quantities
+        from ..report.quantities import share
 
-        model, moves = load(study.model), study.moves
-        p, _ = brake_quantities.dimensionless(study.model, study.values)
+        model, moves, p = study.kind.model, study.moves, study.kind.parameter_set(study.values)
         if not self.statics and not moves:
             raise ParameterError(
                 f'--data {study.source}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
             )
         if self.statics and moves and "mu0" in model.parameters:
-            p = p.replace(mu0=p.mu0 * brake_quantities.share(model, p))
-        given = {entry["name"] for entry in model.about["parameters"] if entry["quantity"] in study.quantities}
+            p = p.replace(mu0=p.mu0 * share(model, p))
+        given = {name for quantity, name in study.kind.parameters.items() if quantity in study.quantities}
         values = {name: float(getattr(p, name)) for name in given}
         return {name: str(degrees(value) if name in model.about["angles"] else value) for name, value in values.items()}
 

@@ -48,7 +48,7 @@ def report(
     if example:
         from ..models import load
         from ..models.load import USUAL
-        from ..report.examples import example as text_of
+        from ..report.brake_files import example as text_of
 
         click.echo(text_of(load(model or USUAL)), nl=False)
         return

@@ -2,64 +2,37 @@
 
 from __future__ import annotations
 
+import json
+import math
 import os
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from ..design.dependence import Correlation, dependence
 from ..errors import ParameterError, SpragsymError
 from ..files.text import text_of
+from ..models import Model
 from ..models.load import USUAL, shipped
 from ..models.parameters import FINITE, Range
 from ..names import hint
-from . import brake_quantities
-from .measured_tables import read_friction
-from .measurements import FrictionFit, fit_friction
-from .rises import Rise, rise_of
+from .friction_tables import FrictionFit, fit_friction, read_friction
+from .quantities import Quantities, quantities
+from .study import Rise, Study, rise_of
 from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
+#: What one of a unit of measure is in the file to begin with, by its unit in SI.
+_SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038}
+#: Keys of a file that are no quantities.
+_KEYS = ("friction", "correlation", "model", "vary", "begin", "state")
 
 
-@dataclass(frozen=True)
-class BrakeFile:
-    """What stands in a file: quantities, model, the fit of a measured friction law, what varies together, and what rises."""
-
-    path: str
-    model: str
-    quantities: Mapping[str, Measured]
-    fit: FrictionFit | None = None
-    correlation: Correlation = field(default_factory=dict)
-    rise: Rise | None = None
-    state: Mapping[str, float] = field(default_factory=dict)  #: coordinates in SI near which the followed state begins
-
-
-class _Lines:
-    """The text of a file, to say on which line a key stands."""
-
-    def __init__(self, path: str, text: str) -> None:
-        self.path, self.lines = path, text.splitlines()
-
-    def of(self, key: str) -> str:
-        pattern = re.compile(rf"""\s*(?:brake\s*\.\s*)?["']?{re.escape(key)}["']?\s*=""")
-        for number, line in enumerate(self.lines, 1):
-            if pattern.match(line):
-                return f"{self.path}, line {number}"
-        return self.path
-
-    def table(self, name: str) -> str:
-        for number, line in enumerate(self.lines, 1):
-            if re.match(rf"""\s*\[\s*["']?{re.escape(name)}["']?\s*\]""", line):
-                return f"{self.path}, line {number}"
-        return self.path
-
-
-def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> BrakeFile:
+def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Study:
     """The data of a brake.
 
     Parameters
@@ -77,59 +50,7 @@ def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Brake
     ParameterError
         For every mistake: it names the file, the line, the key, the value and what to write.
     """
-    name = os.fspath(path)
-    text = text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")
-    lines = _Lines(name, text)
-    table = _table(text, lines)
-    model = _model(table, lines, trust)
-    units = brake_quantities.quantity_units(model)
-    measured, together, rising = table.pop("friction", None), table.pop("correlation", None), table.pop("vary", None)
-    begin, chosen = table.pop("begin", None), table.pop("state", {})
-    _check_names(table, units, model, lines)
-    ranges = brake_quantities.ranges(model)
-    found = {key: _quantity(key, table[key], units[key], ranges[key], lines) for key in units if key in table}
-    fit = None
-    if measured is not None:
-        found, fit = _with_friction(measured, found, units, Path(path), lines)
-    _check_complete(found, units, model, lines)
-    rise = _rise(rising, begin, model, found, lines)
-    return BrakeFile(name, model, found, fit, _correlation(together, found, fit, lines), rise, _state(chosen, model, lines))
-
-
-def _table(text: str, lines: _Lines) -> dict[str, Any]:
-    try:
-        content = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # TOML that is none, and numbers that are too long
-        raise ParameterError(_syntax(str(error), lines)) from error
-    if "brake" not in content:
-        other = next(iter(content), None)
-        where = lines.path if other is None else lines.table(other) if isinstance(content[other], dict) else lines.of(other)
-        what = f"the table [{other}] is" if isinstance(content.get(str(other)), dict) else f"the key {other!r} stands"
-        remark = f"{lines.path} is empty: " if other is None else f"{where}: {what} there, but "
-        raise ParameterError(f"{remark}[brake] is missing; begin with a line [brake]{hint(str(other), ['brake'])}")
-    table = content["brake"]
-    if not isinstance(table, dict):
-        raise ParameterError(f"{lines.of('brake')}: brake = {table!r} is no table; begin with a line [brake]")
-    for other in content:
-        if other != "brake":
-            where = lines.table(other) if isinstance(content[other], dict) else lines.of(other)
-            raise ParameterError(f"{where}: {other!r} does not belong here; all keys go below [brake], and nothing else is read")
-    return dict(table)
-
-
-def _syntax(message: str, lines: _Lines) -> str:
-    """What tomllib says, with the line before it and how a line is written."""
-    found = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", message)
-    number = int(found[1]) if found and found[1] else len(lines.lines)
-    line = lines.lines[number - 1].strip() if 0 < number <= len(lines.lines) else ""
-    said = message[: found.start()] if found else message
-    key = line.partition("=")[0].strip()
-    if "overwrite" in message:
-        remedy = f"{key} is there twice; keep one of the two"
-    else:
-        example = example_of(key, brake_quantities.quantity_units(USUAL).get(key, "kg"))
-        remedy = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
-    return f"{lines.path}, line {number}: {line!r} is not TOML ({said[:1].lower()}{said[1:]}); {remedy}"
+    return _Reader(os.fspath(path), text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")).read(trust)
 
 
 def example_of(key: str, unit: str) -> str:
@@ -137,64 +58,164 @@ def example_of(key: str, unit: str) -> str:
     return _EXAMPLES.get(key) or EXAMPLES.get(unit, (f"1 {unit}",))[0]
 
 
-def _model(table: dict[str, Any], lines: _Lines, trust: bool | str) -> str:
-    name = table.pop("model", USUAL)
-    if not isinstance(name, str):
-        raise ParameterError(f'{lines.of("model")}: model = {name!r} is no name; write model = "kang_nam"')
-    if name not in shipped() and trust is not True and trust != name and os.path.isdir(name[:4096].replace("\0", "")):
-        where = lines.of("model")
-        raise ParameterError(
-            f"{where}: model = {name!r} is a folder, whose code runs; "
-            f"if you trust it, give --trust or --model {name}, in Python trust=True"
-        )
-    try:
-        brake_quantities.about(name)
-    except SpragsymError as error:
-        raise ParameterError(f"{lines.of('model')}: model = {error}") from error
-    return name
+class _Reader:
+    """The text of a file; mistakes in it are told with the line on which their key stands."""
 
+    def __init__(self, path: str, text: str) -> None:
+        self.path, self.text, self.lines = path, text, text.splitlines()
 
-def _check_names(table: Mapping[str, Any], units: Mapping[str, str], model: str, lines: _Lines) -> None:
-    known = [*units, "friction", "correlation", "model", "vary", "begin", "state"]
-    for key, value in table.items():
-        if key not in known:
-            remark = hint(key, known) or f"; the keys are {', '.join(known)}"
-            raise ParameterError(f"{lines.of(key)}: {key} = {value!r} is not a quantity of the model {model}{remark}")
+    def of(self, key: str, pattern: str = r"""\s*(?:brake\s*\.\s*)?["']?{}["']?\s*=""") -> str:
+        """The line of a key."""
+        found = (number for number, line in enumerate(self.lines, 1) if re.match(pattern.format(re.escape(key)), line))
+        number = next(found, None)
+        return f"{self.path}, line {number}" if number else self.path
 
+    def table(self, name: str) -> str:
+        """The line of a table."""
+        return self.of(name, r"""\s*\[\s*["']?{}["']?\s*\]""")
 
-def _quantity(key: str, given: Any, unit: str, allowed: Range, lines: _Lines) -> Measured:
-    where, example = lines.of(key), _EXAMPLES.get(key, "")
-    if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
-        given = f"[{given[0]!r}, {given[1]!r}]"
-    text = given if isinstance(given, str) else repr(given)
-    if isinstance(given, bool) or not isinstance(given, str | int | float):
-        what = remedy(unit, allowed, example)
-        raise ParameterError(f"{where}: {key} = {given!r} is neither text nor a number; write {what}")
-    try:
-        return read(text, unit, allowed, example)
-    except ParameterError as error:
-        raise ParameterError(f"{where}: {key} = {error}") from error
+    def refuse(self, key: str, text: str, cause: Exception | None = None) -> NoReturn:
+        raise ParameterError(f"{self.of(key)}: {text}") from cause
 
+    def read(self, trust: bool | str) -> Study:
+        table = self._table()
+        model = self._model(table.pop("model", USUAL), trust)
+        kind = quantities(model)
+        own = {key: table.pop(key, None) for key in _KEYS}
+        for key, value in table.items():
+            if key not in kind.units:
+                known = [*kind.units, *_KEYS]
+                remark = hint(key, known) or f"; the keys are {', '.join(known)}"
+                self.refuse(key, f"{key} = {value!r} is not a quantity of the model {model}{remark}")
+        ranges = kind.ranges()
+        found = {key: self._quantity(key, table[key], unit, ranges[key]) for key, unit in kind.units.items() if key in table}
+        fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
+        missing = [key for key in kind.units if key not in found and key not in kind.of_the_law]
+        if missing:
+            wanted = ", ".join(f'{key} = "{example_of(key, kind.units[key])}"' for key in missing)
+            raise ParameterError(f"{self.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")
+        return Study.of(
+            quantities=found, model=model, source=Path(self.path).name, fit=fit,
+            rise=self._rise(own["vary"], own["begin"], kind, {name: one.value for name, one in found.items()}),
+            correlation=self._correlation(own["correlation"], found, fit), state=self._state(own["state"] or {}, kind),
+        )  # fmt: skip
 
-def _with_friction(
-    given: Any, found: dict[str, Measured], units: Mapping[str, str], path: Path, lines: _Lines
-) -> tuple[dict[str, Measured], FrictionFit]:
-    """μ₀ and d from the measured file: normal, with their standard errors."""
-    where = lines.of("friction")
-    if not isinstance(given, str) or not given.strip():
-        raise ParameterError(f'{where}: friction = {given!r} is no file name; write friction = "measured.csv"')
-    if "mu0" not in units:
-        raise ParameterError(
-            f"{where}: friction = {given!r}, but this model has another friction law; give its quantities instead"
-        )
-    for key in ("mu0", "d"):
-        if key in found:
-            raise ParameterError(f"{where}: friction = {given!r}, but {key} is given too; leave out one of the two")
-    try:
-        fit = fit_friction(*read_friction(path.parent / given))
-    except ParameterError as error:
-        raise ParameterError(f"{where}: friction = {given!r}: {error}") from error
-    return found | {"mu0": _fitted(fit.mu0, fit.mu0_error, ""), "d": _fitted(fit.d, fit.d_error, "s/m")}, fit
+    def _table(self) -> dict[str, Any]:
+        try:
+            content = tomllib.loads(self.text)
+        except (ValueError, RecursionError) as error:  # TOML that is none, and numbers that are too long
+            raise ParameterError(self._syntax(str(error))) from error
+        table, other = content.get("brake"), next((name for name in content if name != "brake"), None)
+        if isinstance(table, dict) and other is None:
+            return dict(table)
+        if not content:
+            raise ParameterError(f"{self.path} is empty: [brake] is missing; begin with a line [brake]")
+        if "brake" in content and not isinstance(table, dict):
+            self.refuse("brake", f"brake = {table!r} is no table; begin with a line [brake]")
+        is_table = isinstance(content[str(other)], dict)
+        where = self.table(str(other)) if is_table else self.of(str(other))
+        if "brake" in content:
+            raise ParameterError(f"{where}: {other!r} does not belong here; all keys go below [brake], and nothing else is read")
+        what = f"the table [{other}] is" if is_table else f"the key {other!r} stands"
+        remark = f"begin with a line [brake]{hint(str(other), ['brake'])}"
+        raise ParameterError(f"{where}: {what} there, but [brake] is missing; {remark}")
+
+    def _syntax(self, message: str) -> str:
+        """What tomllib says, with the line before it and how a line is written."""
+        found = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", message)
+        number = int(found[1]) if found and found[1] else len(self.lines)
+        line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
+        said = message[: found.start()] if found else message
+        key = line.partition("=")[0].strip()
+        example = example_of(key, quantities(USUAL).units.get(key, "kg"))
+        cure = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
+        cure = f"{key} is there twice; keep one of the two" if "overwrite" in message else cure
+        return f"{self.path}, line {number}: {line!r} is not TOML ({said[:1].lower()}{said[1:]}); {cure}"
+
+    def _model(self, name: Any, trust: bool | str) -> str:
+        if not isinstance(name, str):
+            self.refuse("model", f'model = {name!r} is no name; write model = "kang_nam"')
+        if name not in shipped() and trust is not True and trust != name and os.path.isdir(name[:4096].replace("\0", "")):
+            cure = f"if you trust it, give --trust or --model {name}, in Python trust=True"
+            self.refuse("model", f"model = {name!r} is a folder, whose code runs; {cure}")
+        try:
+            quantities(name)
+        except SpragsymError as error:
+            self.refuse("model", f"model = {error}", error)
+        return name
+
+    def _quantity(self, key: str, given: Any, unit: str, allowed: Range) -> Measured:
+        example = _EXAMPLES.get(key, "")
+        if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
+            given = f"[{given[0]!r}, {given[1]!r}]"
+        if isinstance(given, bool) or not isinstance(given, str | int | float):
+            self.refuse(key, f"{key} = {given!r} is neither text nor a number; write {remedy(unit, allowed, example)}")
+        try:
+            return read(given if isinstance(given, str) else repr(given), unit, allowed, example)
+        except ParameterError as error:
+            self.refuse(key, f"{key} = {error}", error)
+
+    def _friction(self, given: Any, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
+        """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their standard errors."""
+        if not isinstance(given, str) or not given.strip():
+            self.refuse("friction", f'friction = {given!r} is no file name; write friction = "measured.csv"')
+        if "mu0" not in kind.units:
+            cure = "but this model has another friction law; give its quantities instead"
+            self.refuse("friction", f"friction = {given!r}, {cure}")
+        for key in ("mu0", "d"):
+            if key in found:
+                self.refuse("friction", f"friction = {given!r}, but {key} is given too; leave out one of the two")
+        try:
+            fit = fit_friction(*read_friction(Path(self.path).parent / given))
+        except ParameterError as error:
+            self.refuse("friction", f"friction = {given!r}: {error}", error)
+        found |= {"mu0": _fitted(fit.mu0, fit.mu0_error, ""), "d": _fitted(fit.d, fit.d_error, "s/m")}
+        return fit
+
+    def _correlation(self, given: Any, found: Mapping[str, Measured], fit: FrictionFit | None) -> Correlation:
+        """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
+        fitted = {("mu0", "d"): fit.correlation} if fit is not None and fit.mu0_error and fit.d_error else {}
+        if given is None:
+            return fitted
+        rows = given if isinstance(given, list) else [given]
+        for row in rows:
+            if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
+                cure = 'write correlation = [["k", "k_x", 0.9]]'
+                self.refuse("correlation", f"correlation = {given!r} is no list of two names and a number each; {cure}")
+            for name in row[:2]:
+                if name not in found or not found[name].varies:
+                    what = "has no tolerance" if name in found else "is not a quantity of this file"
+                    self.refuse("correlation", f"correlation: {name} {what}{hint(name, found)}; leave the pair out")
+        pairs = [(row[0], row[1]) for row in rows]
+        if len({frozenset(pair) for pair in (*pairs, *fitted)}) < len(pairs) + len(fitted):
+            cure = "has a pair twice, or that of the measured file; keep one of them"
+            self.refuse("correlation", f"correlation = {given!r} {cure}")
+        result = dict(zip(pairs, (row[2] for row in rows), strict=True)) | fitted
+        try:
+            dependence([name for name, one in found.items() if one.varies], result)
+        except ParameterError as error:
+            self.refuse("correlation", str(error), error)
+        return result
+
+    def _state(self, given: Any, kind: Quantities) -> dict[str, float]:
+        """Coordinates in SI near which the followed state begins."""
+        units = {entry["name"]: entry["unit"] for entry in kind.about["coordinates"]}
+        if not isinstance(given, dict) or not set(given) <= set(units):
+            example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
+            self.refuse("state", f"state = {given!r} does not name coordinates; write state = {{ {example} }}")
+        return {name: self._quantity(name, text, units[name], FINITE).value for name, text in given.items()}
+
+    def _rise(self, vary: Any, begin: Any, kind: Quantities, values: Mapping[str, float]) -> Rise | None:
+        """What rises."""
+        if not isinstance(vary, str | None):
+            self.refuse("vary", f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
+        start = begin
+        if begin is not None and vary in kind.units:
+            start = self._quantity("begin", begin, kind.units[vary], FINITE).value
+        try:
+            return rise_of(kind, vary, start, values)
+        except ParameterError as error:
+            self.refuse("vary" if begin is None else "begin", str(error), error)
 
 
 def _fitted(value: float, error: float, unit: str) -> Measured:
@@ -204,54 +225,36 @@ def _fitted(value: float, error: float, unit: str) -> Measured:
     return Measured(value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, True)
 
 
-def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | None, lines: _Lines) -> Correlation:
-    """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
-    fitted = {("mu0", "d"): fit.correlation} if fit is not None and fit.mu0_error and fit.d_error else {}
-    if given is None:
-        return fitted
-    where, example = lines.of("correlation"), 'write correlation = [["k", "k_x", 0.9]]'
-    rows = given if isinstance(given, list) else [given]
-    for row in rows:
-        if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
-            raise ParameterError(f"{where}: correlation = {given!r} is no list of two names and a number each; {example}")
-        for name in row[:2]:
-            if name not in found or found[name].low == found[name].high:
-                what = "has no tolerance" if name in found else "is not a quantity of this file"
-                raise ParameterError(f"{where}: correlation: {name} {what}{hint(name, found)}; leave the pair out")
-    pairs = [(row[0], row[1]) for row in rows]
-    if len({frozenset(pair) for pair in (*pairs, *fitted)}) < len(pairs) + len(fitted):
-        raise ParameterError(f"{where}: correlation = {given!r} has a pair twice, or that of the measured file; keep one of them")
-    result = dict(zip(pairs, (row[2] for row in rows), strict=True)) | fitted
-    try:
-        dependence([name for name, one in found.items() if one.low < one.high], result)
-    except ParameterError as error:
-        raise ParameterError(f"{where}: {error}") from error
-    return result
+# ------------------------------------------------------------------------------------------------- a file to begin with
 
 
-def _state(given: Any, model: str, lines: _Lines) -> dict[str, float]:
-    """Coordinates in SI near which the followed state begins."""
-    units = {entry["name"]: entry["unit"] for entry in brake_quantities.about(model)["coordinates"]}
-    example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
-    if not isinstance(given, dict) or not set(given) <= set(units):
-        raise ParameterError(f"{lines.of('state')}: state = {given!r} does not name coordinates; write state = {{ {example} }}")
-    return {name: _quantity(name, text, units[name], FINITE, lines).value for name, text in given.items()}
+def example(model: Model) -> str:
+    """The text of ``brake.toml``: the article's example, or the base values of a model with its units of measure as there.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> example(ss.load("stick_slip")).splitlines()[1:3]
+    ['[brake]', 'model = "stick_slip"']
+    """
+    if model.where == USUAL:
+        return (resources.files("spragsym.report") / "brake.toml").read_text(encoding="utf-8")
+    kind, (_, p) = quantities(model.where), model.cases()[0]
+    sizes = {name: _SIZES.get(unit, 1.0) for name, unit in kind.bases.items()}
+    values = sizes | {
+        quantity: float(getattr(p, name)) * kind.scale(kind.units[quantity], sizes) for quantity, name in kind.parameters.items()
+    }
+    meanings = [entry["meaning"] for entry in (*kind.about["units"], *kind.about["parameters"])]
+    lines = [
+        f"{name} = {_written(values[name], unit)}  # {meaning}"
+        for (name, unit), meaning in zip(kind.units.items(), meanings, strict=True)
+    ]
+    where = model.where if model.where == model.name else Path(model.where).as_posix()
+    return "\n".join([f"# {kind.about['summary']}", "[brake]", f"model = {json.dumps(where, ensure_ascii=False)}", *lines]) + "\n"
 
 
-def _rise(vary: Any, begin: Any, model: str, found: Mapping[str, Measured], lines: _Lines) -> Rise | None:
-    """What rises; an error names the line of what is wrong."""
-    units, key = brake_quantities.quantity_units(model), "vary" if begin is None else "begin"
-    if not isinstance(vary, str | None):
-        raise ParameterError(f'{lines.of("vary")}: vary = {vary!r} is no name of a quantity; write vary = "F_L"')
-    start = None if begin is None or vary not in units else _quantity("begin", begin, units[vary], FINITE, lines).value
-    try:
-        return rise_of(model, vary, begin if start is None else start, {name: one.value for name, one in found.items()})
-    except ParameterError as error:
-        raise ParameterError(f"{lines.of(key)}: {error}") from error
-
-
-def _check_complete(found: Mapping[str, Measured], units: Mapping[str, str], model: str, lines: _Lines) -> None:
-    missing = [key for key in units if key not in found and key not in brake_quantities.of_the_law(model)]
-    if missing:
-        wanted = ", ".join(f'{key} = "{example_of(key, units[key])}"' for key in missing)
-        raise ParameterError(f"{lines.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")
+def _written(value: float, unit: str) -> str:
+    """A quantity with its unit, an angle in degrees."""
+    if unit == "rad":
+        return f'"{math.degrees(value):.6g} deg"'
+    return f"{value:.6g}" if unit == "1" else f'"{value:.6g} {unit}"'

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from . import brake_quantities
 from .brake_files import example_of
+from .facts import Facts
 from .states import State
 from .study import Study
 
@@ -29,11 +29,12 @@ FAST = 100.0
 FLAT = 3.15
 
 
-def cautions(study: Study, found: Sequence[State], jumped: bool) -> tuple[str, ...]:
-    """All warnings for a study, the states that were found, and whether the one that the brake is in is behind a jump."""
+def cautions(facts: Facts) -> tuple[str, ...]:
+    """All warnings for a study and the states that were found."""
+    study, found = facts.study, facts.states
     return (
         *_contact(study, found),
-        *(() if jumped else _far(study, found)),
+        *(() if facts.jumped else _far(study, found)),
         *_stiffness(study),
         *_friction(study),
         *of_data(study),
@@ -46,20 +47,21 @@ def _has(study: Study, *names: str) -> bool:
     return set(names) <= set(study.quantities)
 
 
+def _data(study: Study, *names: str) -> str:
+    """Quantities with their values."""
+    return " and ".join(f"{name} = {study.shown(name)}" for name in names)
+
+
 def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
     if not _has(study, "L_0", "F_L", "k_c") or not all("y_mm" in state.places for state in found):
         return
     length = 1e3 * study.values["L_0"]
-    for which, states in (
-        ("the contact is", [state for state in found if state.current]),
-        ("in another state of sliding the contact is", [state for state in found if not state.current]),
-    ):
-        deepest = max((-state.y_mm for state in states), default=0.0)
+    for current, which in ((True, "the contact is"), (False, "in another state of sliding the contact is")):
+        deepest = max((-state.y_mm for state in found if state.current == current), default=0.0)
         if deepest > DEEP * length:
             yield (
                 f"{which} {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
-                f"nothing there; check F_L = {study.shown('F_L', study.values['F_L'])} "
-                f"and k_c = {study.shown('k_c', study.values['k_c'])}"
+                f"nothing there; check {_data(study, 'F_L', 'k_c')}"
             )
 
 
@@ -71,50 +73,46 @@ def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
         if state.current and abs(state.x_mm) > FAR * length:
             yield (
                 f"the state that is reached as {'friction' if study.rise is None else study.rise.word} rises has not jumped, and "
-                "its mass is displaced by "
-                f"{state.x_mm:.3g} mm all the same, {abs(state.x_mm) / length:.2g} of the length of the spring: that is "
-                "no small deformation"
+                f"its mass is displaced by {state.x_mm:.3g} mm all the same, {abs(state.x_mm) / length:.2g} of the length of the "
+                "spring: that is no small deformation"
             )
 
 
 def _stiffness(study: Study) -> Iterator[str]:
-    if not _has(study, "k_c") or not study.about["contact"]["unilateral"]:
+    if not _has(study, "k_c") or not study.kind.about["contact"]["unilateral"]:
         return
     for name in (name for name in ("k", "k_x", "k_y") if _has(study, name)):
         ratio = study.values[name] / study.values["k_c"]
         if ratio > 0.5:
             yield (
-                f"{name} = {study.shown(name, study.values[name])} is {ratio:.3g} times the stiffness of the contact, "
-                f"k_c = {study.shown('k_c', study.values['k_c'])}: the contact should be the stiffest part; check both units"
+                f"{_data(study, name)} is {ratio:.3g} times the stiffness of the contact, {_data(study, 'k_c')}: the contact "
+                "should be the stiffest part; check both units"
             )
     sigma = study.values.get("k", math.inf) / study.values["k_c"]
     if sigma < 1e-4:
         yield (
-            f"k = {study.shown('k', study.values['k'])} is {sigma:.1g} of the stiffness of the contact: a spring as soft as that "
-            "hardly leans on the mass; check its unit"
+            f"{_data(study, 'k')} is {sigma:.1g} of the stiffness of the contact: a spring as soft as that hardly leans on the "
+            "mass; check its unit"
         )
 
 
 def _friction(study: Study) -> Iterator[str]:
-    law = study.about["friction"]
-    missing = [name for name in brake_quantities.of_the_law(study.model) if not _has(study, name)]
-    also = f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given"
-    write = " and ".join(f'{name} = "{example_of(name, study.si(name))}"' for name in missing)
+    missing = [name for name in study.kind.of_the_law if not _has(study, name)]
     if missing:
+        write = " and ".join(f'{name} = "{example_of(name, study.kind.units[name])}"' for name in missing)
         yield (
-            f"{also}: friction is taken at full slip, the friction law's damping is left out of what is called stable, and no "
-            f"oscillation is looked for; add {write}"
+            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the "
+            "friction law's damping is left out of what is called stable, and no oscillation is looked for; add "
+            f"{write}"
         )
-    elif law and law["at_rest"] == "other" and _has(study, "mu0"):
+    elif study.kind.law["at_rest"] == "other" and _has(study, "mu0"):
         yield (
             "the friction law is not proportional to mu0, or not mu0 at full slip: friction is taken as statics has it, and "
             "not at the speed of the belt"
         )
     yield from _fit(study)
-    if not _has(study, "mu0"):
-        return
-    if study.fraction < FULL:
-        both = _has(study, "d") and _has(study, "V")
+    if _has(study, "mu0") and study.fraction < FULL:
+        both = _has(study, "d", "V")
         since = f"since d V = {study.values['d'] * abs(study.values['V']):.3g}; check d and V" if both else f"check {study.belt}"
         yield (
             f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
@@ -147,40 +145,34 @@ def _fit(study: Study) -> Iterator[str]:
 
 def of_data(study: Study) -> Iterator[str]:
     """What the numbers alone say, whatever is asked of them: a unit that was probably meant otherwise."""
-    friction = study.quantities.get("mu0")
+    friction, angle, belt = study.quantities.get("mu0"), study.quantities.get("theta0"), study.belt
     if friction is not None and friction.high > FRICTION:
         yield f"mu0 = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
-    belt = study.belt
     if belt is not None and _has(study, belt) and abs(speed := study.values[belt]) > FAST:
         yield f"{study.shown_speed(speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"
-    angle = study.quantities.get("theta0")
     if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
-        yield (
-            f"theta0 = {study.shown('theta0', angle.value)} looks like radians; write "
-            f"{study.in_file('theta0', angle.value):g} rad if that is meant"
-        )
+        number = f"{study.in_file('theta0', angle.value):g}"
+        yield f"{_data(study, 'theta0')} looks like radians; write {number} rad if that is meant"
     length = study.values.get("L_0", 1.0)
     if not 1e-4 < length < 10:
-        yield f"L_0 = {study.shown('L_0', length)} is {length:.3g} m: an odd length for a part of a brake; check its unit"
+        yield f"{_data(study, 'L_0')} is {length:.3g} m: an odd length for a part of a brake; check its unit"
 
 
 def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
     for state in found:
-        if study.moves and state.current and state.statics == "stable":
-            least = min(state.damping_ratio, default=0.0)
-            if state.growth_per_s == 0:
-                yield (
-                    "nothing damps here, since the friction does not change with the speed; whether a disturbance dies out is up "
-                    "to the damping of the real brake, which the model leaves out"
-                )
-            elif state.settles is None:
-                what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
-                whose = (
-                    "the dampers and the friction law together leave"
-                    if study.about["dampers"]
-                    else "the friction law alone gives"
-                )
-                yield (
-                    f"{whose} one motion a damping ratio of {least:.1g}, {what}; that is next to nothing, and the damping of the "
-                    "real brake, which the model leaves out, decides"
-                )
+        if not study.moves or not state.current or state.statics != "stable" or state.settles is not None:
+            continue
+        least = min(state.damping_ratio, default=0.0)
+        if state.growth_per_s == 0:
+            yield (
+                "nothing damps here, since the friction does not change with the speed; whether a disturbance dies out is up "
+                "to the damping of the real brake, which the model leaves out"
+            )
+            continue
+        what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
+        law = "the friction law alone gives"
+        whose = "the dampers and the friction law together leave" if study.kind.about["dampers"] else law
+        yield (
+            f"{whose} one motion a damping ratio of {least:.1g}, {what}; that is next to nothing, and the damping of the "
+            "real brake, which the model leaves out, decides"
+        )

@@ -1,49 +1,170 @@
-"""What is so with a brake, decided once: sentences, rows and pages say these facts, and decide nothing themselves."""
+"""What is so with a brake, computed once: sentences, rows and pages say these facts, and decide nothing themselves."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import Any, TypeVar
 
-from ..display import Result
-from . import rises
-from .jump_verdicts import BoxCertificate, Chance
+import spragsym as ss
+
+from ..errors import SpragsymError
+from ..results.equilibria import Equilibria
+from ..results.points import Points
+from .friction import speed_for
+from .redesigns import Change, changes, distance
+from .states import JumpPeak, Oscillation, State, current, in_units, jump_peak, oscillation_of, others, states
 from .study import Study
+from .tolerances import BoxCertificate, Chance, bracket, certificate, chance, effort, varied
 
-#: What a belt that reaches full slip brings: the friction of the jump is beyond all that there is, or there is none; it is beyond
-#: what works at the belt's speed; within its tolerances; or the state has jumped already.
-REACHES = ("never", "beyond", "faster", "within", "jumped")
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class Facts(Result):
-    """Whether the state of small deformation jumps, and what is known of all brakes within the tolerances.
+class Asked:
+    """What a report is to say, see :meth:`Study.report`."""
 
-    ``jump`` is NaN where it jumps at no friction up to ``top``, which ``looked`` says in words, and None where that is not
-    known; where another quantity rises it is that in SI, and so are all frictions here. ``reach`` compares the
-    friction of the jump, as drawn otherwise, with that which works at the belt's speed, and with that at full slip: one of
-    ``REACHES``, or ``""`` where nothing is known of it. ``speed`` is the belt's speed in m/s above which the largest friction
-    within the tolerances reaches the jump; NaN where none does, or where the friction law is not known. ``within`` is what is
-    known of all brakes within the tolerances at the belt's speed: ``"proved"`` that none jumps, ``"refuted"``,
-    ``"undecided"``, or ``""`` if it was not asked. ``hits`` says whether any of the sampled brakes jumps, None without a
-    sample. ``unbounded`` names the quantities of whose distribution a part lies beyond the box of the certificate.
+    probability: bool
+    redesign: bool
+    oscillation: bool
+    safety: float
+    n: int | None
+
+
+@dataclass(frozen=True)
+class FoldRow:
+    """One fold, or another point at which states meet.
+
+    ``friction``, ``inclination_deg`` or ``value``, of what rises in SI, is where, the others None; ``ends`` and ``when`` are as
+    of :class:`~spragsym.Points`. ``before`` and ``after`` are the coordinates in the units of the file, of which those after are
+    NaN where nothing is left.
     """
 
-    jump: float | None
-    working: tuple[float, float, float]
-    full: tuple[float, float, float]
-    reach: str
-    speed: float
-    within: str
-    hits: bool | None
-    unbounded: tuple[str, ...]
-    top: float
-    looked: str
+    kind: str
+    friction: float | None
+    inclination_deg: float | None
+    value: float | None
+    ends: str
+    when: str
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+
+
+class Facts:
+    """What is known of a brake; what its model does not answer is None, with the reason among ``remarks``."""
+
+    def __init__(self, study: Study, asked: Asked) -> None:
+        self.study, self.asked, self.remarks = study, asked, list[str]()
+
+    def _known(self, what: str, question: Callable[[], T]) -> T | None:
+        """An answer; what can't be answered is remarked, and None."""
+        try:
+            return question()
+        except SpragsymError as reason:
+            self.remarks.append(f"{what} not known: {reason}")
+            return None
+
+    # ------------------------------------------------------------------------------------------------------ the jump
+
+    @cached_property
+    def _jump(self) -> float | None:
+        """Where the followed state jumps, as the parameter that rises; NaN where it does not."""
+        study, law = self.study, self.study.kind.law["quantities"]
+        if study.rise is None:
+            # An angle, a load or a stiffness before what the friction law takes, which may fall as the belt is faster.
+            first = min(study.kind.may_rise, key=lambda name: name in law, default="F")
+            self.remarks.append(
+                f'the model has no mu0 that would rise until the state jumps; say which quantity does, as in vary = "{first}"'
+            )
+            return None
+        along = f"the jump along {study.rise.quantity} is"
+        found = self._known(along, study.jump)
+        if found is not None and math.isnan(found) and study.working[2] > study.top:
+            self.remarks.append(f"{along} not known: it was looked for up to {study.amount(study.top)}, and there is none")
+            return None
+        return found
+
+    @cached_property
+    def jump_at(self) -> float | None:
+        """Where it jumps, as it is told: the friction of the law, or another quantity in SI; NaN where it never does."""
+        return self._jump if self._jump is None or math.isnan(self._jump) else self.study.told(self._jump)
+
+    @cached_property
+    def theta0_jump_deg(self) -> float | None:
+        """Where the state jumps as the inclination rises, NaN where it never does."""
+        study, at = self.study, self.study.at_work
+        if "theta0" not in at.model.parameters or (study.rise is not None and study.rise.name == "theta0"):
+            return None
+        found = self._known("the jump along theta0 is", lambda: ss.jump_value(at, "theta0"))
+        return None if found is None else math.degrees(found)
 
     @property
-    def sprags(self) -> bool:
-        """Whether it jumps as drawn, at the belt's speed or above it, with a friction within the tolerances."""
-        return self.reach in ("faster", "within", "jumped")
+    def _has_plane(self) -> bool:
+        """Whether friction rises, at an inclination."""
+        return self.study.of_friction and "theta0" in self.study.dimensionless.model.parameters
+
+    @cached_property
+    def _lowest(self) -> Any:
+        """The lowest end over all angles."""
+        if not self._has_plane:
+            return None
+        found = self._known(
+            "the friction below which it jumps at no angle is", lambda: ss.critical_friction(self.study.dimensionless)
+        )
+        why = "" if found is None else "; ".join(dict.fromkeys(found.remarks))
+        if found is not None and found.kind == "undecided":
+            below = f"below a friction of {found.value:.4g} it jumps at no angle"
+            self.remarks.append(f"{below}; whether it does above is not decided: {why}")
+            return None
+        if found is not None and not found.complete:
+            self.remarks.append(f"that nothing jumps below mu_lowest is not proved for all: {why}")
+        return found
+
+    @property
+    def mu_lowest(self) -> float | None:
+        """The friction below which it jumps at no angle, ``inf`` where it never does."""
+        return None if self._lowest is None else self.study.of_statics(float(self._lowest.value))
+
+    @property
+    def theta0_lowest_deg(self) -> float | None:
+        """Its angle."""
+        return None if self._lowest is None else math.degrees(float(self._lowest.where))
+
+    @property
+    def kind_lowest(self) -> str:
+        """``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.LowestEnd`; empty where it never jumps, or is not known."""
+        return "" if self._lowest is None else str(self._lowest.kind)
+
+    @cached_property
+    def mu_cusp(self) -> float | None:
+        """Friction of the lowest cusp, ``inf`` where there is none."""
+        if not self._has_plane:
+            return None
+        study = self.study
+        return self._known("the lowest cusp is", lambda: study.of_statics(float(ss.cusp_friction(study.dimensionless))))
+
+    @cached_property
+    def speed(self) -> float:
+        """The speed of the belt in m/s above which the largest friction within the tolerances reaches the jump; else NaN."""
+        never = self.jump_at is None or math.isnan(self.jump_at) or not self.study.of_friction
+        return math.nan if never else speed_for(self.study, self.jump_at)  # type: ignore[arg-type]  # a number then
+
+    @property
+    def reach(self) -> str:
+        """How the friction of the jump compares with what works as drawn, within the tolerances, and at full slip.
+
+        ``"jumped"``, ``"within"``, ``"faster"``, ``"beyond"``, ``"never"``, or empty where it is not known.
+        """
+        jump, (_, here, most) = self.jump_at, self.study.working
+        if jump is None:
+            return ""
+        if math.isnan(jump):
+            return "never"
+        if jump <= most:
+            return "within" if jump > here else "jumped"
+        return "faster" if jump <= self.study.full[2] or not math.isnan(self.speed) else "beyond"
 
     @property
     def jumped(self) -> bool:
@@ -53,34 +174,170 @@ class Facts(Result):
     @property
     def slow(self) -> bool:
         """Whether friction at the belt's speed falls short of that at full slip by more than the digits that are printed."""
-        return self.working[2] < self.full[2] - 0.005 * abs(self.full[2])
+        full = self.study.full[2]
+        return self.study.working[2] < full - 0.005 * abs(full)
 
+    # ------------------------------------------------------------------------------------------------------- its states
 
-def percent_beyond(value: float, other: float) -> float:
-    """By how much a value exceeds another, in percent of the size of that; infinite where that is 0."""
-    gap = value - other
-    if other:
-        return 100 * gap / abs(other)
-    return math.copysign(math.inf, gap) if abs(gap) > 0 else gap
+    @cached_property
+    def _equilibria(self) -> Equilibria:
+        return ss.equilibria(self.study.at_work)
 
+    @cached_property
+    def _here(self) -> dict[str, float] | None:
+        """The place of the state that the brake is in."""
+        return self._known("the state that the brake is in is", lambda: current(self.study, self._equilibria))
 
-def facts(
-    study: Study, jump: float | None, top: float, speed: float, reached: BoxCertificate | None, odds: Chance | None
-) -> Facts:
-    """The facts of a study: where it jumps, up to where that was looked for, at what speed, certificate and probability."""
-    working, full = rises.working(study), rises.full(study)
-    if jump is None:
-        reach = ""
-    elif math.isnan(jump):
-        reach = "never"
-    elif jump <= working[2]:
-        reach = "within" if jump > working[1] else "jumped"
-    else:
-        reach = "faster" if jump <= full[2] or not math.isnan(speed) else "beyond"
-    return Facts(
-        jump, working, full, reach, speed, "" if reached is None else reached.outcome,
-        None if odds is None else odds.probability > 0,
-        tuple(name for name in study.unbounded if name != "m"),  # of which no equilibrium depends
-        top,
-        "" if study.rise is None else rises.looked(study),
-    )  # fmt: skip
+    @cached_property
+    def states(self) -> tuple[State, ...]:
+        """All states in contact."""
+        return states(self.study, self._equilibria, self._here)
+
+    @cached_property
+    def others(self) -> tuple[tuple[dict[str, float], float | None], ...]:
+        """Other stable states, by coordinate and unit, and where each ends as what rises goes on; NaN if nowhere."""
+        found = others(self.study, self._equilibria, self._here)
+        if self._here is None and self.study.rise is None:
+            self.remarks.append("which of the states the brake is in is not known: nothing is said to rise to where it is")
+        if not self._equilibria.complete:
+            self.remarks.append(f"that these are all states is not proved: {'; '.join(self._equilibria.remarks)}")
+        return found
+
+    @property
+    def current(self) -> State | None:
+        """The state that the brake is in; None where that is not known."""
+        return next((state for state in self.states if state.current), None)
+
+    @cached_property
+    def folds(self) -> dict[str, Points]:
+        """Folds along what rises and along the inclination, where they are known."""
+        study, rise = self.study, self.study.rise
+        sets = {} if rise is None else {rise.name: study.dimensionless if study.of_friction else study.at_work}
+        sets |= {"theta0": study.at_work} if "theta0" in study.at_work.model.parameters else {}
+        asked = ((vary, self._known(f"folds along {vary} are", partial(ss.folds, p, vary))) for vary, p in sets.items())
+        found = {vary: points for vary, points in asked if points is not None}
+        if rise is not None and rise.name in found and not found[rise.name].complete:
+            unit, size = f"; {rise.name} = 1 of the model is ", study.rise_scale
+            self.remarks.append(
+                f"that the folds below are all along {rise.quantity} is not proved: {'; '.join(found[rise.name].remarks)}"
+                + ("" if size == 1 else f"{unit}{study.amount(size)}")
+            )
+        return found
+
+    @cached_property
+    def fold_rows(self) -> tuple[FoldRow, ...]:
+        """The same, one by one."""
+        rows, study = [], self.study
+        for vary, found in self.folds.items():
+            for i, value in enumerate(getattr(found, vary).tolist()):
+                friction = study.told(value) if vary == "mu0" else None
+                angle = math.degrees(value) if vary == "theta0" else None
+                other = None if vary in ("mu0", "theta0") else study.told(value)
+                before, after = (
+                    in_units(study, {name: columns[name][i] for name in study.kind.model.coordinates})
+                    for columns in (found.coordinates, found.after)
+                )
+                words = (str(found.ends[i]), str(found.when[i]))
+                rows.append(FoldRow(str(found.kind[i]), friction, angle, other, *words, before, after))
+        return tuple(rows)
+
+    @property
+    def complete(self) -> bool:
+        """Whether states and folds along what rises are proved to be all there are."""
+        rise = self.study.rise
+        return bool(self._equilibria.complete and (rise is None or (rise.name in self.folds and self.folds[rise.name].complete)))
+
+    # ------------------------------------------------------------------------------------------------------- its motions
+
+    @cached_property
+    def peak(self) -> JumpPeak | None:
+        """The jump as a motion; of friction, if there is one that the belt may reach."""
+        value, jump = self._jump, self.jump_at
+        if not (self.asked.oscillation and self.study.moves) or value is None or jump is None or math.isnan(jump):
+            return None
+        return self._known("the jump as a motion is", lambda: jump_peak(self.study, value, jump, self.speed))
+
+    @cached_property
+    def oscillation(self) -> Oscillation | None:
+        """What the motion comes to from rest, or from far out."""
+        if not (self.asked.oscillation and self.study.moves):
+            return None
+        settles = None if self.current is None else self.current.settles
+        holds = any(state.stable for state in self.states if state.current or self._here is None)
+        return self._known("the oscillation is", lambda: oscillation_of(self.study, settles, holds))
+
+    # --------------------------------------------------------------------------------------------- within the tolerances
+
+    @cached_property
+    def certificate(self) -> BoxCertificate | None:
+        """What is proved of all brakes within the tolerances, if it was asked."""
+        if not self.asked.probability or self.study.rise is None:
+            return None
+        return self._known("whether nothing within the tolerances jumps is", lambda: certificate(self.study))
+
+    @property
+    def within(self) -> str:
+        """Its outcome: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or empty if it was not asked."""
+        return "" if self.certificate is None else self.certificate.outcome
+
+    @property
+    def unbounded(self) -> tuple[str, ...]:
+        """Quantities of whose distribution a part lies beyond the box of the certificate."""
+        return tuple(name for name in self.study.unbounded if name != "m")  # on which no equilibrium depends
+
+    @cached_property
+    def probability(self) -> Chance | None:
+        """The probability, by samples and between its proved bounds; nothing is sampled where no brake jumps, by proof."""
+        study, n = self.study, self.asked.n
+        if not self.asked.probability or study.rise is None or not varied(study):
+            return None
+        if self.within == "proved" and not study.unbounded:
+            return Chance(0.0, 0.0, 0.0, 1.0, 0, {}, (0.0, 0.0))
+        odds = chance(study, effort(study).samples if n is None else n)
+        bounds = self._known("bounds of the probability are", lambda: bracket(study))
+        return odds if odds is None or bounds is None else replace(odds, proved=bounds)
+
+    @property
+    def hits(self) -> bool | None:
+        """Whether any of the sampled brakes jumps, None without a sample."""
+        return None if self.probability is None else self.probability.probability > 0
+
+    @cached_property
+    def distance(self) -> float:
+        """The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that is not known."""
+        found = None if self.study.rise is None else self._known("the nearest jump is", lambda: distance(self.study))
+        return math.nan if found is None else found
+
+    # ---------------------------------------------------------------------------------------------------- what to change
+
+    @property
+    def target(self) -> float:
+        """The value of what rises that changes are for; of friction at full slip, if it jumps only there."""
+        return self.asked.safety * self.largest
+
+    @property
+    def largest(self) -> float:
+        """The largest value of what rises to which that refers."""
+        return (self.study.full if self.reach == "faster" else self.study.working)[2]
+
+    @cached_property
+    def needed(self) -> bool:
+        """Whether changes were looked for."""
+        study, jump, about = self.study, self.jump_at, self.study.kind.about
+        sprags = jump is not None and (jump < self.target or self.hits or self.within == "refuted")
+        if not self.asked.redesign or not sprags:
+            return False
+        plain = not study.of_friction or about["friction"]["at_rest"] == "mu0"
+        if not plain:
+            why = "statics of this model does not take mu0 itself for the friction"
+            self.remarks.append(f"what to change is not looked for: {why}")
+        if not self.target > 0:
+            times = f"{self.asked.safety:g} times {study.named(study.working[2])}"
+            self.remarks.append(f"what to change is not looked for: {times} does not lie beyond it")
+        return self.target > 0 and plain and (self.reach != "faster" or jump <= self.largest)  # type: ignore[operator]
+
+    @cached_property
+    def redesign(self) -> tuple[Change, ...]:
+        """What to change, nearest first."""
+        study = self.study.at_full_slip() if self.reach == "faster" else self.study
+        return changes(study, self.target) if self.needed else ()

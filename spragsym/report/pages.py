@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
+import hashlib
 import io
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from pathlib import Path
-from typing import Any, TypeAlias
+from importlib import resources
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 import spragsym as ss
 
 from ..errors import MissingExtraError, SpragsymError
-from ..files.writing import put
-from . import rises
-from .oscillations import first_unit
-from .reports import Report
-from .study import Study
+from .states import unit_of
 from .texts import sections
+
+if TYPE_CHECKING:
+    from .reports import Report
 
 #: Lines on which onsets of oscillation are looked for.
 _ONSETS = 12
@@ -28,119 +28,99 @@ _ONSETS = 12
 _LINES, _VALUES = 40, 80
 
 
-def write_page(study: Study, report: Report, path: Path) -> None:
-    """Write the page."""
-    put(path, page(study, report))
-
-
-def page(study: Study, report: Report) -> str:
+def page(report: Report) -> str:
     """The page as text."""
-    return document(study, report, pictures(study, report), sections(report))
+    study, data = report.study, []
+    for name, one in study.quantities.items():
+        ends = f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" if one.varies else ""
+        data.append((name, study.shown(name) + ends))
+    return document(study.source, report.verdict, report.warnings, pictures(report), [*sections(report), ("Data", data)])
 
 
-#: A heading with rows of a name and a value.
-Section: TypeAlias = tuple[str, Iterable[tuple[str, str]]]
-
-
-def document(study: Study, report: Report, drawn: Iterable[tuple[str, str]], headed: Iterable[Section]) -> str:
-    """A page from its verdict and warnings, pictures as SVG with captions, and sections."""
+def document(
+    source: str, verdict: str, warnings: Iterable[str], drawn: Iterable[tuple[str, str]],
+    headed: Iterable[tuple[str, Iterable[tuple[str, str]]]],
+) -> str:  # fmt: skip
+    """A page from its verdict and warnings, pictures as SVG with captions, and headings with rows of a name and a value."""
     try:
         from jinja2 import Environment, StrictUndefined
     except ModuleNotFoundError as error:
         raise MissingExtraError("the page of a report", "jinja2", "plot") from error
-    template = Path(__file__).with_name("report.html").read_text(encoding="utf-8")
+    template = (resources.files(__package__) / "report.html").read_text(encoding="utf-8")
     made = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
-    title = f"Sprag-slip report{': ' + study.source if study.source else ''}"
-    return made.from_string(template).render(title=title, report=report, drawn=drawn, headed=[*headed, ("Data", _data(study))])
+    title = f"Sprag-slip report{': ' + source if source else ''}"
+    return made.from_string(template).render(title=title, verdict=verdict, warnings=warnings, drawn=drawn, headed=headed)
 
 
-def _data(study: Study) -> Iterator[tuple[str, str]]:
-    for name, one in study.quantities.items():
-        ends = f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" if one.high > one.low else ""
-        yield name, study.shown(name, one.value) + ends
-
-
-def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
+def pictures(report: Report) -> Iterator[tuple[str, str]]:
     """Each picture as SVG, with its caption; none of a plane that the model does not have."""
     from ..figures import brakes
 
+    study, odds = report.study, report.probability
     if study.rise is not None:
-        yield from planes(study, report)
-    if study.rise is not None and study.rise.is_friction:
-        low, _, high = study.friction
-        known = (value for value in report.folds["mu0"].mu0.tolist() if value < 3) if "mu0" in report.folds else ()
-        top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
-        yield from stability_map(study, study.at_work, (low, high), top)
-    if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
-        shares = report.probability.sobol
-        yield (
-            picture(lambda ax: brakes.draw_shares(shares, ax=ax)),
-            "Which tolerance decides whether it jumps: Sobol' indices with their 95 % intervals.",
-        )
+        yield from _planes(report)
+    if study.of_friction:
+        yield from _stability_map(report)
+    if odds is not None and not all(np.isnan(one[1]) for one in odds.sobol.values()):
+        caption = "Which tolerance decides whether it jumps: Sobol' indices with their 95 % intervals."
+        yield picture(lambda ax: brakes.draw_shares(odds.sobol, ax=ax)), caption
     if report.oscillation is not None and report.oscillation.alive:
-        yield from _of_motion(study, report)
+        yield from _of_motion(report, report.oscillation)
 
 
-def planes(study: Study, report: Report) -> Iterator[tuple[str, str]]:
+def _planes(report: Report) -> Iterator[tuple[str, str]]:
     """The brake in the plane of angle and friction, where that rises and there is an angle, and its states as what rises does."""
     from ..figures import brakes
 
-    (low, _, high), p, first = rises.working(study), study.at_work, study.about["coordinates"][0]
-    rise = rises.of(study)
-    unit, size = ("mm", 1e3 * study.scales.length) if first["unit"] == "m" else ("deg", 1.0)
-    jump = math.nan if report.mu_jump is None else report.mu_jump
-    if "theta0" in p.model.parameters and rise.is_friction:
-        angles = study.quantities["theta0"]
-        shaded = (
-            "Shaded: three states of sliding; on the lines two of them meet."
-            if "count" in p.model.closed
-            else ("On the lines two states of sliding meet.")
-        )
+    study, jump = report.study, report.mu_jump
+    (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
+    if "theta0" in p.model.parameters and study.of_friction:
+        angles, jump = study.quantities["theta0"], math.nan if jump is None else jump
+        three = "count" in p.model.closed
+        caption = "Shaded: three states of sliding; on the lines two of them meet." if three else (
+            "On the lines two states of sliding meet."
+        )  # fmt: skip
+        caption += " Cross: the friction at which the state of small deformation jumps at this angle." if jump < math.inf else ""
         with suppress(SpragsymError):
             yield (
                 picture(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), jump, ax=ax, n=_LINES)),
-                f"Where the brake works (dot) and its tolerances (box). {shaded}"
-                + (
-                    " Cross: the friction at which the state of small deformation jumps at this angle." if jump < math.inf else ""
-                ),
+                f"Where the brake works (dot) and its tolerances (box). {caption}",
             )
-    options: dict[str, Any] = dict(length=size, label=f"{first['name']} in {unit}", n=_VALUES)
-    if not rise.is_friction:
-        one, scale = study.quantities[rise.quantity], rises.scale(study)
-        low, high = low / scale, high / scale
-        across = f"{rise.quantity} in {one.unit}" if one.unit else rise.quantity
-        drawn = math.radians(1.0) if study.si(rise.quantity) == "rad" else 1.0
-        options |= {**rises.along(study), "size": study.in_file(rise.quantity, drawn * scale), "across": across}
+    unit, size = unit_of(study)
+    # Angles are drawn in degrees by the picture itself.
+    options: dict[str, Any] = dict(length=size if unit == "mm" else 1.0, label=f"{first['name']} in {unit}", n=_VALUES)
+    if not study.of_friction:
+        name, scale = study.rises.quantity, study.rise_scale
+        low, high, one = low / scale, high / scale, study.quantities[name]
+        drawn = math.radians(1.0) if study.kind.units[name] == "rad" else 1.0
+        options |= {**study.along(), "size": study.in_file(name, drawn * scale)}
+        options["across"] = f"{name} in {one.unit}" if one.unit else name
+    rises = "the friction" if study.of_friction else study.rises.quantity
+    meaning = first["meaning"].partition(",")[0]
     yield (
         picture(lambda ax: brakes.draw_rising(p, (low, high), ax=ax, **options)),
-        f"{_capital(first['meaning'])} as {_what(rise)} rises (red, with its jumps); grey: all states, full where stable. "
-        f"Shaded: {_what(rise)} within its tolerances.",
+        f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises (red, with its jumps); grey: all states, full where stable. "
+        f"Shaded: {rises} within its tolerances.",
     )
 
 
-def _what(rise: rises.Rise) -> str:
-    return "the friction" if rise.is_friction else rise.quantity
-
-
-def _capital(text: str) -> str:
-    """A sentence begins with a capital letter."""
-    return text[:1].upper() + text[1:].partition(",")[0]
-
-
-def stability_map(study: Study, p: Any, friction: tuple[float, float], top: float) -> Iterator[tuple[str, str]]:
-    """Where oscillation sets in, over angle and friction up to ``top``; nothing where the belt or its law is not known."""
+def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
+    """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not known."""
     from ..figures import brakes
     from ..figures.planes import draw_onset_curves
 
+    study, p = report.study, report.study.at_work
     if "theta0" not in p.model.parameters or not study.moves:
         return
+    (low, _, high), angles = study.friction, study.quantities["theta0"]
+    known = (value for value in report.folds["mu0"].mu0.tolist() if value < 3) if "mu0" in report.folds else ()
+    top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
     with suppress(SpragsymError):
         onsets = ss.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
-        angles = study.quantities["theta0"]
 
         def draw(ax: Any) -> None:
             draw_onset_curves(onsets, ax)
-            brakes.mark_brake(ax, p, (angles.low, angles.high), friction)
+            brakes.mark_brake(ax, p, (angles.low, angles.high), (low, high))
 
         yield (
             picture(draw),
@@ -149,27 +129,21 @@ def stability_map(study: Study, p: Any, friction: tuple[float, float], top: floa
         )
 
 
-def _of_motion(study: Study, report: Report) -> Iterator[tuple[str, str]]:
+def _of_motion(report: Report, lives: Any) -> Iterator[tuple[str, str]]:
     from ..figures import motion_pictures
 
-    assert report.oscillation is not None
-    found, (unit, size), time = report.oscillation.motion, first_unit(study), study.scales.time
-    motion = found.trajectory(8) if report.oscillation.kind == "cycle" else found
-    name = study.coordinates[0]
+    (unit, size), time, name = unit_of(report.study), report.study.scales.time, report.study.kind.model.coordinates[0]
+    motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
     up, speed = ("speed along the belt in m/s", 1e-3 * size / time) if unit == "mm" else (f"rate of {name} in deg/s", size / time)
-    yield (
-        picture(lambda ax: motion_pictures.draw_phase(motion, ax=ax, length=size, speed=speed, labels=(f"{name} in {unit}", up))),
-        "The oscillation: speed over place along the belt. Dotted: the speed of the belt.",
-    )
-    yield (
-        picture(lambda ax: motion_pictures.draw_spectrum(motion, name, ax=ax, length=size, frequency=1 / time,
-                                                      labels=("frequency in Hz", f"amplitude of {name} in {unit}"))),
-        "Its spectrum.",
-    )  # fmt: skip
+    phase: Mapping[str, Any] = dict(length=size, speed=speed, labels=(f"{name} in {unit}", up))
+    caption = "The oscillation: speed over place along the belt. Dotted: the speed of the belt."
+    yield picture(lambda ax: motion_pictures.draw_phase(motion, ax=ax, **phase)), caption
+    lines: Mapping[str, Any] = dict(length=size, frequency=1 / time, labels=("frequency in Hz", f"amplitude of {name} in {unit}"))
+    yield picture(lambda ax: motion_pictures.draw_spectrum(motion, name, ax=ax, **lines)), "Its spectrum."
 
 
 def picture(draw: Callable[[Any], Any]) -> str:
-    """A picture of one panel, without the head of a file, its ids its own."""
+    """A picture of one panel, without the head of a file; its ids are made from itself, so that no other has them."""
     from ..figures import FORMATS
     from ..figures.style import Sheet, house_style
 
@@ -179,13 +153,7 @@ def picture(draw: Callable[[Any], Any]) -> str:
         draw(figure.add_subplot())
         figure.savefig(stream, format="svg", metadata=FORMATS["svg"])
     text = stream.getvalue()
-    return _own_ids(text[text.index("<svg") :].strip())
-
-
-def _own_ids(text: str) -> str:
-    """Ids that no other picture of the page has, from the picture itself."""
-    import hashlib
-
+    text = text[text.index("<svg") :].strip()
     mark = hashlib.sha256(text.encode()).hexdigest()[:8]
     text = re.sub(r'\bid="', f'id="{mark}-', text)
     text = re.sub(r'(href="#|url\(#)', rf"\g<1>{mark}-", text)

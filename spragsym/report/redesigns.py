@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +18,9 @@ import spragsym as ss
 from ..design.design_space import Design, space
 from ..display import Result
 from ..errors import SpragsymError
-from ..models.load import load
 from ..models.parameters import FloatArray
-from . import brake_quantities, rises
-from .effort import effort
-from .jump_verdicts import begins_alike, certificate, counterexample, ending, jumping
 from .study import Study
-from .tolerances import corners, samples, values_at, varied
+from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
 from .units import factor
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
@@ -84,26 +79,19 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
 def distance(study: Study) -> float:
     """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without tolerances."""
-    names = brake_quantities.of_statics(study.model)
-    scale = {name: size for name, size in study.tolerances.items() if name in names}
-    if not scale:
-        return math.nan
-    return float(ss.jump_margin(design(study), scale, **rises.along(study)).distance)
+    scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
+    return float(ss.jump_margin(design(study), scale, **study.along()).distance) if scale else math.nan
 
 
 def design(study: Study) -> Design:
     """The brake as drawn, with the friction that works, as a design of the model: quantities in SI."""
-    model = load(study.model)
-    works = {"mu0": float(study.at_work.mu0)} if "mu0" in model.parameters else {}
+    kind = study.kind
+    works = {"mu0": float(study.at_work.mu0)} if "mu0" in kind.model.parameters else {}
+    begin = None if study.of_friction else study.begins
     return Design(
-        {**study.values, **works},
-        brake_quantities.ranges(study.model, study.values),
-        partial(brake_quantities.groups, study.model),
-        dict,
-        model.Parameters,
-        None if rises.of(study).is_friction else lambda values: rises.along(study, values)["begin"],
+        {**study.values, **works}, kind.ranges(study.values), kind.groups, dict, kind.model.Parameters, begin,
         study.dimensionless.followed,
-    )
+    )  # fmt: skip
 
 
 class _Search:
@@ -111,23 +99,18 @@ class _Search:
 
     def __init__(self, study: Study, target: float) -> None:
         self.study, self.target, self.effort = study, target, effort(study)
-        self.names = tuple(name for name in brake_quantities.balanced(study.model) if name != rises.of(study).quantity)
+        self.names = tuple(name for name in study.kind.balanced if name != study.rises.quantity)
         self.scale = {name: self._scale(name) for name in self.names}
-        self.allowed = brake_quantities.ranges(study.model, study.values)
-        self.corners = corners(study)
+        self.allowed, self.corners = study.kind.ranges(study.values), corners(study)
 
     def _scale(self, name: str) -> float:
-        study = self.study
+        study, si = self.study, self.study.kind.units
         if name in study.tolerances:
             return study.tolerances[name]
-        if study.si(name) == "rad":
+        if si[name] == "rad":
             return _ANGLE
-        alike = [value for other, value in study.values.items() if value > 0 and study.si(other) == study.si(name)]
-        return _SHARE * (study.values[name] or min(alike, default=0.01 * self._unit(name)))
-
-    def _unit(self, name: str) -> float:
-        """What one of the model's units is in SI."""
-        return brake_quantities.scale_of(self.study.si(name), brake_quantities.bases(self.study.model, self.study.values))
+        alike = [value for other, value in study.values.items() if value > 0 and si[other] == si[name]]
+        return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
     # ------------------------------------------------------------------------------------------------- which are kept
 
@@ -139,11 +122,11 @@ class _Search:
 
     def _kept(self, changed: Mapping[str, FloatArray]) -> int | None:
         """The first design that jumps at the target at the earliest, and at no corner of its tolerances."""
-        shares, left = self.corners, np.flatnonzero(self._reaches(changed))
+        left = np.flatnonzero(self._reaches(changed))
         for begin in range(0, left.size, _AT_ONCE):
             some = left[begin : begin + _AT_ONCE]
             designs = [self.study.changed({name: float(values[i]) for name, values in changed.items()}) for i in some]
-            about = [values_at(design, shares) for design in designs]
+            about = [values_at(design, self.corners) for design in designs]
             rows = {name: np.concatenate([one[name] for one in about]) for name in about[0]}
             free = (ending(self.study, rows, hasty=True) == 0).reshape(len(some), -1).all(axis=1)
             if free.any():
@@ -154,49 +137,47 @@ class _Search:
 
     def singles(self) -> list[Change]:
         """Of single quantities the nearest values that keep the target, of as many as are asked for."""
-        starts = {name: self._starts(name) for name in self.names}
-        before, found = self.study.values, list[Change]()
-        nearest = {name: abs(ends[0][0] - before[name]) / self.scale[name] for name, ends in starts.items() if ends}
-        for name in sorted(nearest, key=nearest.__getitem__):
+        starts, found = {name: self._starts(name) for name in self.names}, list[Change]()
+        for name in sorted((name for name in self.names if starts[name]), key=lambda name: self._off(name, starts[name][0][0])):
             change = self._nearest(name, starts[name]) if len(found) < self.effort.most else None
-            found += [change] if change is not None else []
+            found += [] if change is None else [change]
         return found
+
+    def _off(self, name: str, value: float) -> float:
+        """How far a value is from the old one, in tolerances."""
+        return abs(value - self.study.values[name]) / self.scale[name]
 
     def _starts(self, name: str) -> list[tuple[float, float]]:
         """Values of one quantity that keep the target, one on either side at most, the nearer first; and how far each may go."""
         starts = []
         for side in (-1, 1):
             values = ladder = self._ladder(name, side)
+            k = self._kept({name: values})
             for _ in range(self.effort.rounds):
-                k = self._kept({name: values})
-                if k is None:
-                    break
-                values = np.linspace(values[max(k - 1, 0)], values[k], self.effort.between)
-            else:
-                k = self._kept({name: values})
                 if k is not None:
-                    starts.append((float(values[k]), float(ladder[-1])))
-        return sorted(starts, key=lambda one: abs(one[0] - self.study.values[name]))
+                    values = np.linspace(values[max(k - 1, 0)], values[k], self.effort.between)
+                    k = self._kept({name: values})
+            if k is not None:
+                starts.append((float(values[k]), float(ladder[-1])))
+        return sorted(starts, key=lambda one: self._off(name, one[0]))
 
     def _nearest(self, name: str, starts: list[tuple[float, float]]) -> Change | None:
         """The first of these with a proof, as it is printed."""
         best: Change | None = None
         for start, end in starts:
             change = self._first_proved({name: start + share * (end - start)} for share in self.effort.further)
-            if change is not None and (best is None or _order(change) < _order(best)):
-                best = change
+            best = min((one for one in (best, change) if one is not None), key=_order, default=None)
             if best is not None and best.outcome == "proved":
                 break
         return best
 
     def _ladder(self, name: str, side: int) -> FloatArray:
         """Values from the present one away, to where a redesign would be another brake."""
-        start, share = self.study.values[name], np.linspace(0.0, 1.0, self.effort.values)
-        if self.study.si(name) == "rad":
-            end = math.radians(1.0) if side < 0 else math.radians(179.0)
-            values = start + share * (end - start)
+        start, si, share = self.study.values[name], self.study.kind.units[name], np.linspace(0.0, 1.0, self.effort.values)
+        if si == "rad":
+            values = start + share * (math.radians(1.0 if side < 0 else 179.0) - start)
         elif start == 0:
-            values = share**2 * (self._unit(name) if side > 0 else 0.0)
+            values = share**2 * (self.study.scale(si) if side > 0 else 0.0)
         else:
             values = start * _FACTOR ** (side * share)
         inside = [self._inside(name, value, value) for value in values.tolist()]
@@ -206,34 +187,30 @@ class _Search:
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
-        study, rise = self.study, rises.of(self.study)
+        study, rise = self.study, self.study.rises
         # Where a unit of what rises changes, the target is another one of its parameter.
-        free = [name for name in self.names if name not in rises.units(study)]
+        free = [name for name in self.names if not study.kind.powers(study.kind.units[rise.quantity]).get(name)]
         names = tuple(name for name in free if name in study.tolerances)
         try:
             names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
-            scale = {name: self.scale[name] for name in names}
-            target = {rise.name: self.target / rises.scale(study)}
-            start = None if rise.is_friction else rises.begin(study)
-            after = ss.redesign(design(study), names, target, scale, begin=start).parameters
+            target, start = {rise.name: self.target / study.rise_scale}, None if study.of_friction else study.begins()
+            after = ss.redesign(design(study), names, target, {name: self.scale[name] for name in names}, begin=start).parameters
         except SpragsymError:
             return None
         if not isinstance(after, dict):
             return None
         # The least change has its jump on the target: as much further as its own tolerances ask for.
-        before = self.study.values
+        before = study.values
         longer = (
             {name: before[name] + stretch * (value - before[name]) for name, value in after.items()} for stretch in _STRETCHES
         )
-        allowed = (one for one in longer if all(self._inside(name, value, value) for name, value in one.items()))
-        return self._first_proved(allowed)
+        return self._first_proved(one for one in longer if all(self._inside(name, at, at) for name, at in one.items()))
 
     def _movers(self) -> tuple[str, ...]:
         """Quantities by how far one tolerance of each moves the jump."""
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
-        found = ss.jump_gradient(designs.sets(z), **rises.along(self.study)).slopes
-        slopes = designs.slopes(z)
+        found, slopes = ss.jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
 
@@ -256,39 +233,34 @@ class _Search:
 
     def _printed(self, after: Mapping[str, float]) -> dict[str, float] | None:
         """What changes, as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
-        study = self.study
-        before = {name: study.values[name] for name in after}
         for further in range(4):
-            rounded = {name: _rounded(study, name, before[name], value, further) for name, value in after.items()}
-            if self._in_range(rounded) and self._kept({name: np.array([value]) for name, value in rounded.items()}) is not None:
-                return {name: value for name, value in rounded.items() if value != before[name]}
+            rounded = {name: _rounded(self.study, name, value, further) for name, value in after.items()}
+            new = self.study.changed(rounded).quantities
+            kept = all(self._inside(name, new[name].low, new[name].high) for name in rounded)
+            if kept and self._kept({name: np.array([value]) for name, value in rounded.items()}) is not None:
+                return {name: value for name, value in rounded.items() if value != self.study.values[name]}
         return None
-
-    def _in_range(self, after: Mapping[str, float]) -> bool:
-        """Whether all brakes within the tolerances about a design are brakes."""
-        new = self.study.changed(after).quantities
-        return all(self._inside(name, new[name].low, new[name].high) for name in after)
 
     def _inside(self, name: str, low: float, high: float) -> bool:
         """Whether all between two ends are values of a quantity."""
-        allowed = self.allowed[name]
-        return allowed.contains(low) and allowed.contains(high)
+        return self.allowed[name].contains(low) and self.allowed[name].contains(high)
 
     def _verified(self, after: Mapping[str, float], proof_only: bool) -> Change | None:
         """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
-        study = self.study
-        new, before = study.changed(after), {name: study.values[name] for name in after}
+        study, new = self.study, self.study.changed(after)
         try:
-            jump = rises.told(new, rises.jump(new))
+            jump = new.told(new.jump())
         except SpragsymError:
             return None
         if not begins_alike(study, after):
             return None
-        outcome, (few, many) = certificate(new, hasty=True).outcome, self.effort.shares
-        if outcome == "refuted" or (outcome == "undecided" and (proof_only or counterexample(new, many) is not None)):
+        outcome = certificate(new, hasty=True).outcome
+        undecided = outcome == "undecided"
+        if outcome == "refuted" or (undecided and (proof_only or counterexample(new, self.effort.many) is not None)):
             return None
-        size = math.hypot(*((value - before[name]) / self.scale[name] for name, value in after.items()))
-        share = 0.0 if outcome == "proved" else float(np.nanmean(jumping(new, samples(new, few))))
+        share = float(np.nanmean(jumping(new, samples(new, self.effort.shares)))) if undecided else 0.0
+        size = math.hypot(*(self._off(name, value) for name, value in after.items()))
+        before = {name: study.values[name] for name in after}
         return Change(before, after, jump, size, share if varied(study) else math.nan, outcome)
 
 
@@ -297,9 +269,9 @@ def _order(change: Change) -> tuple[bool, float]:
     return change.outcome != "proved", change.distance
 
 
-def _rounded(study: Study, name: str, before: float, after: float, further: int) -> float:
+def _rounded(study: Study, name: str, after: float, further: int) -> float:
     """A value rounded away from the old one to few digits in its unit, and then by single units of the last digit farther."""
-    unit = factor(study.quantities[name].unit, study.si(name))
+    before, unit = study.values[name], factor(study.quantities[name].unit, study.kind.units[name])
     old, new = before / unit, after / unit
     step = 10.0 ** (math.floor(math.log10(abs(new))) - _DIGITS + 1) if new else 1.0
     if abs(new - old) < 0.5 * step:

@@ -4,138 +4,98 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
-
-from . import rises
-from .fold_rows import FoldRow, fold_rows
-from .jump_verdicts import Chance
-from .jumps import JumpPeak
-from .redesigns import Change
-from .states import State
-from .study import Study
 
 if TYPE_CHECKING:
     from .reports import Report
 
+#: Attributes of a report, of a state, and of the jump as a motion that stand in JSON as they are.
+_PLAIN = (
+    "mu_jump", "theta0_jump_deg", "mu0_jump", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective",
+    "margin_percent",
+)  # fmt: skip
+_STATE = (
+    "current", "stable", "settles", "statics", "direction_deg", "spring_length_mm", "spring_force_N", "contact_force_N",
+    "frequencies_hz", "damping_ratio", "growth_per_s",
+)  # fmt: skip
+_PEAK = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
+
 
 def as_json(report: Report) -> dict[str, Any]:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
-    state, lives, odds = report.current, report.oscillation, report.probability
+    study, state, lives, odds, reached = report.study, report.current, report.oscillation, report.probability, report.certificate
     alive = lives if lives is not None and lives.alive else None
+    lengths = [value for key, value in state.places.items() if key.endswith("_mm")] if state else None
+
+    def one(name: str, value: float) -> dict[str, Any]:
+        return {"value": study.in_file(name, value), "unit": study.quantities[name].unit}
+
+    def all_of(values: Mapping[str, float]) -> dict[str, Any]:
+        return {name: one(name, value) for name, value in values.items()}
+
+    def told(value: float | None) -> Any:
+        """A value of what rises, in the unit of the file; friction as a number."""
+        if value is None or report.vary is None:
+            return None
+        return {"value": value, "unit": ""} if study.of_friction else one(report.vary, value)
 
     def both(name: str) -> dict[str, Any]:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}
 
-    lengths = None if state is None else [value for key, value in state.places.items() if key.endswith("_mm")]
-    return {
-        "mu_jump": report.mu_jump,
-        "theta0_jump_deg": report.theta0_jump_deg,
-        "mu0_jump": report.mu0_jump,
-        "mu_lowest": report.mu_lowest,
-        "theta0_lowest_deg": report.theta0_lowest_deg,
-        "kind_lowest": report.kind_lowest or None,
-        "mu_cusp": report.mu_cusp,
-        "mu_effective": report.mu_effective,
-        "margin_percent": report.margin_percent,
-        "states": [_state_json(one) for one in report.states],
-        "frequencies_hz": None if state is None else list(state.frequencies_hz),
+    def peak() -> dict[str, Any] | None:
+        found = report.peak
+        if found is None:
+            return None
+        first = next(iter(found.before))
+        unit = first.rpartition("_")[2]
+        at = {"friction": found.at if study.of_friction else None, "at": told(found.at)}
+        return at | {f"from_{unit}": found.before[first], f"to_{unit}": found.after[first], **found.ranges, **_some(found, _PEAK)}
+
+    return _some(report, _PLAIN) | {
+        "states": [{**_some(each, _STATE), **each.places} for each in report.states],
+        "frequencies_hz": list(state.frequencies_hz) if state else None,
         "spring_force_N": both("spring_force_N"),
         "contact_force_N": both("contact_force_N"),
-        "displacement_mm": {"rest": lengths or None, "oscillation_amplitude": None if alive is None else alive.amplitude_mm},
-        "oscillation": None if lives is None else {
-            "kind": lives.kind, "stable": lives.kind == "cycle", "frequency_hz": lives.frequency_hz,
-            f"amplitude_{lives.unit}": lives.amplitude, "start": lives.start, "lifts_off": lives.lifts_off,
-            "coexists_with_stable_sliding": lives.coexists,
+        "displacement_mm": {"rest": lengths or None, "oscillation_amplitude": getattr(alive, "amplitude_mm", None)},
+        "oscillation": lives and {
+            **_some(lives, ("kind", "frequency_hz", "start", "lifts_off")), "stable": lives.kind == "cycle",
+            f"amplitude_{lives.unit}": lives.amplitude, "coexists_with_stable_sliding": lives.coexists,
         },
-        "certificate": _certificate_json(report),
-        **_chance_json(odds),
-        "redesign": [_change_json(report, one) for one in report.redesign],
-        "warnings": list(report.warnings),
-        "reach": report.facts.reach or None, "speed_jump": _speed_json(report),
-        "jump": None if report.peak is None else _peak_json(report, report.peak),
-        "verdict": report.verdict, "folds": [_fold_json(report, row) for row in fold_rows(report)],
-        "vary": report.vary, "jump_at": _told(report, report.jump_at),
-        "other_states": [place | {"ends_at": _told(report, end)} for place, end in report.others],
-    }  # fmt: skip
-
-
-def _chance_json(odds: Chance | None) -> dict[str, Any]:
-    """The keys of the probability and of what decides; None where nothing varies."""
-    return {
-        "probability": None if odds is None else {
-            "value": odds.probability, "low": odds.low, "high": odds.high, "confidence": odds.confidence, "n": odds.n,
+        "certificate": reached and {
+            **_some(reached, ("claim", "outcome", "undecided", "boxes")),
+            "counterexample": reached.counterexample and all_of(reached.counterexample),
+        },
+        "probability": odds and {
+            "value": odds.probability, **_some(odds, ("low", "high", "confidence", "n")),
             "proved": None if odds.proved == (0.0, 1.0) else list(odds.proved),
         },
-        "sobol": None if odds is None else {
-            name: {"first": first, "total": total, "total_error": error} for name, (first, total, error) in odds.sobol.items()
+        "sobol": odds and {
+            name: dict(zip(("first", "total", "total_error"), shares, strict=True)) for name, shares in odds.sobol.items()
         },
+        "redesign": [
+            {
+                "from": all_of(change.before), "to": all_of(change.after), "jump_at": told(change.jump_at),
+                "mu_jump": change.jump_at if study.of_friction else None, "target": told(report.target)["value"],
+                **_some(change, ("distance", "probability", "outcome")),
+            }
+            for change in report.redesign
+        ],
+        "warnings": list(report.warnings),
+        "reach": report.reach or None,
+        "speed_jump": None if study.belt is None or math.isnan(report.speed) else one(study.belt, report.speed),
+        "jump": peak(),
+        "verdict": report.verdict,
+        "folds": [
+            {**vars(row), "value": told(row.value), "ends": row.ends or None, "when": row.when or None}
+            for row in report.fold_rows
+        ],
+        "vary": report.vary,
+        "jump_at": told(report.jump_at),
+        "other_states": [place | {"ends_at": told(end)} for place, end in report.others],
     }  # fmt: skip
 
 
-def _state_json(state: State) -> dict[str, Any]:
-    return {
-        "current": state.current, "stable": state.stable, "settles": state.settles, "statics": state.statics,
-        "direction_deg": state.direction_deg, **state.places, "spring_length_mm": state.spring_length_mm,
-        "spring_force_N": state.spring_force_N,
-        "contact_force_N": state.contact_force_N, "frequencies_hz": list(state.frequencies_hz),
-        "damping_ratio": list(state.damping_ratio), "growth_per_s": state.growth_per_s,
-    }  # fmt: skip
-
-
-def _told(report: Report, value: float | None) -> dict[str, Any] | None:
-    """A value of what rises, in the unit of the file; friction as a number."""
-    if value is None or report.vary is None:
-        return None
-    rise = rises.of(report.study)
-    return {"value": value, "unit": ""} if rise.is_friction else _in_file(report.study, {rise.quantity: value})[rise.quantity]
-
-
-def _of_friction(report: Report, value: float) -> float | None:
-    """A value of what rises, if that is the friction."""
-    return value if report.study.rise is not None and report.study.rise.is_friction else None
-
-
-def _peak_json(report: Report, peak: JumpPeak) -> dict[str, Any]:
-    first = next(iter(peak.before))
-    unit = first.rpartition("_")[2]
-    return {
-        "friction": _of_friction(report, peak.at), "at": _told(report, peak.at),
-        f"from_{unit}": peak.before[first], f"to_{unit}": peak.after[first], **peak.ranges,
-        "spring_force_N": peak.spring_force_N, "contact_force_N": peak.contact_force_N, "lifts_off": peak.lifts_off,
-        "settles": peak.settles, "followed_s": peak.followed_s,
-    }  # fmt: skip
-
-
-def _fold_json(report: Report, row: FoldRow) -> dict[str, Any]:
-    return {**asdict(row), "value": _told(report, row.value), "ends": row.ends or None, "when": row.when or None}
-
-
-def _in_file(study: Study, values: Mapping[str, float]) -> dict[str, Any]:
-    units = {name: study.quantities[name].unit for name in values}
-    return {name: {"value": study.in_file(name, value), "unit": units[name]} for name, value in values.items()}
-
-
-def _certificate_json(report: Report) -> dict[str, Any] | None:
-    reached = report.certificate
-    if reached is None:
-        return None
-    example = reached.counterexample
-    return {
-        "claim": reached.claim, "outcome": reached.outcome, "undecided": reached.undecided, "boxes": reached.boxes,
-        "counterexample": None if example is None else _in_file(report.study, example),
-    }  # fmt: skip
-
-
-def _change_json(report: Report, one: Change) -> dict[str, Any]:
-    study = report.study
-    return {
-        "from": _in_file(study, one.before), "to": _in_file(study, one.after), "jump_at": _told(report, one.jump_at),
-        "mu_jump": _of_friction(report, one.jump_at), "target": (_told(report, report.target) or {})["value"],
-        "distance": one.distance, "probability": one.probability, "outcome": one.outcome,
-    }  # fmt: skip
-
-
-def _speed_json(report: Report) -> dict[str, Any] | None:
-    belt = report.study.belt
-    return None if belt is None or math.isnan(report.facts.speed) else _in_file(report.study, {belt: report.facts.speed})[belt]
+def _some(thing: Any, names: tuple[str, ...]) -> dict[str, Any]:
+    """Some attributes by name; no word is None."""
+    found = {name: getattr(thing, name) for name in names}
+    return {name: None if value == "" else list(value) if isinstance(value, tuple) else value for name, value in found.items()}

@@ -1,11 +1,11 @@
-"""The states of sliding in newtons, millimetres and hertz, and which of them the brake is in."""
+"""States and motions of a brake in newtons, millimetres and hertz: those of sliding, the jump, and the oscillation."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -13,14 +13,14 @@ import numpy as np
 import spragsym as ss
 
 from ..display import Result
-from ..errors import SpragsymError
+from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
 from ..models.parameters import FloatArray
+from ..motion.regimes import Regime
 from ..names import hint
 from ..results.equilibria import Equilibria, Stability, columns_of
 from ..statics.mechanics.balance import Balance
 from ..statics.stability import linearization, roots
-from . import friction, rises
 from .study import Study
 
 #: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
@@ -31,13 +31,42 @@ NEUTRAL = 1e-3
 LEVEL = 1e9
 #: What the coordinates of one state differ by.
 SAME = 1e-6
+#: Share of the way from the fold to the state that is left, at which the motion is let go.
+AWAY = 1e-2
+#: Times, in the model's unit, over which it is followed until it is half way, and instants at which forces are looked at.
+_T_END, _INSTANTS = (1500.0, 24_000.0), 60_000
+#: Steps of Newton's method to balance the other coordinates.
+_STEPS = 20
+#: Largest time over which a motion from rest is followed.
+T_END = 3000.0
+#: A motion whose swings are less than this share of those a quarter of the time before is on its way to rest.
+_FALLS = 0.99
+#: Where a motion that is far out begins: its first two coordinates.
+_FAR = (1.5, 0.5)
+#: What a motion comes to.
+_COMES_TO = {
+    Regime.EQUILIBRIUM: "rest", Regime.APPROACHES_EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle",
+    Regime.APPROACHES_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off",
+}  # fmt: skip
 
 #: Of the only inclined spring a number, of several their numbers by name, and of none None.
 OfSprings: TypeAlias = float | Mapping[str, float] | None
 
 
+class _Named(Result):
+    """A result that has numbers by name and unit as attributes too."""
+
+    held = "places"  #: which field holds them
+
+    def __getattr__(self, name: str) -> Any:
+        known = self.__dict__.get(type(self).held, {})
+        if name not in known:
+            raise AttributeError(f"a {type(self).__name__} has no {name!r}{hint(name, known)}")
+        return known[name]
+
+
 @dataclass(frozen=True)
-class State(Result):
+class State(_Named):
     """A state of steady sliding in contact.
 
     ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too. Direction, length and force of
@@ -49,17 +78,17 @@ class State(Result):
     what the model leaves out decides.
     """
 
-    places: Mapping[str, float]
+    current: bool
+    stable: bool
+    statics: str
     direction_deg: OfSprings
+    places: Mapping[str, float]
     spring_length_mm: OfSprings
     spring_force_N: OfSprings
     contact_force_N: float | None
-    statics: str
-    stable: bool
     frequencies_hz: tuple[float, ...]
     damping_ratio: tuple[float, ...]
     growth_per_s: float
-    current: bool
 
     @property
     def settles(self) -> bool | None:
@@ -67,12 +96,107 @@ class State(Result):
         least = min(self.damping_ratio, default=math.inf)
         return None if self.statics == "stable" and (self.growth_per_s == 0 or abs(least) < NEUTRAL) else self.stable
 
-    def __getattr__(self, name: str) -> float:
-        places = self.__dict__.get("places", {})
-        if name not in places:
-            raise AttributeError(f"a state has no {name!r}{hint(name, places)}")
-        found: float = places[name]
-        return found
+
+@dataclass(frozen=True)
+class JumpPeak(_Named):
+    """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or degrees.
+
+    ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates on the fold and of the state
+    that is left there, by name and unit, and ``ranges`` how far each goes, attributes too. ``spring_force_N`` is that of the
+    inclined spring, of several by their names; ``contact_force_N`` is None without a contact. ``settles`` says what the motion
+    comes to: ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds over which it was looked
+    at; ``lifts_off`` whether the contact opens.
+    """
+
+    at: float
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+    ranges: Mapping[str, tuple[float, float]]
+    spring_force_N: Any
+    contact_force_N: tuple[float, float] | None
+    lifts_off: bool
+    settles: str
+    followed_s: float
+    held = "ranges"
+
+
+@dataclass(frozen=True)
+class Oscillation(Result):
+    """The motion that begins at rest where all coordinates are 0, or far out, and what it comes to.
+
+    ``kind`` is ``"cycle"``, one that attracts it; ``"motion"``, if it goes on and has not repeated itself in the time it was
+    followed; ``"rest"``, if it decays to rest; ``"falls"``, if it was not followed to its end, became smaller and smaller,
+    and steady sliding may hold it; or ``"lift-off"``, for good. Only the first two have an amplitude of the first coordinate,
+    which is half of its range, in millimetres or degrees by ``unit``, and forces, least and largest, of several springs by
+    their names; only a cycle has a frequency. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives
+    although a small disturbance of steady sliding dies out, None where that is up to what the model leaves out, or the state
+    of the brake is not known.
+    """
+
+    kind: str
+    frequency_hz: float
+    amplitude: float
+    unit: str
+    spring_force_N: Any
+    contact_force_N: Any
+    coexists: bool | None
+    start: str
+    motion: Any = field(repr=False)
+
+    @property
+    def amplitude_mm(self) -> float:
+        """The amplitude, if it is a length; NaN if it is an angle."""
+        return self.amplitude if self.unit == "mm" else math.nan
+
+    @property
+    def alive(self) -> bool:
+        """Whether it goes on."""
+        return self.kind in ("cycle", "motion")
+
+    @property
+    def lifts_off(self) -> bool:
+        """Whether the contact opens."""
+        return self.kind == "lift-off" or (self.contact_force_N is not None and self.contact_force_N[0] == 0)
+
+
+# ------------------------------------------------------------------------------------------- in the units of a report
+
+
+def unit_of(study: Study, name: str = "") -> tuple[str, float]:
+    """The unit of a coordinate, by default of the first, and its size: lengths in millimetres, angles in degrees."""
+    entries = study.kind.about["coordinates"]
+    si = next(entry["unit"] for entry in entries if name in ("", entry["name"]))
+    return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
+
+
+def in_units(study: Study, place: Mapping[str, float]) -> dict[str, float]:
+    """The coordinates of a place by name and unit."""
+    units = {name: unit_of(study, name) for name in study.kind.model.coordinates}
+    return {f"{name}_{unit}": size * float(place[name]) for name, (unit, size) in units.items()}
+
+
+def _of_springs(study: Study, values: Sequence[Any]) -> Any:
+    """One number, several by the names of the springs, or None."""
+    if len(values) < 2:
+        return next(iter(values), None)
+    return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
+
+
+def _forces(study: Study, ends: Mapping[str, tuple[float, float]]) -> tuple[Any, Any]:
+    """Least and largest forces of springs, and of the contact, None where there is none."""
+    told = {name: (low * study.scales.force, high * study.scales.force) for name, (low, high) in ends.items()}
+    contact = told.pop("contact_force", None)
+    return _of_springs(study, list(told.values())), contact
+
+
+def _extremes(p: Any, states: FloatArray) -> dict[str, tuple[float, float]]:
+    """Of each force the least and the largest over states of a motion."""
+    constants = [float(value) for value in p.model.arguments(p, "motion")]
+    told = {name: np.asarray(force(states, constants)) for name, force in forces.told_of(p.model).items()}
+    return {name: (float(force.min()), float(force.max())) for name, force in told.items()}
+
+
+# ------------------------------------------------------------------------------------------------------- steady sliding
 
 
 def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[State, ...]:
@@ -82,13 +206,10 @@ def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
     -----
     Source: :func:`spragsym.equilibria`, and the linearization at the belt's speed.
     """
-    slots = range(int(eq.count))
-    off = [
-        math.inf if here is None else max(abs(float(column[slot]) - here[name]) for name, column in eq.coordinates.items())
-        for slot in slots
-    ]
-    nearest = min(slots, key=off.__getitem__, default=-1)
-    return tuple(_state(study, eq, slot, slot == nearest and off[slot] < SAME) for slot in slots)
+    places = _places(eq)
+    off = [_apart(place, here) for place in places]
+    nearest = int(np.argmin(off)) if off else -1
+    return tuple(_state(study, eq, slot, place, slot == nearest and off[slot] < SAME) for slot, place in enumerate(places))
 
 
 def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[tuple[dict[str, float], float | None], ...]:
@@ -97,15 +218,14 @@ def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
     Where it ends is told as the jump is; NaN where it does not, None where that is not known, or nothing rises.
     """
     at, rise, found = study.at_work, study.rise, []
-    for slot in range(int(eq.count) if here is not None else 0):
-        place = {name: float(column[slot]) for name, column in eq.coordinates.items()}
-        if eq.stability[slot] != Stability.STABLE or max(abs(place[name] - here[name]) for name in place) < SAME:  # type: ignore[index]
+    for slot, place in enumerate(_places(eq) if here is not None else ()):
+        if eq.stability[slot] != Stability.STABLE or _apart(place, here) < SAME:
             continue
         end = None
         if rise is not None:
             with suppress(SpragsymError):
-                end = rises.told(study, float(ss.jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
-        found.append((place_in_units(study, place), end))
+                end = study.told(float(ss.jump_value(at.following(**place), rise.name, begin=at.scalars(rise.name)[0])))
+        found.append((in_units(study, place), end))
     return tuple(found)
 
 
@@ -114,64 +234,172 @@ def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
 
     It is the one that is reached from small deformation as what rises does; where nothing is said to, the only one of ``eq``.
     """
-    at, rise = study.at_work, study.rise
-    if rise is None:
-        return {name: float(column[0]) for name, column in eq.coordinates.items()} if int(eq.count) == 1 else None
-    (value,) = at.scalars(rise.name)
-    begin = rises.begin(study)
-    path = ss.quasi_static_path(at, rise.name, [begin, value] if value > begin else [begin])
+    if study.rise is None:
+        return _places(eq)[0] if int(eq.count) == 1 else None
+    (value,), begin = study.at_work.scalars(study.rise.name), study.begins()
+    path = ss.quasi_static_path(study.at_work, study.rise.name, [begin, value] if value > begin else [begin])
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
-def of_springs(model: Any, values: Sequence[Any]) -> Any:
-    """One number, several by the names of the springs, or None."""
-    if len(values) < 2:
-        return next(iter(values), None)
-    return dict(zip((entry["name"] for entry in model.about["springs"]), values, strict=True))
+def _places(eq: Equilibria) -> list[dict[str, float]]:
+    return [{name: float(column[slot]) for name, column in eq.coordinates.items()} for slot in range(int(eq.count))]
 
 
-def place_in_units(study: Study, place: Mapping[str, float]) -> dict[str, float]:
-    """Coordinates by name and unit: lengths in millimetres, angles in degrees."""
-    scale = {"m": ("mm", 1e3 * study.scales.length)}
-    entries = {entry["name"]: scale.get(entry["unit"], ("deg", math.degrees(1.0))) for entry in study.about["coordinates"]}
-    return {f"{name}_{entries[name][0]}": entries[name][1] * value for name, value in place.items()}
+def _apart(place: Mapping[str, float], here: Mapping[str, float] | None) -> float:
+    return math.inf if here is None else max(abs(value - here[name]) for name, value in place.items())
 
 
-def _state(study: Study, eq: Equilibria, slot: int, is_here: bool) -> State:
-    scales, model = study.scales, study.at_work.model
+def _state(study: Study, eq: Equilibria, slot: int, place: Mapping[str, float], is_here: bool) -> State:
+    scales, model = study.scales, study.kind.model
 
-    def of(names: Iterable[str], scale: float) -> list[float]:
-        return [scale * float(getattr(eq, name)[slot]) for name in names]
+    def of(names: Iterable[str], scale: float) -> Any:
+        return _of_springs(study, [scale * float(getattr(eq, name)[slot]) for name in names])
 
-    place = {name: float(column[slot]) for name, column in eq.coordinates.items()}
     where = [name for name in columns_of(model) if name not in place]  # direction and length of each spring in turn
     told = forces.told_of(model)
-    tensions = of((name for name in told if name != "contact_force"), scales.force)
     rate = _roots(study, list(place.values())) / scales.time
     size = float(np.abs(rate).max())
     # Where nothing damps, as without friction, the sign of the real part is the rounding's.
     rate = np.where(np.abs(rate.real) <= ROUNDING * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: float(root.imag))
     growth, kind = float(rate.real.max()), Stability(int(eq.stability[slot]))
-    stable = growth < 0 if study.moves and growth else kind == Stability.STABLE
     return State(
-        place_in_units(study, place), of_springs(model, of(where[::2], math.degrees(1.0))),
-        of_springs(model, of(where[1::2], 1e3 * scales.length)), of_springs(model, tensions),
-        scales.force * float(eq.contact_force[slot]) if "contact_force" in told else None,
-        kind.name.lower(), bool(stable), tuple(float(root.imag) / (2 * math.pi) for root in upper),
-        tuple(float(-root.real / abs(root)) + 0.0 for root in upper), growth, is_here,
-    )  # fmt: skip
+        current=is_here,
+        stable=bool(growth < 0 if study.moves and growth else kind == Stability.STABLE),
+        statics=kind.name.lower(),
+        direction_deg=of(where[::2], math.degrees(1.0)),
+        places=in_units(study, place),
+        spring_length_mm=of(where[1::2], 1e3 * scales.length),
+        spring_force_N=of((name for name in told if name != "contact_force"), scales.force),
+        contact_force_N=scales.force * float(eq.contact_force[slot]) if "contact_force" in told else None,
+        frequencies_hz=tuple(float(root.imag) / (2 * math.pi) for root in upper),
+        damping_ratio=tuple(float(-root.real / abs(root)) + 0.0 for root in upper),
+        growth_per_s=growth,
+    )
 
 
 def _roots(study: Study, q: list[float]) -> FloatArray:
     """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope where that is not known."""
-    p = study.dimensionless
-    model = p.model
-    balance = Balance(model, True, friction.law_of(study))
-    given, state = np.array([[value] for value in p.scalars(*model.parameters)]), np.array(q)[:, None]
-    M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, state, given))
-    belt = str((study.about["friction"] or {}).get("belt", ""))
-    if not study.moves and belt in model.parameters:
-        level = np.array([[value] for value in p.replace(**{belt: LEVEL}).scalars(*model.parameters)])
-        C = np.moveaxis(linearization(balance, state, level)[1], -1, 0)
+    p, belt = study.dimensionless, study.kind.law["belt"]
+    balance, state = Balance(p.model, True, study.law), np.array(q)[:, None]
+
+    def parts(p: Any) -> list[FloatArray]:
+        given = np.array([[value] for value in p.scalars(*p.model.parameters)])
+        return [np.moveaxis(part, -1, 0) for part in linearization(balance, state, given)]
+
+    M, C, K = parts(p)
+    if not study.moves and belt in p.model.parameters:
+        C = parts(p.replace(**{belt: LEVEL}))[1]
     return np.asarray(roots(M, C, K)[0])
+
+
+# ------------------------------------------------------------------------------------------------------------ the jump
+
+
+def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak | None:
+    """The jump as a motion; None where the belt's friction reaches none, the law is not known, or the motion creeps.
+
+    ``value`` is that of the parameter that rises, ``jump`` what it is told as, and ``speed`` the least one of the belt in m/s
+    that brings a friction.
+
+    Notes
+    -----
+    Source: the equations of motion, (8)–(11), at the belt's speed, where what rises is at the jump: friction by the μ₀ at which
+    that works; where no μ₀ within the tolerances is enough, at the largest and the speed at which it is. The motion begins at
+    rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is left, and the others
+    are balanced; forces are looked at over equal steps of time.
+    """
+    rise, at = study.rises, _moving(study, value, jump, speed)
+    if at is None:
+        return None
+    p = study.dimensionless if study.of_friction else study.at_work
+    path = ss.quasi_static_path(p, rise.name, [study.begins(), value + 1e-6 * abs(value) + 1e-9])
+    if not path.jumps:
+        return None
+    turn = path.jumps[0]
+    begin, end = (np.array([where[name] for name in p.model.coordinates]) for where in (turn.before, turn.after))
+    held = int(np.abs(end - begin).argmax())
+    start = _balanced(p.replace(**{rise.name: value}), begin + AWAY * (end - begin), held)
+    for t_end in _T_END:
+        try:
+            motion = ss.simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
+            comes_to = motion.outcome(0.5 * t_end).regime
+        except ConvergenceError:
+            return None
+        if np.abs(motion.state[held] - begin[held]).max() > 0.5 * abs(end[held] - begin[held]):
+            break
+    else:
+        return None
+    course = np.asarray(motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], _INSTANTS))))
+    springs, contact = _forces(study, _extremes(at, course))
+    lowest, highest = (
+        in_units(study, dict(zip(p.model.coordinates, ends, strict=True)))
+        for ends in (course[: start.size].min(axis=1), course[: start.size].max(axis=1))
+    )
+    return JumpPeak(
+        at=jump, before=in_units(study, turn.before), after=in_units(study, turn.after),
+        ranges={name: (lowest[name], highest[name]) for name in lowest},
+        spring_force_N=springs, contact_force_N=contact, lifts_off=contact is not None and contact[0] == 0,
+        settles=_COMES_TO.get(comes_to, "unsettled"), followed_s=float(motion.t[-1] * study.scales.time),
+    )  # fmt: skip
+
+
+def _moving(study: Study, value: float, jump: float, speed: float) -> Any:
+    """The parameters of the motion where it jumps; None where the law is not known or brings no such friction."""
+    p, law = study.dimensionless, study.kind.law
+    if not study.moves or (study.kind.about["friction"] and study.law != "friction_at_speed"):
+        return None
+    if not study.of_friction:
+        return p.replace(**{study.rises.name: value})
+    at = p.replace(mu0=1.0)
+    if jump > study.friction[2]:
+        if math.isnan(speed):
+            return None
+        at = at.replace(**{law["belt"]: speed * study.scales.time / study.scales.length})
+    return at.replace(mu0=jump / float(p.model.friction(at)))  # to which the law is proportional
+
+
+def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
+    """A place with one coordinate as it is, and the forces on all others balanced: by Newton's method."""
+    balance = Balance(p.model, True)
+    values = balance.arguments_of(dict(zip(balance.parameters, p.scalars(*balance.parameters), strict=True)), np)
+    free, q = np.delete(np.arange(place.size), held), place.copy()
+    for _ in range(_STEPS if free.size else 0):
+        directions = balance.plain_directions(list(q), values, np)
+        rows, residual = (balance.by_coordinate(name, list(q), directions, values, np) for name in ("forces_jacobian", "forces"))
+        stiffness = np.array(rows, dtype=float)[np.ix_(free, free)]
+        q[free] -= np.linalg.solve(stiffness, np.array(residual, dtype=float)[free])
+    return q
+
+
+# ----------------------------------------------------------------------------------------------------- the oscillation
+
+
+def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillation:
+    """The cycle that the motion comes to, from rest or from far out; or what it does instead.
+
+    ``settles`` says of the state that the brake is in whether a small disturbance dies out, None where that is up to what the
+    model leaves out, and ``holds`` whether it does in the model: else no motion that falls comes to rest.
+    """
+    p, (unit, size) = study.dimensionless, unit_of(study)
+    rates = len(p.model.coordinates)
+    for word, place in (("rest", ()), ("far out", _FAR[:rates])):
+        try:
+            found = ss.cycle(p, near=(*place, *[0.0] * (2 * rates - len(place))), patient=False)
+        except ConvergenceError:
+            continue
+        if found.stable:  # no motion comes to one that is not
+            frequency, told = 1 / (found.period * study.scales.time), _forces(study, found.forces)
+            return Oscillation("cycle", frequency, found.amplitude * size, unit, *told, settles, word, found)
+    motion = ss.simulate(p, t_end=T_END)
+    late = motion.after(0.75 * T_END)
+    try:
+        regime = motion.outcome(0.75 * T_END).regime
+    except ConvergenceError:
+        regime = Regime.UNSETTLED
+    now, before = (float(np.ptp(motion.after(share * T_END).state[0])) for share in (0.75, 0.5))
+    kind = _COMES_TO.get(regime, "falls" if holds and now < _FALLS * before else "motion").replace("cycle", "motion")
+    goes_on = 1.0 if kind == "motion" else math.nan
+    told = _forces(study, {name: (goes_on * low, goes_on * high) for name, (low, high) in _extremes(p, late.state).items()})
+    lives = settles if kind == "motion" else None
+    return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, "rest", late)

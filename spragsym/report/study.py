@@ -1,34 +1,91 @@
-"""A study: the data of one brake with tolerances, and what can be said of it."""
+"""A brake: its data with units and tolerances, what rises until it jumps, and the friction that works."""
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import spragsym as ss
+
+from ..bifurcation.points import ranges
 from ..design.dependence import Correlation, Dependence, dependence
 from ..errors import ParameterError
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
 from ..names import hint
-from . import brake_quantities, rises
-from .brake_files import BrakeFile, read_brake
-from .measurements import FrictionFit
-from .rises import Rise
+from .quantities import Quantities, quantities, share
 from .units import Measured, factor, read, shown_in
 
 if TYPE_CHECKING:
+    from .friction_tables import FrictionFit
     from .reports import Report
 
 #: Units of the report where the data came as plain numbers in SI.
-PLAIN_UNITS: Mapping[str, str] = {
-    "kg": "kg", "N/m": "N/mm", "m": "mm", "rad": "deg", "N": "N", "m/s": "m/s", "s/m": "s/m", "1": "",
-}  # fmt: skip
+PLAIN_UNITS: Mapping[str, str] = {"N/m": "N/mm", "m": "mm", "rad": "deg", "1": ""}
+
+
+@dataclass(frozen=True)
+class Rise:
+    """What rises: its quantity in the file, the parameter that it is in the model, and from where it rises, in SI.
+
+    Friction is told as the friction of the law, of which :mod:`~spragsym.report.friction` says how much works; of any other
+    quantity values are told as they are, in SI, and the friction stays.
+    """
+
+    quantity: str
+    name: str
+    begin: float
+
+    @property
+    def is_friction(self) -> bool:
+        """Whether it is the friction at full slip."""
+        return self.name == "mu0"
+
+    @property
+    def word(self) -> str:
+        """What it is called in a sentence."""
+        return "friction" if self.is_friction else self.quantity
+
+    def check(self, values: Mapping[str, float]) -> Rise:
+        """Itself; an error for a brake in which it is below where it begins."""
+        if self.begin > values[self.quantity]:
+            above = f"begin = {self.begin:g} is above {self.quantity} = {values[self.quantity]:g}"
+            raise ParameterError(f"{above}; begin where it is lower")
+        return self
+
+
+def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Mapping[str, float]) -> Rise | None:
+    """What rises: the quantity that is named, else the friction at full slip; None for a model without it.
+
+    ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
+
+    Raises
+    ------
+    ParameterError
+        For what is no quantity, or one on which no state depends; for one that has no least value, without ``begin``; and for a
+        ``begin`` that is not allowed, or above the value.
+    """
+    if vary is None:
+        if begin is not None:
+            raise ParameterError(f"begin = {begin!r} says from where a quantity rises; give vary, its name, too")
+        return Rise("mu0", "mu0", 0.0) if "mu0" in kind.parameters else None
+    if vary not in kind.may_rise:
+        cure = hint(vary, kind.may_rise) or f"; what may rise is {', '.join(kind.may_rise)}"
+        raise ParameterError(f"vary = {vary!r} is no quantity of {kind.model.where} on which its states depend, or a unit{cure}")
+    allowed = kind.ranges(values)[vary]
+    if begin is None and not allowed.contains(allowed.low):
+        raise ParameterError(f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises")
+    start = allowed.low if begin is None else as_number("begin", begin, allowed)
+    if kind.parameters[vary] == "mu0" and start != allowed.low:
+        raise ParameterError(f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out")
+    return Rise(vary, kind.parameters[vary], start).check(values)
 
 
 class Study:
@@ -73,25 +130,32 @@ class Study:
     0.3663
     """
 
+    quantities: Mapping[str, Measured]
+    model: str
+    source: str = ""
+    fit: FrictionFit | None = None
+    correlation: Correlation = MappingProxyType({})
+    rise: Rise | None = None
+    state: Mapping[str, float] = MappingProxyType({})
+
     def __init__(
         self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,
         correlation: Correlation | None = None, *, model: str = USUAL, vary: str | None = None, begin: float | None = None,
         state: Mapping[str, float] | None = None,
     ) -> None:  # fmt: skip
-        units, ranges = brake_quantities.quantity_units(model), brake_quantities.ranges(model)
-        given = _given(parameters, model, ranges)
-        off = dict(tolerance or {})
+        kind, off = quantities(model), dict(tolerance or {})
+        given, allowed = _given(parameters, kind, model), kind.ranges()
         for name in off:
             if name not in given:
-                raise ParameterError(f"tolerance of {name!r}: no such quantity{hint(name, units)}; leave it out")
-        self.quantities: Mapping[str, Measured] = {
-            name: _measured(name, given[name], off.get(name), units[name], ranges[name]) for name in units if name in given
-        }
-        self.model, self.source, self.fit, self.correlation = model, "", None, dict(correlation or {})
-        self.rise = rises.rise_of(model, vary, begin, self.values)
-        self.state = dict(state or {})
-        self.placed(self.dimensionless)
-        dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
+                raise ParameterError(f"tolerance of {name!r}: no such quantity{hint(name, kind.units)}; leave it out")
+        self.model, self.correlation, self.state = model, dict(correlation or {}), dict(state or {})
+        self.quantities = {
+            name: _measured(name, given[name], off.get(name), si, allowed[name])
+            for name, si in kind.units.items() if name in given
+        }  # fmt: skip
+        self.rise = rise_of(kind, vary, begin, self.values)
+        self.dimensionless  # noqa: B018  # an error for a state that is none here, not later
+        dependence(list(self.tolerances), self.correlation)
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str], *, trust: bool | str = False) -> Study:
@@ -99,75 +163,74 @@ class Study:
 
         A file may name the folder of a model, whose code runs: ``trust`` says that it may.
         """
-        return cls.of(read_brake(path, trust))
+        from .brake_files import read_brake
+
+        return read_brake(path, trust)
 
     @classmethod
-    def of(cls, data: BrakeFile) -> Study:
-        """The study of what was read from a file."""
+    def of(cls, **data: Any) -> Study:
+        """The study of attributes that are known to fit together."""
         study = cls.__new__(cls)
-        study.quantities, study.model, study.source = data.quantities, data.model, Path(data.path).name
-        study.fit, study.correlation, study.rise, study.state = data.fit, data.correlation, data.rise, data.state
+        study.__dict__.update(data)
+        return study
+
+    def with_quantities(self, changed: Mapping[str, Measured]) -> Study:
+        """The study of the same file with other quantities."""
+        held = {name: value for name, value in vars(self).items() if name in Study.__annotations__}
+        study = Study.of(**held | {"quantities": changed})
+        if study.rise is not None:
+            study.rise.check(study.values)
         return study
 
     def changed(self, after: Mapping[str, float]) -> Study:
         """The study of another design: a quantity that changes keeps its tolerance as a share of its value, an angle as it is."""
-        new = {name: self.quantities[name].scaled(value, self.si(name) != "rad") for name, value in after.items()}
+        new = {name: self.quantities[name].scaled(value, self.kind.units[name] != "rad") for name, value in after.items()}
         return self.with_quantities({**self.quantities, **new})
 
-    def with_quantities(self, quantities: Mapping[str, Measured]) -> Study:
-        """The study of the same file with other quantities."""
-        study = Study.__new__(Study)
-        study.quantities = quantities
-        study.model, study.source, study.fit, study.correlation = self.model, self.source, self.fit, self.correlation
-        study.rise, study.state = self.rise, self.state
-        if study.rise is not None:
-            rises.check(study.rise, study.values)
-        return study
+    def at_full_slip(self) -> Study:
+        """The study without the belt's speed: friction is μ₀."""
+        return self.with_quantities({name: one for name, one in self.quantities.items() if name not in self.kind.of_the_law})
 
-    source: str
-    model: str
-    fit: FrictionFit | None
-    correlation: Correlation
-    rise: Rise | None
-    state: Mapping[str, float]
+    # ------------------------------------------------------------------------------------------------- the operating point
+
+    @cached_property
+    def kind(self) -> Quantities:
+        """The quantities of the model."""
+        return quantities(self.model)
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """The values in SI by name."""
+        return {name: one.value for name, one in self.quantities.items()}
+
+    @property
+    def tolerances(self) -> dict[str, float]:
+        """Half of the width of every quantity that has one, in SI."""
+        return {name: 0.5 * (one.high - one.low) for name, one in self.quantities.items() if one.varies}
 
     @property
     def unbounded(self) -> tuple[str, ...]:
         """Quantities of whose distribution a part lies beyond ``low`` and ``high``."""
         return tuple(name for name in self.tolerances if not self.quantities[name].cut)
 
-    # ------------------------------------------------------------------------------------------------- the operating point
-
-    @property
-    def about(self) -> Mapping[str, Any]:
-        """``model.json`` of the model."""
-        return brake_quantities.about(self.model)
-
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Names of the model's coordinates."""
-        return tuple(entry["name"] for entry in self.about["coordinates"])
-
     @cached_property
     def scales(self) -> Scales:
         """Scales of length, time and force."""
-        return Scales(**brake_quantities.dimensionless(self.model, self.values)[1])
+        return Scales(*(self.scale(unit) for unit in ("m", "s", "N")))
 
-    @property
-    def values(self) -> dict[str, float]:
-        """The values in SI by name."""
-        return {name: one.value for name, one in self.quantities.items()}
+    def scale(self, si: str) -> float:
+        """What one of the model's is in an SI unit."""
+        return float(self.kind.scale(si, self.values))
 
     @cached_property
     def dimensionless(self) -> Any:
         """The dimensionless parameters at the operating point, with the friction μ₀."""
-        return self.placed(brake_quantities.dimensionless(self.model, self.values)[0])
+        return self.placed(self.kind.parameter_set(self.values))
 
     def placed(self, p: Any) -> Any:
         """A set of parameters that follows the state that was chosen, if one was."""
-        units = brake_quantities.bases(self.model, self.values)
-        si = {entry["name"]: entry["unit"] for entry in self.about["coordinates"]}
-        near = {name: value / brake_quantities.scale_of(si.get(name, "1"), units) for name, value in self.state.items()}
+        si = {entry["name"]: entry["unit"] for entry in self.kind.about["coordinates"]}
+        near = {name: value / self.scale(si.get(name, "1")) for name, value in self.state.items()}
         return p.following(**near) if near else p
 
     @cached_property
@@ -179,71 +242,157 @@ class Study:
     @cached_property
     def moves(self) -> bool:
         """Whether all that the motion in time depends on is known; a file may leave out V and d."""
-        return {entry["quantity"] for entry in self.about["parameters"]} <= set(self.quantities)
+        return set(self.kind.parameters) <= set(self.quantities)
 
     @property
     def belt(self) -> str | None:
         """The quantity that is the speed of the belt, whatever the page calls it; None where none alone is that."""
-        law = self.about["friction"]
-        names = {entry["name"]: entry["quantity"] for entry in self.about["parameters"]}
-        return names.get(law["belt"]) if law else None
+        belt = self.kind.law["belt"]
+        return next((quantity for quantity, name in self.kind.parameters.items() if name == belt), None)
+
+    # -------------------------------------------------------------------------------------------------------- its friction
+
+    @cached_property
+    def law(self) -> str:
+        """Which friction works: that at the belt's speed where it is known and statics can take it, else what statics takes.
+
+        Statics takes μ₀, to which the law is proportional, or the law at the belt's speed itself; of other laws no value of μ₀
+        stands for the friction at a speed.
+        """
+        law = self.kind.law
+        known = law["belt"] != "0" and set(law["quantities"]) <= set(self.quantities)
+        return "friction_at_speed" if known and law["at_rest"] != "other" else "friction_at_rest"
 
     @cached_property
     def fraction(self) -> float:
         """The share of μ₀ at which friction works at the speed of the belt; 1 where that is not known."""
-        from . import friction
-
-        return friction.share(self)
+        p = self.dimensionless
+        return float(share(p.model, p)) if self.law == "friction_at_speed" else 1.0
 
     @cached_property
     def friction(self) -> tuple[float, float, float]:
         """The friction that works: least, at the operating point, and largest within the tolerances; by the model's law."""
-        from . import friction
+        from .friction import working
 
-        return friction.working(self)
+        return working(self)
+
+    def of_statics(self, mu0: float) -> float:
+        """The friction that statics takes with a value of μ₀."""
+        p = self.dimensionless
+        return float(p.model.friction(p.replace(mu0=mu0), "friction_at_rest")) if mu0 < math.inf else mu0
+
+    # --------------------------------------------------------------------------------------------------------- what rises
 
     @property
-    def tolerances(self) -> dict[str, float]:
-        """Half of the width of every quantity that has one, in SI."""
-        return {name: one.tolerance for name, one in self.quantities.items() if one.high > one.low}
+    def rises(self) -> Rise:
+        """What rises, of a study of which something does."""
+        assert self.rise is not None
+        return self.rise
 
-    def at_full_slip(self) -> Study:
-        """The study without the belt's speed: friction is μ₀."""
-        left_out = brake_quantities.of_the_law(self.model)
-        return self.with_quantities({name: one for name, one in self.quantities.items() if name not in left_out})
+    @property
+    def of_friction(self) -> bool:
+        """Whether it is the friction that rises."""
+        return self.rise is not None and self.rise.is_friction
 
-    def together(self, names: Sequence[str]) -> Dependence:
-        """How some of the quantities vary together."""
-        return dependence(names, {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)})
+    @property
+    def working(self) -> tuple[float, float, float]:
+        """What rises, where the brake works: least, as drawn, and largest within the tolerances."""
+        if self.rise is None or self.of_friction:
+            return self.friction
+        one = self.quantities[self.rise.quantity]
+        return one.low, one.value, one.high
 
-    def shown(self, name: str, value: float, digits: int = 4) -> str:
-        """A value of a quantity as text, in the unit in which it came."""
-        return shown_in(value, self.quantities[name].unit, self.si(name), digits)
+    @property
+    def full(self) -> tuple[float, float, float]:
+        """The same of the friction at full slip."""
+        if not self.of_friction:
+            return self.working
+        one = self.quantities["mu0"]
+        return self.of_statics(one.low), self.of_statics(one.value), self.of_statics(one.high)
 
-    def shown_speed(self, speed: float, digits: int = 4) -> str:
-        """A speed of the belt as text, by the name of the page: ``V = 1.2 m/s``."""
-        return (
-            f"a speed of {speed:.{digits}g} m/s" if self.belt is None else f"{self.belt} = {self.shown(self.belt, speed, digits)}"
-        )
+    @property
+    def rise_scale(self) -> float:
+        """What one of the parameter that rises is as it is told: in SI, in the units of the brake as drawn."""
+        return self.scale(self.kind.units[self.rises.quantity])
+
+    def told(self, value: float) -> float:
+        """A value of the parameter that rises as it is told: the friction of the law, or in SI."""
+        return self.of_statics(value) if self.of_friction else value * self.rise_scale
+
+    def begins(self, values: Mapping[str, Any] | None = None) -> Any:
+        """From where it rises, as its parameter; of other brakes in their own units, each at the same value in SI."""
+        rise = self.rises
+        allowed = self.kind.model.Parameters.ranges[rise.name]
+        scale = self.kind.scale(self.kind.units[rise.quantity], values or self.values)
+        found = np.maximum(rise.begin / scale, allowed.reached(allowed.low))
+        return found if values else float(found)
+
+    def along(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """What rises as arguments of the model's questions, which take friction at full slip unless told otherwise."""
+        return {} if self.of_friction else {"vary": self.rises.name, "begin": self.begins(values or self.values)}
+
+    def jump(self) -> float:
+        """Where the state jumps, as the parameter that rises; NaN where it does not."""
+        return float(ss.jump_value(self.dimensionless if self.of_friction else self.at_work, **self.along()))
+
+    def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
+        """Parameters of brakes, by their quantities in SI, where what rises is at a target, or at the own value that works."""
+        if target is not None and not self.of_friction:
+            values = {**values, self.rises.quantity: target}
+        p = self.placed(self.kind.parameter_set(values))
+        if "mu0" in p.model.parameters:
+            works = p.mu0 * (share(p.model, p) if self.law == "friction_at_speed" else 1.0)
+            p = p.replace(mu0=np.broadcast_to(works if target is None or not self.of_friction else target, p.shape))
+        return p
+
+    @property
+    def top(self) -> float:
+        """Up to which value a jump is looked for, as it is told: all, or the end of a search; NaN where nothing rises."""
+        if self.rise is None:
+            return math.nan
+        if self.of_friction and "first_ends" in self.kind.model.closed:
+            return math.inf
+        return self.told(float(ranges(self.kind.model, (self.rise.name,), {})[0, 1]))
+
+    # ---------------------------------------------------------------------------------------------- in the file's own units
+
+    def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
+        """A value of a quantity, by default its own, as text in the unit in which it came."""
+        one = self.quantities[name]
+        return shown_in(one.value if value is None else value, one.unit, self.kind.units[name], digits)
 
     def in_file(self, name: str, value: float) -> float:
         """A value of a quantity in the unit in which it came."""
-        return value / factor(self.quantities[name].unit, self.si(name))
+        return value / factor(self.quantities[name].unit, self.kind.units[name])
+
+    def shown_speed(self, speed: float, digits: int = 4) -> str:
+        """A speed of the belt as text, by the name of the page: ``V = 1.2 m/s``."""
+        if self.belt is None:
+            return f"a speed of {speed:.{digits}g} m/s"
+        return f"{self.belt} = {self.shown(self.belt, speed, digits)}"
+
+    def amount(self, value: float, digits: int = 4) -> str:
+        """A value of what rises: a friction as a number, a quantity with its unit."""
+        if self.rise is None or self.of_friction:
+            return f"{value:.{digits}g}"
+        return self.shown(self.rise.quantity, value, digits)
+
+    def named(self, value: float, digits: int = 4) -> str:
+        """The same in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
+        return f"{'a friction of' if self.of_friction else f'{self.rises.quantity} ='} {self.amount(value, digits)}"
+
+    @property
+    def looked(self) -> str:
+        """Where a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20 N``."""
+        word = "" if self.rise is None else self.rise.word
+        return word if self.rise is None or math.isinf(self.top) else f"{word} up to {self.amount(self.top)}"
 
     def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
         """The unit of this file for an SI unit, that of a quantity if it is there, and what one of the model's is in it."""
-        here = name if name in self.quantities else next((other for other in self.quantities if self.si(other) == si), "")
+        alike = (other for other in self.quantities if self.kind.units[other] == si)
+        here = name if name in self.quantities else next(alike, "")
         unit = self.quantities[here].unit if here else PLAIN_UNITS.get(si, si)
-        return unit, brake_quantities.scale_of(si, brake_quantities.bases(self.model, self.values)) / factor(unit, si)
-
-    @property
-    def si_units(self) -> Mapping[str, str]:
-        """The SI unit of each quantity that the model takes."""
-        return brake_quantities.quantity_units(self.model)
-
-    def si(self, name: str) -> str:
-        """The SI unit of a quantity."""
-        return self.si_units[name]
+        return unit, self.scale(si) / factor(unit, si)
 
     # ---------------------------------------------------------------------------------------------------------- the answers
 
@@ -273,29 +422,30 @@ class Study:
         Report
             What is not answered for the model is None there, with the reason among the warnings.
         """
-        from . import reports
+        from .facts import Asked
+        from .reports import report
 
-        safety = as_number("safety", safety, POSITIVE)
-        return reports.report(
-            self, probability=probability, redesign=redesign, oscillation=oscillation, safety=safety, n=n, progress=progress
-        )
+        return report(self, Asked(probability, redesign, oscillation, as_number("safety", safety, POSITIVE), n), progress)
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""
-        from .pages import write_page
+        (self.report() if report is None else report).to_html(path)
 
-        write_page(self, self.report() if report is None else report, Path(path))
+    def together(self, names: Sequence[str]) -> Dependence:
+        """How some of the quantities vary together."""
+        return dependence(names, {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)})
 
     def __repr__(self) -> str:
-        return f"Study({', '.join(f'{name}={self.shown(name, one.value)}' for name, one in self.quantities.items())})"
+        return f"Study({', '.join(f'{name}={self.shown(name)}' for name in self.quantities)})"
 
 
-def _given(parameters: Any, model: str, ranges: Mapping[str, Range]) -> dict[str, float]:
+def _given(parameters: Any, kind: Quantities, model: str) -> dict[str, float]:
     """Quantities in SI by name, checked."""
+    allowed = kind.ranges()
     if isinstance(parameters, PhysicalParameters) and model == USUAL:
         if parameters.shape:
             raise ParameterError(f"parameters have the shape {parameters.shape}; a study is of one brake, so give single numbers")
-        both = ((name, getattr(parameters, name)) for name in ranges)
+        both = ((name, getattr(parameters, name)) for name in allowed)
         return {name: float(value) for name, value in both if value is not None}
     if not isinstance(parameters, Mapping):
         raise ParameterError(
@@ -303,25 +453,22 @@ def _given(parameters: Any, model: str, ranges: Mapping[str, Range]) -> dict[str
             "model= a mapping; for dimensionless ones call jump_value, jump_margin, certify and jump_probability"
         )
     for name in parameters:
-        if name not in ranges:
-            remark = hint(name, ranges) or f"; it has {', '.join(ranges)}"
+        if name not in allowed:
+            remark = hint(name, allowed) or f"; it has {', '.join(allowed)}"
             raise ParameterError(f"parameters: {name!r} is no quantity of {model}{remark}")
-    missing = [name for name in ranges if name not in parameters and name not in brake_quantities.of_the_law(model)]
+    missing = [name for name in allowed if name not in parameters and name not in kind.of_the_law]
     if missing:
         raise ParameterError(f"parameters are without {', '.join(missing)}; give them in SI units")
-    return {name: as_number(name, value, ranges[name]) for name, value in parameters.items()}
+    return {name: as_number(name, value, allowed[name]) for name, value in parameters.items()}
 
 
 def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Measured:
+    """A value with its tolerance as Python is told it."""
     unit = PLAIN_UNITS.get(si, si)
-    if off is None:
-        low = high = value
-    elif isinstance(off, str):
-        if not off.lstrip().startswith("["):
-            return replace(read(_around(value, off, si), si, allowed), value=value, unit=unit)
-        ends = read(off, si, allowed)
+    if isinstance(off, str):
+        ends = read(off if off.lstrip().startswith("[") else _around(value, off, si), si, allowed)
         return replace(ends, value=value if ends.low <= value <= ends.high else ends.value, unit=unit)
-    elif isinstance(off, tuple):
+    if isinstance(off, tuple):
         if len(off) != 2:
             raise ParameterError(f"tolerance of {name} = {off!r}; give two ends, the smaller first")
         low, high = (as_number(f"tolerance of {name}", end, allowed) for end in off)
@@ -329,7 +476,7 @@ def _measured(name: str, value: float, off: Any, si: str, allowed: Range) -> Mea
             raise ParameterError(f"tolerance of {name} = {off!r} begins above its end; give the smaller first")
         value = 0.5 * low + 0.5 * high if not low <= value <= high else value
     else:
-        width = abs(as_number(f"tolerance of {name}", off))
+        width = 0.0 if off is None else abs(as_number(f"tolerance of {name}", off))
         low, high = value - width, value + width
     for end in (low, high):
         if not allowed.contains(end):

@@ -7,8 +7,11 @@ import math
 import re
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.special import ndtr, ndtri
 
 from ..errors import ParameterError
 from ..models.parameters import FINITE, Range
@@ -64,14 +67,39 @@ class Measured:
     cut: bool = True
 
     @property
-    def tolerance(self) -> float:
-        """Half of the width of its range."""
-        return 0.5 * (self.high - self.low)
+    def varies(self) -> bool:
+        """Whether it has a tolerance."""
+        return self.high > self.low
 
     @property
     def alone(self) -> Measured:
         """The value without its tolerance."""
         return Measured(self.value, self.value, self.value, self.unit)
+
+    @property
+    def whole(self) -> Measured:
+        """Its distribution; a normal one that is not cut off is taken to six standard deviations, beyond which lie 2e-9 of it."""
+        low, high = (self.value + sign * WITHIN * self.sd for sign in (-1, 1))
+        return self if self.cut else replace(self, low=low, high=high)
+
+    def cdf(self, value: Any) -> Any:
+        """The share of its distribution within its ends up to a value."""
+        if not self.varies:
+            return 1.0 * (np.asarray(value) >= self.value)
+        least, most, here = (self._below(end) for end in (self.low, self.high, np.asarray(value)))
+        return np.clip((here - least) / (most - least), 0.0, 1.0)
+
+    def ppf(self, share: Any) -> Any:
+        """The value below which a share of its distribution within its ends lies."""
+        if self.sd:
+            least, most = self._below(self.low), self._below(self.high)
+            value = self.value + self.sd * ndtri(least + np.asarray(share) * (most - least))
+        else:
+            value = self.low + np.asarray(share) * (self.high - self.low)
+        return np.clip(value, self.low, self.high)
+
+    def _below(self, value: Any) -> Any:
+        return ndtr((value - self.value) / self.sd) if self.sd else value
 
     def scaled(self, value: float, share: bool) -> Measured:
         """The same tolerance about another value, as a share of it, or as it is."""

@@ -14,7 +14,7 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.cli.report import report
-from spragsym.report.brake_quantities import scale_of
+from spragsym.report.quantities import quantities
 from tests.conformance.models import MODELS, a_set, load, place
 from tests.support import few
 
@@ -26,18 +26,18 @@ LESS = {"oscillation": False, "probability": False, "redesign": False}
 
 def a_brake(name: str, folder: Path) -> tuple[Path, Any, float]:
     """A file with the base values of a model, 40 degrees where there is none; the same set; and a unit of length in metres."""
-    model, p = load(name), a_set(name)
+    model, p, kind = load(name), a_set(name), quantities(place(name))
     units = {entry["name"]: SIZE.get(entry["unit"], 800.0) for entry in model.about["units"]}
     bases = {entry["name"]: (units[entry["name"]], entry["unit"]) for entry in model.about["units"]}
     lines = [f'{name} = "{value!r} {unit}"' for name, (value, unit) in bases.items()]
     for entry in model.about["parameters"]:
         unit = entry["quantity_unit"]
-        scale = 1.0 if unit in ("1", "rad") else scale_of(unit, bases)
+        scale = 1.0 if unit in ("1", "rad") else kind.scale(unit, units)
         value = float(getattr(p, entry["name"])) * scale
         lines.append(f"{entry['quantity']} = {value!r}" if unit == "1" else f'{entry["quantity"]} = "{value!r} {unit}"')
     file = folder / "brake.toml"
     file.write_text(f'[brake]\nmodel = "{Path(place(name)).as_posix()}"\n' + "\n".join(lines) + "\n", encoding="utf-8")
-    return file, p, scale_of("m", bases)
+    return file, p, kind.scale("m", units)
 
 
 @cache

@@ -1,0 +1,130 @@
+"""The quantities that a brake with a model is given by: their units and ranges, and the dimensionless parameters from them."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache, cached_property
+from typing import Any
+
+import numpy as np
+
+from ..models import Model
+from ..models.load import load
+from ..models.parameters import Range
+from .units import dimension, registry
+
+
+class Quantities:
+    """The quantities of a model's page; ``values`` of them are in SI, of many brakes arrays.
+
+    ``bases`` are the units of all others; ``units`` the SI units of all, and ``parameters`` what each is called in the model.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model, self.about = model, model.about
+        self.bases = {entry["name"]: entry["unit"] for entry in self.about["units"]}
+        self.parameters = {entry["quantity"]: entry["name"] for entry in self.about["parameters"]}
+        self.units = self.bases | {entry["quantity"]: entry["quantity_unit"] for entry in self.about["parameters"]}
+        self.law: Mapping[str, Any] = self.about["friction"] or {"quantities": (), "at_rest": "", "belt": "0"}
+
+    def powers(self, unit: str) -> dict[str, float]:
+        """Powers of the model's units whose product has the dimension of an SI unit."""
+        return dict(zip(self.bases, _powers(unit, tuple(self.bases.values())), strict=True))
+
+    def scale(self, unit: str, values: Mapping[str, Any]) -> Any:
+        """What one dimensionless unit of a quantity is in SI: the product of powers of the model's units that has its dimension.
+
+        Notes
+        -----
+        Source: dimensional analysis; the model's page makes three quantities of independent dimensions 1.
+
+        Examples
+        --------
+        >>> brake = {"m": 4.0, "k_c": 100.0, "L_0": 0.5}
+        >>> found = quantities("kang_nam")
+        >>> round(found.scale("N", brake), 12), round(found.scale("s", brake), 12)
+        (50.0, 0.2)
+        """
+        result: Any = 1.0
+        for name, power in self.powers(unit).items():
+            result = result * values[name] ** power if power else result  # exactly 1 for an angle or a number
+        return result
+
+    def groups(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """The dimensionless parameters by name, from quantities of any number type."""
+        given = ((name, quantity) for quantity, name in self.parameters.items() if quantity in values)
+        return {name: values[quantity] / self.scale(self.units[quantity], values) for name, quantity in given}
+
+    def parameter_set(self, values: Mapping[str, Any]) -> Any:
+        """The same as the model's parameters."""
+        return self.model.Parameters(**self.groups(values))
+
+    def ranges(self, values: Mapping[str, Any] | None = None) -> dict[str, Range]:
+        """Where quantities may lie: units of measure are positive, others as their parameters, at units of these values.
+
+        Without values, in those of the parameters, of which ends other than 0 are rare.
+        """
+        found = {name: Range(0.0, open_low=True) for name in self.bases}
+        for quantity, name in self.parameters.items():
+            allowed = self.model.Parameters.ranges[name]
+            scale = 1.0 if values is None else self.scale(self.units[quantity], values)
+            found[quantity] = replace(allowed, low=scale * allowed.low, high=scale * allowed.high)
+        return found
+
+    @cached_property
+    def balanced(self) -> tuple[str, ...]:
+        """Quantities on which the balance of forces depends besides its friction, in the order of the page."""
+        taken, found = set(inspect.signature(self.model.algebra.forces).parameters), set[str]()
+        for quantity, name in self.parameters.items():
+            if taken & {name, *self.about["angles"].get(name, ())}:
+                found |= {quantity, *(base for base, power in self.powers(self.units[quantity]).items() if power)}
+        return self._ordered(found)
+
+    @cached_property
+    def of_statics(self) -> tuple[str, ...]:
+        """The same, and those of the friction that works at rest: all on which the states of a model depend."""
+        friction = ("mu0",) if self.law["at_rest"] == "mu0" else self.law["quantities"]
+        return self._ordered({*self.balanced, *friction})
+
+    @cached_property
+    def of_the_law(self) -> tuple[str, ...]:
+        """Quantities that a brake may be given without: those of the friction law alone; then friction is μ₀, at full slip.
+
+        Of a law that is not proportional to mu0, or not mu0 at full slip, there are none.
+        """
+        mine = self.law["quantities"] if self.law["at_rest"] == "mu0" else ()
+        return tuple(quantity for quantity in mine if quantity not in (*self.balanced, "mu0"))
+
+    @property
+    def may_rise(self) -> tuple[str, ...]:
+        """Quantities on which the states of a model depend, without those that are the units of the others."""
+        return tuple(quantity for quantity in self.parameters if quantity in self.of_statics)
+
+    def _ordered(self, names: set[str]) -> tuple[str, ...]:
+        return tuple(quantity for quantity in self.units if quantity in names)
+
+
+@cache
+def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
+    def powers(text: str) -> list[float]:
+        known = dict(dimension(registry().parse_units("dimensionless" if text == "1" else text)))
+        return [float(known.get(axis, 0.0)) for axis in ("[mass]", "[length]", "[time]")]
+
+    matrix = np.array([powers(base) for base in bases]).T
+    return tuple(round(float(power), 9) for power in np.linalg.solve(matrix, np.array(powers(unit))))
+
+
+def quantities(name: str) -> Quantities:
+    """Those of a model by its name, or its folder."""
+    return _of(load(name))
+
+
+_of = cache(Quantities)
+
+
+def share(model: Model, p: Any) -> Any:
+    """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of the shape of ``p``."""
+    full, works = (model.friction(p, law) for law in ("friction_at_rest", "friction_at_speed"))
+    return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from ..emit import python, write
 from . import article, bounds, ledger, library, mechanics
 from . import nomenclature as nm
@@ -25,6 +27,9 @@ def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
     files = python.render(package) | models
     # A variant's functions take arguments that the libraries' own files do not give them.
     in_c = {} if mechanics.further_parameters() else library.render("c", files.__getitem__)
+    for source in re.findall(r'_SOURCE "(\w+)"', in_c.get("spragsym.h", "")):
+        said = "Head of the SHA-256 over the C library, which extension modules are built with."
+        files["__init__.py"] += f'\n#: {said}\nC_SOURCE = "{source}"\n'
     return {
         **files,
         **{f"c/{name}": text for name, text in in_c.items()},

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ..emit import definitions, double_double_kernel, language, targets
+from ..emit import definitions, double_double_kernel, language, targets, write
 from ..emit.definitions import Definition
 from ..emit.quantities import Interval, Quantity, written
 
@@ -49,8 +49,8 @@ def exported(written_in: str) -> dict[str, str]:
 
 
 def render(written_in: str, generated: Callable[[str], str]) -> dict[str, str]:
-    """The same from the texts of a generated package, given by their names."""
-    return targets.render(written_in, material(generated))
+    """The same from the texts of a generated package, given by their names; they carry the hash of what they are."""
+    return write.sealed(targets.render(written_in, material(generated)))
 
 
 def material(generated: Callable[[str], str]) -> targets.Material:
@@ -72,7 +72,7 @@ def material(generated: Callable[[str], str]) -> targets.Material:
         parameters=table["PARAMETERS"],
         base_values=table["BASE_VALUES"],
         public=PUBLIC,
-        digest=_run(package)["SOURCE_HASH"],
+        digest=write.DIGEST,
         header=package.split("\n\n")[2].partition("\n")[0],
         summary=SUMMARY,
         runtime=own_files(),

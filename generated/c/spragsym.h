@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "c7707e96d9d9d079"
+#define SPRAGSYM_SOURCE "1d7d1f3093d3b4fa"
 
 /** What became of a call. */
 typedef enum {

@@ -8,7 +8,7 @@ from importlib import metadata
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..generated import SOURCE_HASH
+from ..generated import C_SOURCE
 from ..models.field import GAP, WIDTH
 from ..models.parameters import FloatArray
 from . import with_scipy
@@ -23,17 +23,17 @@ ENDED, PASSED, FULL, TOO_SMALL, TOO_MANY = range(5)
 
 @cache
 def available() -> bool:
-    """Whether the extension module was built, and from the derivation that the rest of this package stands on."""
+    """Whether the extension module was built, and from the C library that was generated with the rest."""
     try:
         from . import _carried
     except ImportError:
         return False
-    return SOURCE_HASH.startswith(_carried.SOURCE)
+    return bool(_carried.SOURCE == C_SOURCE)
 
 
 def version() -> str:
     """What decides the last bits of a result: the field, and the method's tables."""
-    return f"compiled {SOURCE_HASH[:16]}, DOP853 of scipy {metadata.version('scipy')}"
+    return f"compiled {C_SOURCE}, DOP853 of scipy {metadata.version('scipy')}"
 
 
 @cache

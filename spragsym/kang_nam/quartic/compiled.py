@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from ...generated import SOURCE_HASH
+from ...generated import C_SOURCE
 from ...results.state_columns import COLUMNS, Slots
 
 _ROOM = threading.local()
@@ -17,12 +17,12 @@ _ROOM = threading.local()
 
 @cache
 def available() -> bool:
-    """Whether the extension module was built, and from the same derivation as the rest of this package."""
+    """Whether the extension module was built, and from the C library that was generated with the rest."""
     try:
         from . import _compiled
     except ImportError:
         return False
-    return SOURCE_HASH.startswith(_compiled.SOURCE)
+    return bool(_compiled.SOURCE == C_SOURCE)
 
 
 def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:

@@ -16,6 +16,7 @@ import numpy as np
 from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots, concatenated, once
 from ..numerics.interval_arrays import FloatArray, Intervals
+from ..statics.mechanics.laws import XP
 from .defining_systems import Augmented, State
 from .degenerate_ends import vanishes
 
@@ -34,7 +35,7 @@ class Logarithmic(Augmented):
         self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
     ) -> State:
         """The evaluation at coordinates and logarithm."""
-        return super().state([*unknowns[:-1], unknowns[-1].exp()], parameters, shape, sides)
+        return super().state([*unknowns[:-1], XP.exp(unknowns[-1])], parameters, shape, sides)
 
 
 def begins(system: Augmented, given: FloatArray, around: FloatArray) -> bool:

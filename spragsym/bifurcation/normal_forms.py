@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics.ball_functions import XP, cosine_and_sine
+from ..numerics.ball_functions import XP
 from ..numerics.complex_numbers import Complex, as_complex
 from ..numerics.elimination import solved
 from ..numerics.interval_arrays import FloatArray
@@ -229,11 +229,7 @@ class _Point:
 
     def _values(self, parameter: Any) -> Mapping[str, Any]:
         """Arguments of generated functions by name."""
-        values = dict(self.values)
-        if self.vary in self.balance.angles:
-            values |= zip(self.balance.angles[self.vary], cosine_and_sine(parameter), strict=True)
-        values[self.vary] = parameter
-        return values
+        return self.values | self.balance.with_angles({self.vary: parameter}, XP)
 
     def _constants(self, values: Mapping[str, Any]) -> list[Any]:
         return [values[name] for name in self.model.about["arguments"]["motion"]]

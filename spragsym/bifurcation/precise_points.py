@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..numerics.ball_functions import XP, cosine_and_sine
+from ..numerics.ball_functions import XP
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.jets import constant, gradient, variables
@@ -76,9 +76,6 @@ class PreciseAugmented(Digits):
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at balls or jets of balls."""
         n, balance = self.system.balance.n, self.system.balance
-        values = dict(self.base.arguments)
-        for name, value in zip(self.system.vary, unknowns[n:], strict=True):
-            if name in balance.angles:
-                values |= zip(balance.angles[name], cosine_and_sine(value), strict=True)
-            values[name] = value
+        changed = dict(zip(self.system.vary, unknowns[n:], strict=True))
+        values = self.base.arguments | balance.with_angles(changed, XP)
         return State(balance, unknowns[:n], values, (), xp=XP)

@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
+from . import interval_functions
 from .affine import Affine
 from .interval_arrays import Intervals
-from .interval_functions import cos, sin
-from .jets import JetFunctions
-
-Function = Callable[[Intervals], Intervals]
+from .jets import Functions, Jet
 
 
-def _through(function: Function, slope: Function) -> Callable[[Affine], Affine]:
+def _through(name: str) -> Callable[[Affine], Affine]:
     """A function of affine numbers from itself and its slope, of intervals."""
+    function = getattr(interval_functions, name)
 
     def through(x: Affine) -> Affine:
         with np.errstate(all="ignore"):
-            middle, slopes = function(Intervals.point(x.value)), slope(x.interval())
-            return Affine.linear(x, Affine.between(middle), slopes)
+            slope = _INTERVALS.of(name, Jet.variable(x.interval(), 0, 1)).derivative(0)
+            return Affine.linear(x, Affine.between(function(Intervals.point(x.value))), slope)
 
     return through
 
@@ -31,27 +31,17 @@ def _taken(value: Any) -> Affine:
     return value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))
 
 
-class AffineFunctions(JetFunctions):
-    """As for intervals, see :class:`spragsym.numerics.jets.JetFunctions`."""
-
+class _Functions(Functions):
     #: π.
-    pi = Affine.between(Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)]))
+    pi = Affine.between(interval_functions.PI)
 
     def sign(self, value: Any) -> Affine:
         """−1, 0, 1."""
         return Affine.between(self.taken(value).interval().sign())
 
 
+_INTERVALS = Functions(interval_functions, lambda value: value)
 #: The one that is needed.
-AFFINE = AffineFunctions(
-    {
-        "sqrt": _through(Intervals.sqrt, lambda x: 1 / (x.sqrt() * 2)),
-        "exp": _through(Intervals.exp, Intervals.exp),
-        "log": _through(Intervals.log, lambda x: 1 / x),
-        "tanh": _through(Intervals.tanh, lambda x: 1 - x.tanh().squared()),
-        "atan": _through(Intervals.atan, lambda x: 1 / (1 + x.squared())),
-        "cos": _through(cos, lambda x: -sin(x)),
-        "sin": _through(sin, cos),
-    },
-    _taken,
+AFFINE = _Functions(
+    SimpleNamespace(**{name: _through(name) for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")}), _taken
 )

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import sys
 from fractions import Fraction
 from typing import Any
 
 from .intervals import GUARD_BITS, Ball, Balls
-from .jets import Jet, JetFunctions
+from .jets import Functions, constant
 from .polynomials import Undecided
 
 _BALLS = Balls()
+sqrt, atan = _BALLS.sqrt, _BALLS.atan
 
 
 def exp(value: Ball) -> Ball:
@@ -37,11 +38,11 @@ def atan2(sine: Ball, cosine: Ball) -> Ball:
     """Angle of a vector of balls, from −π to π; :class:`Undecided` where they meet the ray on which it jumps."""
     up, right = (_BALLS.sign(part) for part in (sine, cosine))
     if right > 0 and (not up or _size(sine) <= _size(cosine)):
-        return _BALLS.atan(sine / cosine)
+        return atan(sine / cosine)
     if not up:
         raise Undecided("the angle of balls that meet the ray on which it jumps")
-    half = _BALLS.atan(Ball(1, 0, 0, sine.bits)) * 2
-    return (half if up > 0 else -half) - _BALLS.atan(cosine / sine)
+    half = atan(Ball(1, 0, 0, sine.bits)) * 2
+    return (half if up > 0 else -half) - atan(cosine / sine)
 
 
 def _size(value: Ball) -> int:
@@ -49,12 +50,14 @@ def _size(value: Ball) -> int:
     return (abs(value.mid) + value.rad).bit_length() + value.exp
 
 
-def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
-    """Of a ball, or of a jet of balls."""
-    if not isinstance(angle, Jet):
-        return _BALLS.cos_sin(angle)
-    pair = _BALLS.cos_sin(angle.value)
-    return angle.cos(pair), angle.sin(pair)
+def cos(angle: Ball) -> Ball:
+    """Cosine."""
+    return _BALLS.cos_sin(angle)[0]
+
+
+def sin(angle: Ball) -> Ball:
+    """Sine."""
+    return _BALLS.cos_sin(angle)[1]
 
 
 def log(value: Ball) -> Ball:
@@ -93,16 +96,7 @@ def _taken(value: Any) -> Ball:
     return value if isinstance(value, Ball) else _BALLS.exact(Fraction(value))
 
 
-class Functions(JetFunctions):
-    """``xp`` for balls."""
-
-    def __init__(self) -> None:
-        functions: dict[str, Callable[..., Any]] = {
-            "sqrt": _BALLS.sqrt, "exp": exp, "log": log, "tanh": tanh, "atan": _BALLS.atan, "atan2": atan2,
-            "cos": lambda angle: _BALLS.cos_sin(angle)[0], "sin": lambda angle: _BALLS.cos_sin(angle)[1],
-        }  # fmt: skip
-        super().__init__(functions, _taken)
-
+class _Functions(Functions):
     @property
     def pi(self) -> Ball:
         """π."""
@@ -111,7 +105,7 @@ class Functions(JetFunctions):
     @staticmethod
     def sign(value: Any) -> int:
         """−1 or 1; :class:`Undecided` where the ball holds 0."""
-        found = _BALLS.sign(value.value if isinstance(value, Jet) else value)
+        found = _BALLS.sign(constant(value))
         if not found:
             raise Undecided("the sign of a ball that holds 0")
         return found
@@ -122,5 +116,5 @@ class Functions(JetFunctions):
         return value if cls.sign(value) > 0 else -value
 
 
-#: The one that is needed.
-XP = Functions()
+#: ``xp`` for balls.
+XP = _Functions(sys.modules[__name__], _taken)

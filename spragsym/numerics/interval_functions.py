@@ -10,8 +10,12 @@ from .interval_arrays import FUNCTION_ULPS, FloatArray, Intervals, raised
 TRIGONOMETRIC_ERROR = 2.0**-50
 #: Beyond it cosine and sine are [−1, 1].
 LARGEST_ANGLE = 1e5
+#: Around π.
+PI = Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)])
 #: More than the error of an angle over 2π: an extremum so near to an end counts as inside, where it hardly widens anything.
 TURN_ERROR = 1e-10
+
+sqrt, exp, log, tanh, atan = Intervals.sqrt, Intervals.exp, Intervals.log, Intervals.tanh, Intervals.atan
 
 
 def cos(angle: Intervals) -> Intervals:

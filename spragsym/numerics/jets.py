@@ -15,7 +15,6 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .interval_arrays import Intervals
-from .interval_functions import cos, sin
 
 #: Numbers of the variables of a product, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
 Term: TypeAlias = tuple[int, ...]
@@ -137,17 +136,6 @@ class Jet:
         inverse = 1 / self.value
         return self.composed([inverse ** (k + 1) * (-1) ** k for k in range(self.order + 1)])
 
-    def sqrt(self, root: Any = None) -> Jet:
-        """Square root; ``root`` is that of the value, for numbers that have no method for it."""
-        root = self.value.sqrt() if root is None else root
-        factors = binomial_series(Fraction(1, 2), self.order)[1:]
-        return self.composed([root, *(factor / root ** (2 * k - 1) for k, factor in enumerate(factors, 1))])
-
-    def exp(self, value: Any = None) -> Jet:
-        """Exponential; ``value`` is that of the value, for numbers that have no method for it."""
-        value = self.value.exp() if value is None else value
-        return self.composed([value / factorial(k) if k > 1 else value for k in range(self.order + 1)])
-
     def sign(self) -> Jet:
         """−1, 0, 1; its slope is unknown where an interval holds 0."""
         return self.composed([self.value.sign(), *(_flat(self.value) for _ in range(self.order))])
@@ -155,101 +143,96 @@ class Jet:
     def __abs__(self) -> Jet:
         return self.composed([abs(self.value), self.value.sign(), *(_flat(self.value) for _ in range(self.order - 1))])
 
-    def log(self, value: Any = None) -> Jet:
-        """Natural logarithm; ``value`` as for the exponential."""
-        inverse = 1 / self.value
-        return self.composed([
-            self.value.log() if value is None else value,
-            *(inverse**k * (-1) ** (k - 1) / k if k > 1 else inverse for k in range(1, self.order + 1)),
-        ])  # fmt: skip
-
-    def tanh(self, value: Any = None) -> Jet:
-        """Hyperbolic tangent, y′ = 1 − y²; ``value`` as for the exponential."""
-        y = [self.value.tanh() if value is None else value]
-        for k in range(self.order):
-            # A square of its own is narrower than a product.
-            middle = y[k // 2] ** 2 if k % 2 == 0 else 0
-            square = sum((y[i] * y[k - i] * 2 for i in range((k + 1) // 2)), middle)
-            y.append((-square if k else 1 - square) / (k + 1))
-        return self.composed(y)
-
-    def atan(self, value: Any = None) -> Jet:
-        """Arc tangent, (1 + x²) y′ = 1; ``value`` as for the exponential."""
-        x, y = self.value, [self.value.atan() if value is None else value]
-        inverse = 1 / (1 + x**2)
-        slope: list[Any] = []
-        for k in range(self.order):
-            slope.append(inverse if not k else -(x * slope[k - 1] * 2 + (slope[k - 2] if k > 1 else 0)) * inverse)
-            y.append(slope[k] / (k + 1) if k else slope[k])
-        return self.composed(y)
-
-    def cos(self, pair: tuple[Any, Any] | None = None) -> Jet:
-        """Cosine; ``pair`` is cosine and sine of the value, for numbers that have no functions for them."""
-        c, s = pair or _cosine_and_sine(self.value)
-        return self.composed(_wave([c, -s, -c, s], self.order))
-
-    def sin(self, pair: tuple[Any, Any] | None = None) -> Jet:
-        """Sine; ``pair`` as for the cosine."""
-        c, s = pair or _cosine_and_sine(self.value)
-        return self.composed(_wave([s, c, -s, -c], self.order))
+    def function(self, name: str, value: Any) -> Jet:
+        """A function by its Taylor series; ``value`` is that of the value, of cosine and sine both."""
+        return self.composed(_SERIES[name](self.value, value, self.order))
 
 
-class JetFunctions:
-    """``xp`` of generated functions for numbers of some type and for jets of them, given the functions of the numbers.
+def _sqrt(_: Any, y: Any, order: int) -> list[Any]:
+    factors = binomial_series(Fraction(1, 2), order)[1:]
+    return [y, *(factor / y ** (2 * k - 1) for k, factor in enumerate(factors, 1))]
+
+
+def _exp(_: Any, y: Any, order: int) -> list[Any]:
+    return [y / factorial(k) if k > 1 else y for k in range(order + 1)]
+
+
+def _log(x: Any, y: Any, order: int) -> list[Any]:
+    inverse = 1 / x
+    return [y, *(inverse**k * (-1) ** (k - 1) / k if k > 1 else inverse for k in range(1, order + 1))]
+
+
+def _tanh(_: Any, value: Any, order: int) -> list[Any]:
+    """From y′ = 1 − y²."""
+    y = [value]
+    for k in range(order):
+        # A square of its own is narrower than a product.
+        middle = y[k // 2] ** 2 if k % 2 == 0 else 0
+        square = sum((y[i] * y[k - i] * 2 for i in range((k + 1) // 2)), middle)
+        y.append((-square if k else 1 - square) / (k + 1))
+    return y
+
+
+def _atan(x: Any, y: Any, order: int) -> list[Any]:
+    """From (1 + x²) y′ = 1."""
+    inverse = 1 / (1 + x**2)
+    slope: list[Any] = []
+    for k in range(order):
+        slope.append(inverse if not k else -(x * slope[k - 1] * 2 + (slope[k - 2] if k > 1 else 0)) * inverse)
+    return [y, *(term / k if k > 1 else term for k, term in enumerate(slope, 1))]
+
+
+def _cos(_: Any, pair: tuple[Any, Any], order: int) -> list[Any]:
+    c, s = pair
+    return _exp_by([c, -s, -c, s], order)
+
+
+def _sin(_: Any, pair: tuple[Any, Any], order: int) -> list[Any]:
+    c, s = pair
+    return _exp_by([s, c, -s, -c], order)
+
+
+def _exp_by(cycle: Sequence[Any], order: int) -> list[Any]:
+    return [cycle[k % 4] / factorial(k) if k > 1 else cycle[k % 4] for k in range(order + 1)]
+
+
+#: Coefficients of a function's series from its argument, its value there and the order.
+_SERIES: dict[str, Callable[[Any, Any, int], list[Any]]] = {
+    "sqrt": _sqrt, "exp": _exp, "log": _log, "tanh": _tanh, "atan": _atan, "cos": _cos, "sin": _sin,
+}  # fmt: skip
+
+
+class Functions:
+    """``xp`` of generated functions for numbers of some type and for jets of them.
 
     Parameters
     ----------
-    functions : mapping
-        By the name of the function.
+    kind : module or object
+        With the functions of the numbers by their names.
     taken : callable
         Makes a number of the type of what else may stand in an expression, an integer or a float.
     """
 
-    def __init__(self, functions: Mapping[str, Callable[..., Any]], taken: Callable[[Any], Any]) -> None:
-        self.functions, self.taken = functions, taken
+    def __init__(self, kind: Any, taken: Callable[[Any], Any]) -> None:
+        self.kind, self.taken = kind, taken
 
-    def sqrt(self, value: Any) -> Any:
-        """Square root."""
-        return self._of("sqrt", value)
+    def __getattr__(self, name: str) -> Callable[[Any], Any]:
+        if name not in _SERIES:
+            raise AttributeError(name)
+        return lambda value: self.of(name, value)
 
-    def exp(self, value: Any) -> Any:
-        """Exponential."""
-        return self._of("exp", value)
-
-    def log(self, value: Any) -> Any:
-        """Natural logarithm."""
-        return self._of("log", value)
-
-    def tanh(self, value: Any) -> Any:
-        """Hyperbolic tangent."""
-        return self._of("tanh", value)
-
-    def atan(self, value: Any) -> Any:
-        """Arc tangent."""
-        return self._of("atan", value)
-
-    def cos(self, value: Any) -> Any:
-        """Cosine."""
-        if isinstance(value, Jet):
-            return value.cos((self.cos(value.value), self.sin(value.value)))
-        return self._of("cos", value)
-
-    def sin(self, value: Any) -> Any:
-        """Sine."""
-        if isinstance(value, Jet):
-            return value.sin((self.cos(value.value), self.sin(value.value)))
-        return self._of("sin", value)
+    def of(self, name: str, value: Any) -> Any:
+        """A function of one number or jet."""
+        if not isinstance(value, Jet):
+            return getattr(self.kind, name)(self.taken(value))
+        at = value.value
+        return value.function(name, (self.cos(at), self.sin(at)) if name in ("cos", "sin") else self.of(name, at))
 
     def atan2(self, sine: Any, cosine: Any) -> Any:
         """Angle of the vector (cosine, sine), from −π to π."""
         if isinstance(sine, Jet) or isinstance(cosine, Jet):
             return argument(*turned(sine, cosine)) + self.atan2(constant(sine), constant(cosine))
-        return self.functions["atan2"](self.taken(sine), self.taken(cosine))
-
-    def _of(self, name: str, value: Any) -> Any:
-        if isinstance(value, Jet):
-            return getattr(value, name)(self._of(name, value.value))
-        return self.functions[name](self.taken(value))
+        return self.kind.atan2(self.taken(sine), self.taken(cosine))
 
 
 def argument(u: Jet, v: Jet) -> Jet:
@@ -310,14 +293,6 @@ def constant(value: Any) -> Any:
 def _times(one: Jet, other: Jet) -> Jet:
     """A product, also of a thing with itself, without its constant term."""
     return one * Jet(other.terms, other.order)
-
-
-def _cosine_and_sine(value: Any) -> tuple[Any, Any]:
-    return (cos(value), sin(value)) if isinstance(value, Intervals) else (value.cos(), value.sin())
-
-
-def _wave(cycle: Sequence[Any], order: int) -> list[Any]:
-    return [cycle[k % 4] / factorial(k) if k > 1 else cycle[k % 4] for k in range(order + 1)]
 
 
 def _flat(value: Intervals) -> Intervals:

@@ -7,18 +7,27 @@ each operation adds what it rounds. A sign that the bound leaves open is 0, and 
 
 from __future__ import annotations
 
-from typing import Any, Self, cast
+from typing import Any, Self, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .interval_arrays import FUNCTION_ULPS
-from .number_types import repeated_product
+
+_Number = TypeVar("_Number")
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
 #: What an error bound itself may lose by the roundings of one operation, and the underflow of a product.
 _SLACK, _TINY = 1.0 + 2.0**-49, 1e-320
+
+
+def repeated_product(self: _Number, power: int) -> _Number:
+    """A positive power, one product after the other: the ``__pow__`` of types for which only small powers occur."""
+    result: Any = self
+    for _ in range(power - 1):
+        result = result * self
+    return result  # type: ignore[no-any-return]  # a product of numbers of the type is one
 
 
 class Rounded:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from operator import methodcaller
 from typing import Any
 
-from ..numerics.number_types import Functions, repeated_product
+from ..numerics.jets import Functions
+from ..numerics.rounded import repeated_product
 
 
 class Jet:
@@ -153,17 +155,27 @@ def _quotient(numerator: Callable[[int], Any], divisor: Jet) -> Jet:
     return quotient
 
 
-class BallFunctions:
-    """The namespace ``xp`` of python-flint's balls and of series and jets of them; a number is a ball without width."""
+def _taken(value: Any) -> Any:
+    from flint import arb
+
+    return arb(value) if isinstance(value, int | float) else value
+
+
+class _Methods:
+    """Functions that are methods of the numbers."""
 
     def __getattr__(self, name: str) -> Any:
+        return methodcaller(name)
+
+
+class _Functions(Functions):
+    @property
+    def pi(self) -> Any:
+        """π."""
         from flint import arb
 
-        if name == "pi":
-            return arb.pi()
-        function = getattr(Functions, name)
-        return lambda value: function(arb(value) if isinstance(value, int | float) else value)
+        return arb.pi()
 
 
-#: The one that is needed.
-XP = BallFunctions()
+#: ``xp`` for python-flint's balls and series and jets of them; a number is a ball without width.
+XP = _Functions(_Methods(), _taken)

@@ -42,9 +42,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics import ball_functions, boxes, jets
+from ..numerics import boxes, jets
+from ..numerics.ball_functions import XP as BALLS
 from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
-from ..numerics.interval_functions import cos, sin
 from ..numerics.interval_functions import length as interval_length
 from ..numerics.krawczyk import Digits, ball
 from .mechanics.balance import Balance, matrix
@@ -62,28 +62,23 @@ Place: TypeAlias = tuple[list[Any], list[Any], Any]
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of numbers: namespace of generated functions, cosine and sine, direction and length of a vector."""
+    """A kind of numbers: namespace of generated functions, direction and length of a vector."""
 
     xp: Any
-    turn: Callable[[Any], tuple[Any, Any]]
     direction: Callable[[Any, Any], tuple[Any, Any, Any]]
 
 
 def over_boxes(shape: tuple[int, ...]) -> Kind:
     """Intervals of that shape, and jets of them."""
-    return Kind(
-        XP,
-        lambda angle: (angle.cos(), angle.sin()) if isinstance(angle, jets.Jet) else (cos(angle), sin(angle)),
-        lambda dx, dy: direction(dx, dy, shape),
-    )
+    return Kind(XP, lambda dx, dy: direction(dx, dy, shape))
 
 
 def _quotients(dx: Any, dy: Any) -> tuple[Any, Any, Any]:
-    length = ball_functions.XP.sqrt(dx * dx + dy * dy)
+    length = BALLS.sqrt(dx * dx + dy * dy)
     return dx / length, dy / length, length
 
 
-_BALLS = Kind(ball_functions.XP, ball_functions.cosine_and_sine, _quotients)
+_BALLS = Kind(BALLS, _quotients)
 
 
 @dataclass(frozen=True)
@@ -108,7 +103,7 @@ class Polar(boxes.System):
     def place(self, unknowns: Sequence[Any], values: Mapping[str, Any], scale: Any, kind: Kind) -> Place:
         """Coordinates, directions and lengths with φ behind, and the elongation."""
         angle, part, *others = unknowns
-        cosine, sine = kind.turn(angle)
+        cosine, sine = kind.xp.cos(angle), kind.xp.sin(angle)
         c0, s0 = self._at_rest(values, kind)
         c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
         q: list[Any] = [0] * self.balance.n
@@ -213,7 +208,8 @@ class Polar(boxes.System):
         """Boxes that hold the angles and lengths of places among the given ones, where lengths are positive."""
         dx, dy, rest = self.balance.geometry(list(places), values, kind.xp)[self.spring]
         c0, s0 = self._at_rest(values, kind)
-        cosine, sine = kind.turn(Intervals.point(unknowns[0].middle))
+        middle = Intervals.point(unknowns[0].middle)
+        cosine, sine = kind.xp.cos(middle), kind.xp.sin(middle)
         c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
         along, across = dx * c + dy * s, dy * c - dx * s
         lengths = interval_length(dx, dy)

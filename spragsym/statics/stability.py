@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -107,7 +107,7 @@ def springs(eq: Equilibria) -> dict[str, FloatArray]:
     balance = Balance(eq.parameters.model, eq.contact)
     q = [getattr(eq, name) for name in balance.coordinates]
     shape = q[0].shape
-    values = {name: value[..., None] for name, value in _values(balance, eq.parameters.broadcast(*balance.parameters)).items()}
+    values = {name: value[..., None] for name, value in balance.floats(eq.parameters.broadcast(*balance.parameters)).items()}
     with np.errstate(all="ignore"):
         found = [of(dx, dy) for dx, dy, _ in balance.geometry(q, values, np) for of in (lambda x, y: np.arctan2(y, x), np.hypot)]
     return {name: np.broadcast_to(column, shape) for name, column in zip(columns_of(balance.model), found, strict=False)}
@@ -149,7 +149,7 @@ def frequency(roots: NDArray[np.complex128]) -> float:
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
     shape = states.shape[1:]
-    values = _values(balance, given)
+    values = balance.floats(given)
     q = list(states)
     model = balance.model
     motion = [values[name] for name in model.about["arguments"]["motion"]]
@@ -171,17 +171,6 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
     if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
         return int(Stability.FLUTTER)
     return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
-
-
-def _values(balance: Balance, given: Iterable[FloatArray]) -> dict[str, Any]:
-    """Arguments of generated functions by name, of floats."""
-    values: dict[str, Any] = {}
-    for name, value in zip(balance.parameters, given, strict=True):
-        if name in balance.angles:
-            cosine, sine = balance.angles[name]
-            values |= {cosine: np.cos(value), sine: np.sin(value)}
-        values[name] = value
-    return values
 
 
 def filled(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> FloatArray:

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from spragsym.numerics.interval_arrays import Intervals
-from spragsym.numerics.jets import Jet, variables
+from spragsym.numerics.jets import variables
 from spragsym.numerics.reduction import reduced_roots
 from spragsym.statics.mechanics.directions import direction
+from spragsym.statics.mechanics.laws import XP
 
 
 def bent(roots):
@@ -80,7 +81,7 @@ def test_jets_have_the_derivatives_of_their_functions():
     def function(x, y, sqrt, exp):
         return sqrt(x + y**2) * exp(x * y) / (1 + x**3) - x**-2
 
-    got = function(*variables([Intervals.point([value]) for value in at.values()], 3), Jet.sqrt, Jet.exp)
+    got = function(*variables([Intervals.point([value]) for value in at.values()], 3), XP.sqrt, XP.exp)
     with mp.workdps(40):
         for order in [(1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)]:
             want = mp.diff(lambda x, y: function(x, y, mp.sqrt, mp.exp), tuple(map(mp.mpf, at.values())), order)
@@ -92,7 +93,7 @@ def test_jets_have_the_derivatives_of_their_functions():
 def test_roots_of_jets_have_all_of_their_terms():
     """Also beyond the fourth; of a spring's direction too."""
     x, y = variables([Intervals.point([0.7]), Intervals.point([-0.4])], 7)
-    root, (c, s, length) = x.sqrt(), direction(x, y, (1,))
+    root, (c, s, length) = XP.sqrt(x), direction(x, y, (1,))
     with mp.workdps(60):
         for order in range(8):
             wanted = (

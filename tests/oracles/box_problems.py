@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from spragsym.numerics import boxes, jets
 from spragsym.numerics.interval_arrays import Intervals, stacked
-from spragsym.numerics.interval_functions import cos, sin
+from spragsym.statics.mechanics.laws import XP
 
 
 def interval(low: float, high: float) -> Intervals:
@@ -55,10 +55,6 @@ class Problem(boxes.System):
         return Intervals(stacked(entries, shape).ends.reshape(2, n, n, *shape))
 
 
-def _wave(function: Callable[[Intervals], Intervals], value: Any) -> Any:
-    return getattr(value, function.__name__)() if isinstance(value, jets.Jet) else function(value)
-
-
 def _example_22(x: Sequence[Any]) -> Sequence[Any]:
     return (
         x[0] ** 2 + 4 * x[1] ** 2 - 4,
@@ -83,7 +79,7 @@ def _example_52(x: Sequence[Any]) -> Sequence[Any]:
     product: Any = 1
     for i in (1, 2, 3):
         angle = PI * i / 3
-        c, s = cos(angle), sin(angle)
+        c, s = XP.cos(angle), XP.sin(angle)
         v = -(0.5 * c + 0.5 * s)
         third = 0.5 * s - 0.5 * c
         product = product * (x[0] * (0.5 * v - s) + x[1] * (c - 0.5 * v) + x[2] * third - d1 * third)
@@ -105,15 +101,15 @@ def _example_55(x: Sequence[Any]) -> Sequence[Any]:
     C = [(1 - D[0]) / (PI / 5), (1 - D[1]) / (PI * 2 / 5)]
 
     def step(x: Sequence[Any]) -> list[Any]:
-        one = x[2] - _wave(sin, x[0]) * _wave(cos, x[1]) * 5
-        two = x[3] - _wave(cos, x[0]) * _wave(sin, x[1]) * 5
+        one = x[2] - XP.sin(x[0]) * XP.cos(x[1]) * 5
+        two = x[3] - XP.cos(x[0]) * XP.sin(x[1]) * 5
         return [one * C[0] + x[0], two * C[1] + x[1], one * D[0], two * D[1]]
 
     return [after - before for after, before in zip(step(step(x)), x, strict=True)]
 
 
 def _rastrigin(x: Sequence[Any]) -> Sequence[Any]:
-    return [2 * value + _wave(sin, value * (2 * PI)) * (20 * PI) for value in x]
+    return [2 * value + XP.sin(value * (2 * PI)) * (20 * PI) for value in x]
 
 
 _WIDE, _HIGH = 1.02 * np.pi, 0.5 * np.pi

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from ...numerics import jets
 from ...numerics.interval_arrays import Intervals, stacked
-from ...numerics.interval_functions import cos, sin
 from .directions import direction, turning
 from .laws import XP
 
@@ -96,18 +95,23 @@ class Forces:
         parts: list[Intervals] = []
         for place, name in enumerate(self.parameters):
             value = bounds[place]
-            parts += [cos(value), sin(value)] if name in self.angles else []
+            parts += [XP.cos(value), XP.sin(value)] if name in self.angles else []
             parts += [] if self.only_turns(name) else [value]
         return stacked(parts, bounds.shape[1:])
 
     def arguments_of(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
         """Arguments by name, from parameters of any number type."""
+        return self.with_angles(values, xp)
+
+    def with_angles(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
+        """Some parameters with cosine and sine of those that are angles."""
         found = dict(values)
         for name, (cosine, sine) in self.angles.items():
-            found |= {cosine: xp.cos(found[name]), sine: xp.sin(found[name])}
+            if name in values:
+                found |= {cosine: xp.cos(values[name]), sine: xp.sin(values[name])}
         return found
 
-    def floats(self, columns: NDArray[np.float64]) -> dict[str, Any]:
+    def floats(self, columns: Iterable[NDArray[np.float64]]) -> dict[str, Any]:
         """The same of floats, shape (parameters, N)."""
         return self.arguments_of(dict(zip(self.parameters, columns, strict=True)), np)
 
@@ -122,14 +126,7 @@ class Forces:
         """
         values: dict[str, Any] = {code: prepared[place] for place, code in enumerate(self.codes)}
         values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
-        for name, value in (changed or {}).items():
-            if name in self.angles:
-                cosine, sine = self.angles[name]
-                turned = value if isinstance(value, jets.Jet) else None
-                values[cosine] = turned.cos() if turned is not None else cos(value)
-                values[sine] = turned.sin() if turned is not None else sin(value)
-            values[name] = value
-        return values
+        return values | self.with_angles(changed or {}, XP)
 
     def _listed(self, values: Mapping[str, Any], kind: str) -> list[Any]:
         return [values[name] for name in self.model.about["arguments"][kind]]

@@ -48,16 +48,11 @@ class PreciseBalance(Digits):
 
     def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
         self.balance, self.bits = balance, bits
-        self.arguments: dict[str, Any] = {}
-        for name, number in zip(balance.parameters, given, strict=True):
-            if name in spans:
-                with Balls().precision(bits):
-                    value = Balls().between(*spans[name])
-            else:
-                value = ball(float(number), bits)
-            if name in balance.angles:
-                self.arguments |= zip(balance.angles[name], Balls().cos_sin(value), strict=True)
-            self.arguments[name] = value
+        with Balls().precision(bits):
+            between = {name: Balls().between(*ends) for name, ends in spans.items()}
+        numbers = zip(balance.parameters, given, strict=True)
+        values = {name: between[name] if name in spans else ball(float(number), bits) for name, number in numbers}
+        self.arguments = balance.arguments_of(values, XP)
 
     def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Forces at coordinates."""

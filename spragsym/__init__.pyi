@@ -11,6 +11,7 @@ from .bifurcation.cusps import cusps as cusps
 from .bifurcation.flutter import flutter_onsets as flutter_onsets
 from .bifurcation.folds import folds as folds
 from .bifurcation.hopf_curves import onset_curves as onset_curves
+from .bifurcation.onsets import Onsets as Onsets
 from .bifurcation.paths import quasi_static_path as quasi_static_path
 from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
@@ -85,7 +86,6 @@ from .results.equilibria import Equilibria as Equilibria
 from .results.equilibria import Stability as Stability
 from .results.files import open as open
 from .results.lowest_ends import LowestEnd as LowestEnd
-from .results.onsets import Onsets as Onsets
 from .results.paths import Jump as Jump
 from .results.paths import Path as Path
 from .results.points import Points as Points

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
+from ..models.forces import columns_of
 from ..models.parameters import ParameterSet
 from ..numerics import boxes, certified_roots
 from ..numerics.adaptive_bits import FIRST_BITS, as_numbers, with_enough_bits
@@ -20,7 +21,6 @@ from ..numerics.intervals import Arithmetic, Balls, as_mpf
 from ..numerics.krawczyk import narrowed
 from ..numerics.polynomials import Undecided
 from ..questions import Method, question
-from ..results.equilibria import columns_of
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.periodic_coordinates import once_around

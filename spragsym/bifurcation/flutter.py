@@ -15,7 +15,6 @@ from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import Jet, gradient
 from ..questions import Method, question
-from ..results.onsets import Onsets, onsets_of
 from ..results.points import Points
 from ..statics import stability
 from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
@@ -23,6 +22,7 @@ from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.regions import by_hand
 from .bifurcation_conditions import FLAT, Flutter, Hopf, NoDamping, NoSlope, UndampedMode
 from .defining_systems import Augmented, Condition
+from .onsets import Onsets, onsets_of
 from .points import Found, arranged, endless, given_column, nothing, picked, ranges, search
 from .seen import VALUES, with_seen
 

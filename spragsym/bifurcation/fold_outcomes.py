@@ -32,7 +32,7 @@ BEYOND = 4.0
 
 def ended(points: Points) -> Ended:
     """Columns ``ends``, ``when`` and ``after`` of points: empty for all but folds along one parameter."""
-    found = nothing_ends(len(points), points.columns)
+    found = nothing_ends(points)
     for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
         try:
             ends, when, after = _at(points, int(row))

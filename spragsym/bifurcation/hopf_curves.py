@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..models.parameters import ParameterSet, as_count
 from ..numerics import contractors
 from ..numerics.certified_roots import concatenated
@@ -18,8 +17,8 @@ from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.polynomials import Undecided
 from ..questions import model_of
 from ..results.named_columns import Columns
-from ..results.onsets import told
 from ..results.points import Points
+from ..results.result import Result
 from ..statics import stability
 from ..statics.damping import is_conservative, only_damped, slope_ends
 from ..statics.mechanics.balance import Balance
@@ -39,6 +38,7 @@ from .defining_systems import Condition
 from .flutter import meeting
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
+from .onsets import told
 from .points import arranged, given_column, nothing, picked, ranges, search
 
 if TYPE_CHECKING:

@@ -14,25 +14,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet, Range, as_numbers
 from ..numerics.interval_arrays import FloatArray
 from ..questions import Method, question
-from ..results.equilibria import Equilibria, Stability, as_decided, one_each, with_state
+from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Jump, Path, followed
 from ..results.points import Points
+from ..results.result import Result
 from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
 from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import chosen_state
 from ..statics.search import columns
 from ..statics.stability import with_a_zero
+from ..statics.states import as_decided, one_each, with_state
 from .bifurcation_conditions import Touch
 from .branches import HALVINGS, linked
 from .escapes import INFINITY, escapes
 from .folds import folds
-from .points import OVER_BORDER, given_column, isolated
+from .points import OVER_BORDER, given_column, isolated, what_ends
 from .tubes.tube_regions import Parts, Place
 from .tubes.tubes import Tubes
 from .tubes.turning_points import turned
@@ -134,7 +135,8 @@ def quasi_static_path(
             out.append(way.state(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
     stability, error = np.array([state[1] for state in out], dtype=np.int8), np.array([state[2] for state in out])
-    return followed(p, vary, along, coordinates, stability, error, tuple(jumps))
+    states = one_each(p.replace(**{vary: along}), coordinates, stability, error)
+    return followed(p, vary, along, states, tuple(jumps))
 
 
 def first_end(p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
@@ -243,7 +245,9 @@ class _Way:
         first, *others = self.ends
         names = self.balance.coordinates if others else first.columns
         values = {name: self._every(name) for name in names} | {self.vary: at}
-        every = replace(first, kind=self._every("kind"), error=error, _values=values, _ended=None if others else first._ended)
+        every = replace(
+            first, kind=self._every("kind"), error=error, _values=values, _ended=what_ends if others else first._ended
+        )
         return every.select((at >= along.min()) & (at <= along.max()))
 
     def _every(self, name: str) -> NDArray[Any]:

@@ -18,7 +18,7 @@ from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.jets import Jet, variables
 from ..progress import doing
-from ..results.points import Points
+from ..results.points import Ended, Points
 from ..statics.foremost import in_order
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.border import on_its_side
@@ -235,8 +235,16 @@ def arranged(
     left = _merged(left) if len(vary) == 1 else left
     boxes_left = np.moveaxis(np.stack([-left[0], left[1]], axis=-1), 1, 0)
     return Points(
-        p, tuple(vary), kind[order], found.roots.error[order], box, bool(found.whole.all()), endless, boxes_left, remarks, values
-    )
+        p, tuple(vary), kind[order], found.roots.error[order], box, bool(found.whole.all()), endless, boxes_left, remarks, values,
+        what_ends,
+    )  # fmt: skip
+
+
+def what_ends(points: Points) -> Ended:
+    """What ends at folds among points that a search found."""
+    from .fold_outcomes import ended  # many who ask for points never ask for this
+
+    return ended(points)
 
 
 def isolated(

@@ -6,9 +6,9 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
-from ..display import Result
 from ..errors import ParameterError, ParameterTypeError
 from ..models.parameters import Parameters
+from ..results.result import Result
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..display import Result, Table
+from ..display import Table
 from ..models.parameters import FloatArray
+from ..results.result import Result
 
 
 @dataclass(frozen=True, eq=False)

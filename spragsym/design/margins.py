@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..display import Result
 from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters
+from ..results.result import Result
 from .design_space import Space
 from .jump_boundary import Gradient, on_border
 from .nearest import RAYS, Member, nearest

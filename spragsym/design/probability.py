@@ -11,12 +11,13 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..display import Result, Table
+from ..display import Table
 from ..errors import ParameterError
 from ..models.parameters import FloatArray, Parameters, PhysicalParameters, Range, as_number
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
 from ..progress import advance
+from ..results.result import Result
 from . import sampling
 from .dependence import Correlation, Dependence, dependence
 

@@ -9,9 +9,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ParameterError
 from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters
+from ..results.result import Result
 from .design_space import Space
 from .jump_boundary import Gradient, on_border
 from .nearest import RAYS, nearest

@@ -28,6 +28,7 @@ from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figu
 from .motions import figure_3, figure_7
 from .oscillation import branch_figure, fate_map_figure, figure_cycles, figure_cycles_plane
 from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, stability_figure
+from .plots import plot
 from .style import Sheet
 from .trajectories import figure_6, figure_13
 
@@ -77,6 +78,7 @@ __all__ = [
     "mark_folds",
     "stability_figure",
     "motion_figure",
+    "plot",
     "plot_eigenvalues",
     "plot_equilibria",
     "write",

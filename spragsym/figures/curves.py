@@ -17,8 +17,9 @@ import spragsym as ss
 from ..bifurcation.branches import linked
 from ..errors import ParameterError, SpragsymError
 from ..models import Model
+from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet
-from ..results.equilibria import Equilibria, Stability, columns_of
+from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Path
 from ..results.points import Points
 from .labels import as_drawn, window, with_unit

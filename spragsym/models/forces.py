@@ -1,4 +1,4 @@
-"""Forces of springs and of the contact along a motion, from the generated statics of its model."""
+"""What follows from a state: directions, lengths and forces of springs, and the force of the contact."""
 
 from __future__ import annotations
 
@@ -9,7 +9,26 @@ from typing import Any
 import numpy as np
 
 from ..errors import ParameterError
-from .parameters import FloatArray
+from .parameters import FloatArray, ParameterSet
+
+
+def columns_of(model: Any) -> tuple[str, ...]:
+    """Names of what says where a state of a model is: direction and length of each inclined spring, and the coordinates."""
+    number = len(model.about["springs"])
+    ends = [f"_{place + 1}" if number > 1 else "" for place in range(number)]
+    return tuple(dict.fromkeys([*(f"{name}{end}" for end in ends for name in ("theta", "L")), *model.coordinates]))
+
+
+def told_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
+    """What follows from where states are, their coordinates on one more axis than ``p``: of each inclined spring the direction in
+    (−π, π], the length and the tension, and the contact's force."""
+    model = p.model
+    statics, motion = ([value[..., None] for value in model.arguments(p, kind)] for kind in ("statics", "motion"))
+    with np.errstate(all="ignore"):  # where there is no state there are no numbers
+        lines = model.algebra.geometry(*q, *statics)
+        places = [of(dx, dy) for dx, dy, _ in lines for of in (lambda x, y: np.arctan2(y, x), np.hypot)]
+        forces = {name: np.where(np.isnan(q[0]), np.nan, force(q, motion)) for name, force in told_of(model).items()}
+    return {**dict(zip(columns_of(model), places, strict=False)), **forces}
 
 
 def spring_forces(model: Any, states: Any, constants: Sequence[Any]) -> tuple[FloatArray, ...]:

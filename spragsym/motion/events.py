@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..models.parameters import FloatArray
+from ..results.result import Result
 from .problem import Event
 
 

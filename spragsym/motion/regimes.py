@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from ..display import Result, named_fields
+from ..display import named_fields
 from ..models.field import SETTLED, apart
 from ..names import hint
+from ..results.result import Result
 
 #: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are one.
 SAME = 1e-6

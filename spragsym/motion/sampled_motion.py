@@ -8,10 +8,10 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..display import Result
 from ..errors import ParameterError
 from ..models.field import SETTLED
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, as_numbers
+from ..results.result import Result
 from . import flows
 from .classify import classify
 from .events import Events

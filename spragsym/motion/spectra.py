@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..display import Result
 from ..errors import ParameterError
 from ..models.parameters import FloatArray
+from ..results.result import Result
 from .lobatto import PiecewisePolynomial
 
 #: Most points at equal steps that a motion is sampled at.

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
@@ -18,6 +17,7 @@ from ..motion.segment import Fly
 from ..motion.trajectory import state_of
 from ..progress import doing
 from ..questions import model_of
+from ..results.result import Result
 from .attractors import Verdict, attractor, judged, same, surely
 from .saddles import Saddle, equilibrium_near, saddle_near, side
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
 from ..motion.flows import carrier, flow
 from ..motion.shooting import Loop, extent, rate
 from ..progress import doing
+from ..results.result import Result
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
 from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated, vertical

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..bifurcation.flutter import flutter_onsets
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.field import GAP, Field, Mode, apart
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
 from ..questions import model_of
+from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
 from .finding import cycle_near

@@ -12,7 +12,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field, apart
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
@@ -21,6 +20,7 @@ from ..motion.regimes import Outcome, Regime, same_limit
 from ..motion.trajectory import motion_of, state_of
 from ..progress import doing
 from ..questions import model_of
+from ..results.result import Result
 from .attractors import JUDGED, PARTED, TOLERANCES, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle, surely
 from .branch import MERGES, cycle_branch
 from .finding import cycle_at

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..bifurcation.onsets import Onsets
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import Field
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number
@@ -19,6 +20,7 @@ from ..motion.segment import Fly, Turn
 from ..motion.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, error_of, extent, growth, looped, rate, solved
 from ..motion.trajectory import motion_of
 from ..questions import model_of
+from .births import born_at
 from .orbit import Cycle, cycle_of
 
 #: Returns of a motion are looked at over this time, then over longer ones.
@@ -52,7 +54,7 @@ COMES_TO = {
 
 def cycle(
     p: ParameterSet | None = None, near: Any = None, *, V: float | None = None, d: float | None = None,
-    backend: str | None = None, patient: bool = True, onset: Any = None, index: int = 0, amplitude: float | None = None,
+    backend: str | None = None, patient: bool = True, onset: Onsets | None = None, index: int = 0, amplitude: float | None = None,
 ) -> Cycle:  # fmt: skip
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an onset of flutter.
 
@@ -78,7 +80,7 @@ def cycle(
         The number of the onset among them.
     amplitude : float, optional
         Of the cycle that is born there: half of the range of the coordinate that moves most, to a thousandth; see
-        :func:`spragsym.bifurcation.births.born`. The parameter along which the onsets were found takes the value that
+        :func:`spragsym.orbits.births.born`. The parameter along which the onsets were found takes the value that
         belongs to it.
 
     Returns
@@ -110,10 +112,9 @@ def cycle(
     if onset is not None:
         if p is not None or near is not None:
             raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
-        if not hasattr(onset, "cycle"):
+        if not isinstance(onset, Onsets):
             raise ParameterTypeError(f"onset = {onset!r:.60} is no result of ss.flutter_onsets(...)")
-        born: Cycle = onset.cycle(index, amplitude, backend)
-        return born
+        return born_at(onset, index, amplitude, backend)
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
     return cycle_near(model_of(p).field, p.given(V=V, d=d).scalars(*p.ranges), near, backend, patient=patient)

@@ -14,7 +14,6 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record
@@ -28,6 +27,7 @@ from ..motion.sweeps.workers import Workers
 from ..motion.trajectory import initial_state
 from ..progress import advance
 from ..questions import model_of
+from ..results.result import Result
 from .verdicts import UNFOLLOWED, fate
 
 #: Numbers of a record, in this order.

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
 from ..models.field import Field
@@ -37,6 +36,7 @@ from ..motion.shooting import (
     solved,
 )
 from ..motion.trajectory import Events, motion_of
+from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7

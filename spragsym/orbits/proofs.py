@@ -13,11 +13,12 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ..display import Result, Table
+from ..display import Table
 from ..errors import ConvergenceError, MissingExtraError, ParameterError
 from ..motion.shooting import rate
 from ..numerics.decimals import Decimal, around, float_above
 from ..numerics.intervals import as_mpf
+from ..results.result import Result
 from .orbit import Cycle
 
 #: Seconds after which a proof is given up, unless asked otherwise.

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FloatArray
@@ -15,6 +14,7 @@ from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, unsure
 from ..motion.flows import carrier
 from ..motion.shooting import CLOSED, Loop, looped, solved
 from ..progress import doing
+from ..results.result import Result
 from .arclength import Setting, phase_row
 from .branch import CycleEvent
 from .grazing import touching

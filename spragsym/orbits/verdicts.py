@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
@@ -16,6 +15,7 @@ from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime
 from ..motion.trajectory import state_of
 from ..questions import model_of
+from ..results.result import Result
 from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
 from .finding import cycle_near, stands_still
 from .growth_rates import rates_along

@@ -14,11 +14,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..display import Result
 from ..errors import ParameterError
 from ..files.text import MEASURED, text_of
 from ..generated import laws
 from ..models.parameters import FloatArray
+from ..results.result import Result
 from .units import factor
 
 #: Names of the two columns, in small letters without hyphens; a name that is not here is that of another column.

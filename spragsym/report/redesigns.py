@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 import spragsym as ss
 
 from ..design.design_space import Design, space
-from ..display import Result
 from ..errors import SpragsymError
 from ..models.parameters import FloatArray
+from ..results.result import Result
 from .study import Study
 from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
 from .units import factor

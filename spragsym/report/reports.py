@@ -8,10 +8,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from ..display import Result, Table
+from ..display import Table
 from ..errors import ParameterError
 from ..files.writing import put
 from ..progress import doing, show_progress, tell
+from ..results.result import Result
 from . import report_json, texts
 from .cautions import cautions
 from .facts import Asked, Facts

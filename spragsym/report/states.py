@@ -12,13 +12,13 @@ import numpy as np
 
 import spragsym as ss
 
-from ..display import Result
 from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
 from ..models.parameters import FloatArray
 from ..motion.regimes import Regime
 from ..names import hint
-from ..results.equilibria import Equilibria, Stability, columns_of
+from ..results.equilibria import Equilibria, Stability
+from ..results.result import Result
 from ..statics.mechanics.balance import Balance
 from ..statics.stability import linearization, roots
 from .study import Study
@@ -255,7 +255,7 @@ def _state(study: Study, eq: Equilibria, slot: int, place: Mapping[str, float], 
     def of(names: Iterable[str], scale: float) -> Any:
         return _of_springs(study, [scale * float(getattr(eq, name)[slot]) for name in names])
 
-    where = [name for name in columns_of(model) if name not in place]  # direction and length of each spring in turn
+    where = [name for name in forces.columns_of(model) if name not in place]  # direction and length of each spring in turn
     told = forces.told_of(model)
     rate = _roots(study, list(place.values())) / scales.time
     size = float(np.abs(rate).max())

@@ -14,9 +14,10 @@ from ..design.jump_probability import measured
 from ..design.jumps import have_jumped
 from ..design.probability import estimated, probability_table
 from ..design.tube_certificates import Splitting, certify
-from ..display import Result, Table
+from ..display import Table
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
+from ..results.result import Result
 from . import friction, tolerance_boxes
 from .study import Study
 from .units import Measured

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..models.parameters import FloatArray
 from .named_columns import Columns
 from .points import Points
+from .result import Result
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import enum
 import math
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -13,9 +12,11 @@ from typing import Any, ClassVar, Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import WHOLE, Result, Table, counted, index, not_all, shown, with_cut, words
+from ..display import Table, counted, index, not_all, shown, with_cut, words
 from ..errors import ConvergenceError
+from ..models.forces import columns_of, told_of_states
 from ..models.parameters import FloatArray
+from .result import WHOLE, Result
 
 
 class Stability(enum.IntEnum):
@@ -43,60 +44,14 @@ class Source(Protocol):
     It must bring ``stability``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it may bring others.
     """
 
-    @property
-    def around(self) -> tuple[FloatArray, FloatArray] | None:
-        """Boxes around each state, and around each alone, shape (2, n, states), where ``error`` does not say as much."""
-
     def column(self, name: str) -> NDArray[Any] | None:
         """A column; None if it is not known here."""
 
+    def linearized(self, eq: Equilibria, states: tuple[NDArray[np.int64], ...]) -> Any:
+        """The full linearization of some states, by their indices into the columns: ``growth``, ``kind`` and ``eigenvalues``."""
 
-@dataclass(frozen=True)
-class Held:
-    """Columns that are there already."""
-
-    columns: Mapping[str, NDArray[Any]]
-    around: tuple[FloatArray, FloatArray] | None = None
-
-    def column(self, name: str) -> NDArray[Any] | None:
-        """A column; None if it is not known here."""
-        return self.columns.get(name)
-
-
-def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.int8], error: NDArray[Any] | float) -> Equilibria:
-    """One state in contact of every point, known from elsewhere: columns of the shape of the points."""
-    ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
-    columns = {**places, "stability": stability, "error": np.broadcast_to(error, p.shape), "marginal": ~known}
-    return Equilibria(p, True, ones, known, (), (), Held({name: column[..., None] for name, column in columns.items()}))
-
-
-def as_decided(eq: Equilibria, point: int) -> Equilibria:
-    """The same along one axis of points, one of them decided otherwise: it has the states that are known, and no others."""
-    left = tuple(box for box in eq.undecided if box.index != (point,))
-    return replace(eq, decided=eq.decided | (np.arange(eq.count.size) == point), undecided=left)
-
-
-def with_state(eq: Equilibria, point: int, state: Mapping[str, float], stability: int, error: float) -> Equilibria:
-    """The same along one axis of points, with one more state of one of them that is known otherwise: its coordinates."""
-    slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
-    new: dict[str, Any] = {**state, "stability": stability, "error": error, "marginal": True}
-
-    def placed(name: str) -> NDArray[Any]:
-        old = getattr(eq, name)
-        out = np.concatenate([old, np.full_like(old[:, :1], np.nan if old.dtype == float else 0)], axis=1)
-        out[point, slot + 1 :] = out[point, slot:-1]
-        out[point, slot] = new[name]
-        return out
-
-    more = (np.arange(eq.count.size) == point).astype(eq.count.dtype)
-    return replace(eq, count=eq.count + more, _source=Held({name: placed(name) for name in new}))
-
-
-def columns_of(model: Any) -> tuple[str, ...]:
-    """Names of what says where a state of a model is: direction and length of each inclined spring, and the coordinates."""
-    number = len(model.about["springs"])
-    ends = [f"_{place + 1}" if number > 1 else "" for place in range(number)]
-    return tuple(dict.fromkeys([*(f"{name}{end}" for end in ends for name in ("theta", "L")), *model.coordinates]))
+    def held(self, columns: Mapping[str, NDArray[Any]]) -> Source:
+        """The same with these columns made, for a file."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -232,11 +187,10 @@ class Equilibria(Result):
             "error": self.error[states],
         }
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write all of it to a JSON file, which :func:`spragsym.open` reads."""
+    def _for_file(self) -> Self:
         names = (*self.columns, "stability", "marginal", "eigenvalues", "error", "region", "whole", "escalated", "fold")
         known = {name: column for name in names if (column := self._source.column(name)) is not None}
-        Result.save(replace(self, _source=Held(known, self._source.around)), path)
+        return replace(self, _source=self._source.held(known))
 
     def _is_short(self) -> bool:
         return int(self.count.sum()) <= WHOLE
@@ -247,7 +201,7 @@ class Equilibria(Result):
 
     def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:
         """``kind`` and ``growth`` of some states only, by their indices into the columns."""
-        found = self._linearized(states)
+        found = self._source.linearized(self, states)
         return found.kind, found.growth
 
     @cached_property
@@ -309,18 +263,11 @@ class Equilibria(Result):
 
     @cached_property
     def _made(self) -> dict[str, FloatArray]:
-        from ..statics.stability import told_of_states
-
-        return told_of_states(self)
+        return told_of_states(self.parameters, list(self.coordinates.values()))
 
     @cached_property
     def _all(self) -> Any:
-        return self._linearized(self.states)
-
-    def _linearized(self, states: tuple[NDArray[np.int64], ...]) -> Any:
-        from ..statics.stability import linearized
-
-        return linearized(self, states, self._source.around)
+        return self._source.linearized(self, self.states)
 
     def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
         """Values of all states by point and slot."""

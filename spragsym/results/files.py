@@ -27,6 +27,7 @@ from ..models.field import Field
 from ..models.load import load, shipped
 from ..models.model import Model
 from ..models.parameters import ParameterSet
+from .result import Result
 
 #: Bytes of a file that is read back, at most.
 LARGEST = 1 << 30
@@ -106,9 +107,9 @@ def _written(thing: Any) -> Any:
             return {"field": thing.again[2]}
         case tuple() | list() if not hasattr(thing, "_fields"):
             return {type(thing).__name__: [_written(part) for part in thing]}
-    whole: Any = thing
+    whole: Any = thing._for_file() if isinstance(thing, Result) else thing
     names = getattr(thing, "_fields", None) or [each.name for each in fields(whole)]
-    return {"class": [*_place(type(thing)), {name: _written(getattr(thing, name)) for name in names}]}
+    return {"class": [*_place(type(thing)), {name: _written(getattr(whole, name)) for name in names}]}
 
 
 def _place(kind: type) -> tuple[str, str]:

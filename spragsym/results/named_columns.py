@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from ..display import Result
 from ..models.parameters import FloatArray
+from .result import Result
 
 
 class Columns(Result):

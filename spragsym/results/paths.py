@@ -9,10 +9,10 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result, Rows
 from ..models.parameters import FloatArray
-from .equilibria import Equilibria, Stability, one_each
+from .equilibria import Equilibria, Stability
 from .named_columns import Columns
+from .result import Result, Rows
 
 
 @dataclass(frozen=True)
@@ -77,10 +77,8 @@ class Path(Columns, Rows, held_in="places"):
 
 
 def followed(
-    p: Any, vary: str, values: FloatArray, known: Mapping[str, FloatArray], stability: NDArray[np.int8],
-    error: FloatArray | float, jumps: tuple[Jump, ...],
+    p: Any, vary: str, values: FloatArray, along: Equilibria, jumps: tuple[Jump, ...]
 ) -> Path:  # fmt: skip
-    """The path of which coordinates, at least, are known at each value."""
-    along = one_each(p.replace(**{vary: values}), known, stability, error)
+    """The path of the only state that is given at each value."""
     places = {name: getattr(along, name)[:, 0] for name in along.columns}
-    return Path(p, vary, values, stability, jumps, places, along)
+    return Path(p, vary, values, along.stability[:, 0], jumps, places, along)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Self
@@ -10,9 +10,10 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result, Rows, Table, counted, not_all, shown, with_cut, words
+from ..display import Table, counted, not_all, shown, with_cut, words
+from ..models.forces import columns_of, told_of_states
 from ..models.parameters import FloatArray
-from .equilibria import Equilibria, columns_of, one_each
+from .result import Result, Rows
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,12 @@ class Ended(Result):
     ends: NDArray[np.str_]
     when: NDArray[np.str_]
     after: Mapping[str, FloatArray]
+
+
+def nothing_ends(points: Points) -> Ended:
+    """As if no point were a fold."""
+    ends, when = np.full((2, len(points)), "", dtype="<U9")
+    return Ended(ends, when, {name: np.full(len(points), np.nan) for name in points.columns})
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +84,7 @@ class Points(Rows):
     undecided: FloatArray
     remarks: tuple[str, ...]
     _values: Mapping[str, NDArray[Any]] = field(repr=False)
-    _ended: Ended | None = field(default=None, repr=False)
+    _ended: Ended | Callable[[Points], Ended] = field(default=nothing_ends, repr=False)
 
     def __len__(self) -> int:
         return int(self.error.size)
@@ -152,9 +159,9 @@ class Points(Rows):
     def select(self, which: NDArray[np.bool_]) -> Self:
         """The points that ``which`` marks."""
         values = {name: column[which] for name, column in self._values.items()}
-        ended = self._ended and Ended(
-            self.ends[which], self.when[which], {name: column[which] for name, column in self.after.items()}
-        )
+        ended = self._ended
+        if isinstance(ended, Ended):
+            ended = Ended(ended.ends[which], ended.when[which], {name: column[which] for name, column in ended.after.items()})
         return replace(self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended)
 
     def between(self, spans: FloatArray) -> Self:
@@ -163,18 +170,19 @@ class Points(Rows):
         inside = np.asarray(((spans[:, :1] <= values) & (values <= spans[:, 1:])).all(axis=0))
         return replace(self.select(inside), region=np.concatenate([self.region[: -len(self.vary)], spans]))
 
+    def _for_file(self) -> Self:
+        return replace(self, _ended=self._what_ends)
+
     @cached_property
     def _what_ends(self) -> Ended:
-        from ..bifurcation.fold_outcomes import ended
-
-        return self._ended or ended(self)
+        return self._ended if isinstance(self._ended, Ended) else self._ended(self)
 
     @cached_property
-    def _states(self) -> Equilibria:
-        """The states as equilibria of their points, without what is known of their stability."""
+    def _told(self) -> dict[str, FloatArray]:
+        """What follows from where the states are."""
         p = self.parameters.replace(**{name: getattr(self, name) for name in self.vary})
-        places = {name: getattr(self, name) for name in p.model.coordinates}
-        return one_each(p, places, np.zeros(len(self), dtype=np.int8), self.error)
+        told = told_of_states(p, [place[:, None] for place in self.coordinates.values()])
+        return {name: column[:, 0] for name, column in told.items()}
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or "_values" not in self.__dict__:
@@ -184,7 +192,7 @@ class Points(Rows):
             given = getattr(self.parameters, name)
             column = np.full(len(self), np.nan if given is None or given.ndim else float(given))
         if column is None and name in self.columns:
-            column = getattr(self._states, name)[:, 0]
+            column = self._told[name]
         if column is None:
             known = ", ".join(dict.fromkeys([*self.columns, *self.vary, *self._values]))
             raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {known}")
@@ -194,7 +202,7 @@ class Points(Rows):
 
 def in_closed_form(
     p: Any, vary: tuple[str, ...], kind: NDArray[np.str_], error: FloatArray, values: Mapping[str, NDArray[Any]],
-    ended: Ended | None = None, spans: Mapping[str, tuple[float, float]] | None = None,
+    ended: Ended | Callable[[Points], Ended] = nothing_ends, spans: Mapping[str, tuple[float, float]] | None = None,
 ) -> dict[str, Any]:  # fmt: skip
     """The fields of :class:`Points` that closed forms give: all there are, in the whole range of what varies, or in ``spans``."""
     allowed = [(spans or {}).get(name, (p.ranges[name].low, p.ranges[name].high)) for name in vary]
@@ -204,9 +212,3 @@ def in_closed_form(
         "parameters": p, "vary": vary, "kind": kind, "error": error, "region": region, "whole": True, "endless": (),
         "undecided": none, "remarks": (), "_values": values, "_ended": ended,
     }  # fmt: skip
-
-
-def nothing_ends(number: int, columns: tuple[str, ...]) -> Ended:
-    """No point is a fold."""
-    ends, when = np.full((2, number), "", dtype="<U9")
-    return Ended(ends, when, {name: np.full(number, np.nan) for name in columns})

@@ -16,7 +16,7 @@ from ..numerics import boxes, certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..questions import question
-from ..results.equilibria import Equilibria, Held, Undecided
+from ..results.equilibria import Equilibria, Undecided
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
 from .foremost import in_order
@@ -37,6 +37,7 @@ from .mechanics.precise_balance import (
 )
 from .regions import by_hand, region
 from .remarks import kinds_of, of_region, summed
+from .states import Held
 
 #: Relative widths of boxes down to which a point is searched: what is left at one is searched anew at the next.
 STAGES = (2.0**-9, 2.0**-14, 2.0**-19, 2.0**-32, 2.0**-44)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..numerics.interval_arrays import FloatArray
-from ..results.equilibria import Equilibria, Stability, columns_of
+from ..results.equilibria import Equilibria, Stability
 from . import spectrum
 from .mechanics.balance import Balance
 from .mechanics.forces import undecorated
@@ -88,29 +88,6 @@ def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[
         every = roots(M[finite], C[finite], K[finite])
     out[finite] = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     return out
-
-
-def told_of_states(eq: Equilibria) -> dict[str, FloatArray]:
-    """What follows from where equilibria are: directions, lengths and tensions of inclined springs, the contact's force."""
-    from ..models.forces import told_of
-
-    model = eq.parameters.model
-    q = [getattr(eq, name) for name in model.coordinates]
-    given = [value[..., None] for value in model.arguments(eq.parameters, "motion")]
-    with np.errstate(all="ignore"):  # beyond ``count`` there are no numbers
-        forces = {name: np.where(np.isnan(q[0]), np.nan, force(q, given)) for name, force in told_of(model).items()}
-    return {**springs(eq), **forces}
-
-
-def springs(eq: Equilibria) -> dict[str, FloatArray]:
-    """Direction in (−π, π] and length of each inclined spring: theta and L of one, theta_1, L_1, … of several."""
-    balance = Balance(eq.parameters.model, eq.contact)
-    q = [getattr(eq, name) for name in balance.coordinates]
-    shape = q[0].shape
-    values = {name: value[..., None] for name, value in balance.floats(eq.parameters.broadcast(*balance.parameters)).items()}
-    with np.errstate(all="ignore"):
-        found = [of(dx, dy) for dx, dy, _ in balance.geometry(q, values, np) for of in (lambda x, y: np.arctan2(y, x), np.hypot)]
-    return {name: np.broadcast_to(column, shape) for name, column in zip(columns_of(balance.model), found, strict=False)}
 
 
 def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym import display
+from spragsym.results.result import Result
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few
 
 P = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))
@@ -161,6 +161,6 @@ def test_a_notebook_gets_a_table(kind: str) -> None:
     # Radians stand under no heading: every angle is in degrees, and says so.
     headings = [cell for row in rows for cell in row if cell.split(" ")[0].startswith(("theta", "poles"))]
     assert all(heading.split(" ")[0].endswith("_deg") for heading in headings)
-    if type(result).__str__ is display.Result.__str__:
+    if type(result).__str__ is Result.__str__:
         assert all(cell in str(result) for row in rows for cell in row)
     assert repr(result).startswith(f"{kind.split()[0]}(")

@@ -176,7 +176,7 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
     form = onsets.normal_forms[row]
     n = len(form.q) // 2
     try:
-        cycle = onsets.cycle(row)
+        cycle = ss.cycle(onset=onsets, index=row)
     except ConvergenceError:
         return None
     model, field, constants = onsets.parameters.model, cycle.field, cycle.loop.constants

@@ -9,12 +9,12 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...display import Result
 from ...errors import ParameterError
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import RANGES, FloatArray, Parameters, as_numbers
 from ...questions import of_article
 from ...results.equilibria import Stability
+from ...results.result import Result
 from ..quartic import kernel
 from .fixed_parameters import FIXED
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...display import Result
+from ...bifurcation.onsets import Onsets
 from ...errors import ParameterError
 from ...generated import stability as _stability
 from ...generated.kernel import direction
@@ -18,8 +18,8 @@ from ...models.parameters import FloatArray, Parameters
 from ...numerics.adaptive_bits import as_floats, with_enough_bits
 from ...numerics.intervals import Arithmetic, arithmetic
 from ...questions import NotInClosedForm, of_article
-from ...results.onsets import Onsets
 from ...results.points import in_closed_form
+from ...results.result import Result
 from ..quartic import kernel
 from .fixed_parameters import FIXED, Fixed
 from .flutter_curves import curves

@@ -7,11 +7,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ...display import Result
 from ...generated import linear_sprag as _linear
 from ...generated import stability as _stability
 from ...models.parameters import FloatArray, Parameters
 from ...questions import of_article
+from ...results.result import Result
 
 
 @dataclass(frozen=True)

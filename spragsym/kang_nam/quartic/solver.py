@@ -17,6 +17,7 @@ from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters
 from ...results.equilibria import Equilibria, Undecided
 from ...results.state_columns import COLUMNS, Columns, Slots, empty
+from ...statics.states import Linearizing
 from . import backends, block, compiled
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ WIDE_BLOCK = 1 << 12
 
 
 @dataclass(frozen=True)
-class _Closed:
+class _Closed(Linearizing):
     """What closed forms know of equilibria."""
 
     p: Parameters
@@ -43,7 +44,6 @@ class _Closed:
     slots: Slots
     escalated: NDArray[np.int64]  #: points
     folds: NDArray[np.int64]
-    around: None = None
 
     def column(self, name: str) -> NDArray[Any] | None:
         """A column of the kernel's, or made of these; None for another name."""

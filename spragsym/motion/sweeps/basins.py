@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...display import Result, named_fields
+from ...display import named_fields
 from ...errors import ParameterTypeError
 from ...models.parameters import FloatArray, Parameters, as_numbers
 from ...names import hint
+from ...results.result import Result
 from ..regimes import Outcome, Regime, same_limit
 from .many import rms_sweep
 from .result import Sweep

@@ -8,9 +8,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...display import Result
 from ...errors import ModelError, ParameterError
 from ...models.parameters import FloatArray, Parameters, as_numbers
+from ...results.result import Result
 from .many import rms_sweep
 from .result import Sweep
 

@@ -10,11 +10,11 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...display import Result
 from ...files import storage
 from ...files.journal import Record
 from ...models.parameters import FloatArray, degrees
 from ...names import hint
+from ...results.result import Result
 from .. import integrators
 from ..regimes import Outcome, Regime
 from . import code

@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..bifurcation.normal_forms import NormalForm, normal_form
+from ..bifurcation.onsets import Onsets
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.parameters import POSITIVE, as_number
 from ..motion.flows import carrier
 from ..motion.shooting import LARGEST_GROWTH, Guess, Loop, divided, growth, looped, solved
 from ..numerics.interval_arrays import FloatArray
 from ..numerics.polynomials import Undecided
-from ..orbits.orbit import Cycle, cycle_of
-from .normal_forms import NormalForm, normal_form
+from .orbit import Cycle, cycle_of
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -29,6 +30,20 @@ MET, ROUNDS, FARTHEST = 1e-3, 20, 2.0
 SMALLER = "give a smaller one, and go on from it with cycle_branch"
 #: Stretches of one round, at most.
 PIECES = 32
+
+
+def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | None) -> Cycle:
+    """The cycle that is born at one of the onsets, see :func:`born`."""
+    if not isinstance(index, int | np.integer) or isinstance(index, bool):
+        raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
+    if not 0 <= index < len(onsets):
+        remedy = f"give a number from 0 to {len(onsets) - 1}" if len(onsets) else "search where there is one to begin from"
+        raise ParameterError(f"index = {index}: there are {len(onsets)} onsets; {remedy}")
+    row = int(index)
+    form = onsets.normal_forms[row]
+    if isinstance(form, str):
+        raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
+    return born(onsets.parameters.model, onsets.given(row), onsets.state(row), onsets.vary[0], form, amplitude, backend)
 
 
 def born(

@@ -1,4 +1,4 @@
-"""Onsets of flutter as a result: how dangerous each is, once that is asked, and the cycle that is born there."""
+"""Onsets of flutter as a result: how dangerous each is, once that is asked."""
 
 from __future__ import annotations
 
@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ParameterError, ParameterTypeError
 from ..numerics.interval_arrays import FloatArray
 from ..numerics.polynomials import Undecided
-from .points import Points
+from ..results.points import Points
 
 #: Why an onset of (27) has no coefficient.
 UNDAMPED = (
@@ -100,38 +99,25 @@ class Onsets(Points):
         """Why an onset is undecided."""
         return tuple(told(form)[1] for form in self.normal_forms)
 
-    def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Any:
-        """The cycle that is born at one of the onsets: see :func:`spragsym.bifurcation.births.born`."""
-        if not isinstance(index, int | np.integer) or isinstance(index, bool):
-            raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
-        if not 0 <= index < len(self):
-            remedy = f"give a number from 0 to {len(self) - 1}" if len(self) else "search where there is one to begin from"
-            raise ParameterError(f"index = {index}: there are {len(self)} onsets; {remedy}")
-        form = self.normal_forms[int(index)]
-        if isinstance(form, str):
-            raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
-        from ..bifurcation.births import born
-
-        model, state = self.parameters.model, self._state(int(index))
-        return born(model, self._given(int(index)), state, self.vary[0], form, amplitude, backend)
-
     def _normal_form(self, row: int) -> Any:
         if self.kind[row] != "hopf":
             return UNDAMPED
-        from ..bifurcation.normal_forms import normal_form
+        from .normal_forms import normal_form  # many who ask for onsets never ask for this
 
-        state, vary = self._state(row), self.vary[0]
+        state, vary = self.state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * np.maximum(1.0, np.abs([*state, getattr(self, vary)[row]])) * (1 + 2.0**-50)
         try:
-            return normal_form(self.parameters.model, self._given(row), state, vary, radii)
+            return normal_form(self.parameters.model, self.given(row), state, vary, radii)
         except Undecided as reason:
             return str(reason)
 
-    def _given(self, row: int) -> FloatArray:
+    def given(self, row: int) -> FloatArray:
+        """Parameters of one of them, in the order of the page."""
         return np.array([getattr(self, name)[row] for name in self.parameters.model.parameters])
 
-    def _state(self, row: int) -> FloatArray:
+    def state(self, row: int) -> FloatArray:
+        """Coordinates of one of them."""
         return np.array([getattr(self, name)[row] for name in self.parameters.model.coordinates])
 
     def _column(self, name: str, missing: float) -> FloatArray:

@@ -1,0 +1,123 @@
+"""What every result can do: show itself, give its columns, be written to a file and be drawn."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from collections.abc import Iterator
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Shown, sorted_out, tables, text, words
+from ..errors import MissingExtraError
+
+#: Longer arrays and tuples stand in ``repr`` by their shapes.
+WHOLE = 6
+
+
+class Result(Shown):
+    """A result: ``print`` gives its table as well; ``repr`` is that of the dataclass, long arrays by their shapes."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        if "__repr__" not in cls.__dict__:
+            # In the class itself, so that the dataclass of it makes no other.
+            cls.__repr__ = _short  # type: ignore[method-assign]
+
+    #: Names of further attributes, made when they are asked for.
+    offered: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return "\n\n".join(text(table) for table in tables(self))
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.offered})
+
+    def _is_short(self) -> bool:
+        """Whether its columns are worth computing for ``repr``."""
+        return True
+
+    def data(self) -> dict[str, NDArray[Any]]:
+        """The columns of its table by name, whole: arrays of one shape, angles in radians; none where it has no rows."""
+        return sorted_out(self, words(self))[0]
+
+    def to_dataframe(self) -> Any:
+        """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be installed."""
+        return _imported("pandas", "a data frame").DataFrame({name: column.ravel() for name, column in self.data().items()})
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of :meth:`data`, with unit and meaning where the model knows them (extra ``sweep``)."""
+        known = getattr(self.table_model, "quantities", {})
+        variables = {}
+        for name, column in self.data().items():
+            told = zip(("units", "long_name"), known.get(name, ("", "")), strict=True)
+            dims = ("row",) if column.ndim == 1 else tuple(f"axis_{place}" for place in range(column.ndim))
+            column = column.astype(object) if column.dtype.kind == "U" else column
+            variables[name] = (dims, column, {key: text for key, text in told if text})
+        return _imported("xarray", "a dataset").Dataset(variables)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write all of it to ``*.json``, which :func:`spragsym.open` reads, or its columns to ``*.csv`` or ``*.nc``."""
+        from .files import save
+
+        save(self, path)
+
+    def _for_file(self) -> Result:
+        """The same with all that is made when it is asked for: data alone."""
+        return self
+
+    def _save_columns(self, path: Path) -> None:
+        from ..files.storage import provenance, write
+
+        known = getattr(self.table_model, "quantities", {})
+        write(path, self.to_xarray, self.data, provenance(), {name: known.get(name, ("", "")) for name in self.data()})
+
+    def plot(self, ax: Any = None, **options: Any) -> Any:
+        """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra ``plot``)."""
+        import spragsym  # a shorthand for what a user asks the package: no room imports one behind it
+
+        return spragsym.figures.plot(self, ax, **options)
+
+
+def _imported(module: str, feature: str) -> Any:
+    try:
+        return importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        raise MissingExtraError(feature, module, "sweep") from error
+
+
+def _short(result: Any) -> str:
+    """The dataclass's own text with its first columns, but for what would fill pages."""
+    given = {field.name: getattr(result, field.name) for field in fields(result) if field.repr}
+    shown = (
+        {name: column for name, column in result.data().items() if name not in given}
+        if result.offered and result._is_short()
+        else {}
+    )
+    given.pop("values" if given.get("vary") in shown else "", None)
+    return f"{type(result).__name__}({', '.join(f'{name}={_named(value)}' for name, value in {**shown, **given}.items())})"
+
+
+def _named(value: Any) -> str:
+    if isinstance(value, np.ndarray) and value.size > WHOLE:
+        return f"array{value.shape}"
+    if isinstance(value, tuple | list) and len(value) > WHOLE:
+        return f"({len(value)} of {type(value[0]).__name__})"
+    return " ".join(repr(value).split())
+
+
+class Rows(Result):
+    """A result whose rows can be counted, indexed and gone through: each is a mapping of its columns to numbers or words."""
+
+    def __len__(self) -> int:
+        return len(next(iter(self.data().values()), ()))
+
+    def __getitem__(self, index: int) -> dict[str, Any]:
+        return {name: column[index].item() for name, column in self.data().items()}
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        return map(self.__getitem__, range(len(self)))

@@ -1,0 +1,74 @@
+"""Equilibria of columns that are there already, and what is changed in them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..models.parameters import FloatArray
+from ..results.equilibria import Equilibria
+
+if TYPE_CHECKING:
+    from .stability import Linearized
+
+
+class Linearizing:
+    """A source of equilibria whose full linearization is made when it is asked for."""
+
+    #: Boxes around each state, and around each alone, shape (2, n, states), where ``error`` does not say as much.
+    around: tuple[FloatArray, FloatArray] | None = None
+
+    def linearized(self, eq: Equilibria, states: tuple[NDArray[np.int64], ...]) -> Linearized:
+        """Of some states, by their indices into the columns."""
+        from .stability import linearized  # closed forms answer without it
+
+        return linearized(eq, states, self.around)
+
+    def held(self, columns: Mapping[str, NDArray[Any]]) -> Held:
+        """The same with these columns made, for a file."""
+        return Held(columns, self.around)
+
+
+@dataclass(frozen=True)
+class Held(Linearizing):
+    """Columns that are there already."""
+
+    columns: Mapping[str, NDArray[Any]]
+    around: tuple[FloatArray, FloatArray] | None = None
+
+    def column(self, name: str) -> NDArray[Any] | None:
+        """A column; None if it is not known here."""
+        return self.columns.get(name)
+
+
+def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.int8], error: NDArray[Any] | float) -> Equilibria:
+    """One state in contact of every point, known from elsewhere: columns of the shape of the points."""
+    ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
+    columns = {**places, "stability": stability, "error": np.broadcast_to(error, p.shape), "marginal": ~known}
+    return Equilibria(p, True, ones, known, (), (), Held({name: column[..., None] for name, column in columns.items()}))
+
+
+def as_decided(eq: Equilibria, point: int) -> Equilibria:
+    """The same along one axis of points, one of them decided otherwise: it has the states that are known, and no others."""
+    left = tuple(box for box in eq.undecided if box.index != (point,))
+    return replace(eq, decided=eq.decided | (np.arange(eq.count.size) == point), undecided=left)
+
+
+def with_state(eq: Equilibria, point: int, state: Mapping[str, float], stability: int, error: float) -> Equilibria:
+    """The same along one axis of points, with one more state of one of them that is known otherwise: its coordinates."""
+    slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
+    new: dict[str, Any] = {**state, "stability": stability, "error": error, "marginal": True}
+
+    def placed(name: str) -> NDArray[Any]:
+        old = getattr(eq, name)
+        out = np.concatenate([old, np.full_like(old[:, :1], np.nan if old.dtype == float else 0)], axis=1)
+        out[point, slot + 1 :] = out[point, slot:-1]
+        out[point, slot] = new[name]
+        return out
+
+    more = (np.arange(eq.count.size) == point).astype(eq.count.dtype)
+    return replace(eq, count=eq.count + more, _source=Held({name: placed(name) for name in new}))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import doctest
 import importlib
 import inspect
@@ -16,7 +17,7 @@ import pytest
 
 import spragsym
 from tests.shown import DOCS, OPTIONS, README, assert_shown, commands, fenced, run
-from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, needs_a_quick_integrator
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, few, needs_a_quick_integrator
 
 # ---------------------------------------------------------------------------------------------------- docstrings
 
@@ -28,44 +29,43 @@ MODULES = sorted(
     if path.is_file() and ">>> " in path.read_text(encoding="utf-8")
 )
 
-#: Modules whose examples take seconds; their tests have the same calls.
-LONG_EXAMPLES = (
-    "spragsym.orbits.fate_boundaries", "spragsym.orbits.branch", "spragsym.orbits.two_parameters",
-    "spragsym.orbits.basin_boundaries", "spragsym.models.model", "spragsym.orbits.diagram",
-    "spragsym.bifurcation.hopf_curves", "spragsym.figures.curves", "spragsym.precise",
+#: Modules whose examples take long, or seconds: tests have the same calls.
+LONG = (
+    "spragsym.orbits.branch", "spragsym.orbits.two_parameters", "spragsym.orbits.diagram", "spragsym.bifurcation.hopf_curves",
+    "spragsym.figures.curves", "spragsym.design.jump_probability", "spragsym.design.jumps", "spragsym.design.tube_certificates",
 )  # fmt: skip
+SECONDS = (
+    "spragsym.orbits.fate_boundaries", "spragsym.orbits.basin_boundaries", "spragsym.bifurcation.critical",
+    "spragsym.design.proposals",
+)  # fmt: skip
+#: The others by their room.
+ROOMS = sorted({name.split(".")[1] for name in MODULES if name not in (*LONG, *SECONDS)})
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["spragsym", *(pytest.param(name, marks=pytest.mark.thorough) if name in LONG_EXAMPLES else name for name in MODULES)],
-)
+@pytest.mark.by_hand(*SECONDS)
+@pytest.mark.parametrize("name", few([*ROOMS, *LONG, *SECONDS], *ROOMS))
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each example of a module runs as it stands."""
-    if name.startswith(("spragsym.orbits", "spragsym.motion.sweeps.basins")) and LONG_MOTIONS_TAKE_MINUTES:
+    """Each example of a room, or of a module of which they take long, runs as it stands."""
+    if name.startswith(("orbits", "spragsym.orbits")) and LONG_MOTIONS_TAKE_MINUTES:
         pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
-    try:
-        module = importlib.import_module(name)
-    except spragsym.MissingExtraError as error:
-        pytest.skip(str(error))
     monkeypatch.chdir(ROOT)
-    failed, _ = doctest.testmod(module, optionflags=OPTIONS)
-    assert failed == 0
+    of_room = [one for one in MODULES if one.split(".")[1] == name and one not in (*LONG, *SECONDS)]
+    for one in of_room or [name]:
+        with contextlib.suppress(spragsym.MissingExtraError):
+            failed, _ = doctest.testmod(importlib.import_module(one), optionflags=OPTIONS)
+            assert failed == 0, one
 
 
-FUNCTIONS = [name for name in spragsym.__all__ if inspect.isfunction(getattr(spragsym, name))]
-
-
-@pytest.mark.parametrize("name", FUNCTIONS)
-def test_a_public_function_says_what_it_takes_gives_and_refuses(name: str) -> None:
-    function = getattr(spragsym, name)
-    text, signature = inspect.getdoc(function) or "", inspect.signature(function)
-    wanted = {"Examples"}
-    if signature.parameters:
-        wanted |= {"Parameters", "Raises"}
-    if signature.return_annotation not in (None, "None"):
-        wanted.add("Returns")
-    assert {section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text} == set()
+def test_a_public_function_says_what_it_takes_gives_and_refuses() -> None:
+    for name in spragsym.__all__:
+        if inspect.isfunction(function := getattr(spragsym, name)):
+            text, signature = inspect.getdoc(function) or "", inspect.signature(function)
+            wanted = {"Examples"}
+            if signature.parameters:
+                wanted |= {"Parameters", "Raises"}
+            if signature.return_annotation not in (None, "None"):
+                wanted.add("Returns")
+            assert {section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text} == set(), name
 
 
 # -------------------------------------------------------------------------------------------------------- README
@@ -230,15 +230,14 @@ def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
 # --------------------------------------------------------------------------------------------------- the benchmarks
 
 
-@pytest.mark.parametrize("name", sorted(path.stem for path in (ROOT / "benchmarks").glob("*.py") if path.stem != "__main__"))
-def test_every_benchmark_can_be_imported(name: str) -> None:
+def test_every_benchmark_can_be_imported() -> None:
     """None stands on a name that is gone; those that need an extra are left out without it."""
-    try:
-        importlib.import_module(f"benchmarks.{name}")
-    except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] in ("spragsym", "benchmarks", "derive"):
-            raise
-        pytest.skip(f"{error.name} is not installed")
+    for path in (ROOT / "benchmarks").glob("[a-z]*.py"):
+        try:
+            importlib.import_module(f"benchmarks.{path.stem}")
+        except ModuleNotFoundError as error:
+            if (error.name or "").partition(".")[0] in ("spragsym", "benchmarks", "derive"):
+                raise
 
 
 def test_what_the_glossary_names_is_there() -> None:

@@ -18,31 +18,25 @@ from tests.oracles import reference
 # ----------------------------------------------------------------------------------------------------- precise
 
 
-@pytest.mark.parametrize(
-    ("given", "exact"),
-    [
+def test_a_number_is_what_it_writes() -> None:
+    for given, exact in (
         (1, Fraction(1)), (0.5, Fraction(1, 2)), ("0.007", Fraction(7, 1000)), (" +7/1000 ", Fraction(7, 1000)),
         (".5e-1", Fraction(1, 20)), ("1.", Fraction(1)), (Fraction(2, 3), Fraction(2, 3)), (mpmath.mpf("0.75"), Fraction(3, 4)),
         (mpmath.mpf(6), Fraction(6)), ("7/1000", Fraction(7, 1000)), ("10/10", Fraction(1)),
-    ],
-)  # fmt: skip
-def test_a_number_is_what_it_writes(given: Any, exact: Fraction) -> None:
-    assert ss.precise.as_exact("kappa", given, RANGES["kappa"]) == exact
+    ):  # fmt: skip
+        assert ss.precise.as_exact("kappa", given, RANGES["kappa"]) == exact
 
 
-@pytest.mark.parametrize(
-    ("name", "given", "error"),
-    [
+def test_what_is_no_number_in_range_is_named() -> None:
+    for name, given, error in (
         ("kappa", True, ss.ParameterTypeError), ("kappa", None, ss.ParameterTypeError), ("kappa", "seven", ss.ParameterTypeError),
         ("kappa", "1/0", ss.ParameterError), ("kappa", "1/00 ", ss.ParameterError), ("kappa", math.nan, ss.ParameterError),
         ("kappa", mpmath.inf, ss.ParameterError), ("kappa", 0, ss.ParameterError), ("kappa", mpmath.mpf(-1), ss.ParameterError),
         ("alpha", "-1/9", ss.ParameterError), ("theta0", math.pi, ss.ParameterError), ("theta0", 4, ss.ParameterError),
         ("theta0", 0, ss.ParameterError),
-    ],
-)  # fmt: skip
-def test_what_is_no_number_in_range_is_named(name: str, given: Any, error: type[Exception]) -> None:
-    with pytest.raises(error, match=f"^{name} = "):
-        ss.precise.as_exact(name, given, RANGES[name])
+    ):  # fmt: skip
+        with pytest.raises(error, match=f"^{name} = "):
+            ss.precise.as_exact(name, given, RANGES[name])
 
 
 def test_the_ends_of_ranges_that_belong_to_them() -> None:

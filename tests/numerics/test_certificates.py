@@ -146,10 +146,11 @@ CLUSTERS = [
 
 
 @pytest.mark.parametrize("roots", CLUSTERS)
-@pytest.mark.parametrize(("low", "high"), [(0, 1), (-1, 1), (Fraction(-1, 7), Fraction(13, 11))])
-@pytest.mark.parametrize("bits", [1, 200])
-def test_descartes_finds_every_root_in_the_range(roots: list[Fraction], low: Any, high: Any, bits: int) -> None:
-    for extra in ((1,), (1, 0, 1), (-7,), (Fraction(101, 400), -1, 1)):  # the last with complex roots beside 1/2
+def test_descartes_finds_every_root_in_the_range(roots: list[Fraction]) -> None:
+    for (low, high), bits, extra in itertools.product(
+        ((0, 1), (-1, 1), (Fraction(-1, 7), Fraction(13, 11))), (1, 200),
+        ((1,), (1, 0, 1), (-7,), (Fraction(101, 400), -1, 1)),  # the last with complex roots beside 1/2
+    ):  # fmt: skip
         polynomial = polynomials.primitive(_product(_with_roots(*roots), tuple(map(Fraction, extra))))
         inside = sorted(root for root in roots if low < root <= high)
         found = descartes.real_roots(polynomial, Fraction(low), Fraction(high), bits)

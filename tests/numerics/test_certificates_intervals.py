@@ -112,7 +112,7 @@ FUNCTIONS: dict[str, Callable[[Ball], Ball]] = {
 }
 
 
-@pytest.mark.parametrize("bits", [3, 24, 53, 128, 700])
+@pytest.mark.parametrize("bits", [3, 53, 700])
 @pytest.mark.parametrize("name", ["cos", "sin", "atan", "sqrt"])
 def test_functions_enclose_and_are_sharp(name: str, bits: int) -> None:
     """Against mpmath with far more digits; a wide ball at both ends, a point with hardly more than its last bits lost."""
@@ -156,12 +156,12 @@ def test_functions_at_zero_and_pi() -> None:
     assert _holds(ARITH.sqrt(Ball(4, 4, 0, 53)), Fraction(0))
 
 
-@pytest.mark.parametrize("divisor", [Ball(0, 0, 0, 53), Ball(3, 3, 0, 53), Ball(-3, 3, 0, 53), Ball(-1, 7, 5, 53)])
-def test_what_holds_0_has_no_sign_and_divides_nothing(divisor: Ball) -> None:
+def test_what_holds_0_has_no_sign_and_divides_nothing() -> None:
     """An end on 0 is no sign."""
-    assert intervals.sign(ARITH, divisor) == 0
-    with pytest.raises(Undecided, match="holds 0"):
-        1 / divisor
+    for divisor in (Ball(0, 0, 0, 53), Ball(3, 3, 0, 53), Ball(-3, 3, 0, 53), Ball(-1, 7, 5, 53)):
+        assert intervals.sign(ARITH, divisor) == 0
+        with pytest.raises(Undecided, match="holds 0"):
+            1 / divisor
 
 
 def test_signs_next_to_0() -> None:
@@ -179,7 +179,7 @@ ANGLES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("places", [0, 1, 2, 5, 30, 53, 64, 150, 1000])
+@pytest.mark.parametrize("places", [0, 1, 53, 1000])
 def test_cosine_and_sine_are_as_close_as_they_say(places: int) -> None:
     """And say hardly more than the unit that rounding down takes: an error of the series that shows is a fault."""
     with mpmath.workprec(2 * places + 500):

@@ -31,6 +31,7 @@ from .errors import ModelError as ModelError
 from .errors import ParameterError as ParameterError
 from .errors import ParameterTypeError as ParameterTypeError
 from .errors import SpragsymError as SpragsymError
+from .explorer import explore as explore
 from .kang_nam.folds import FlutterBoundary as FlutterBoundary
 from .kang_nam.folds import LinearSprag as LinearSprag
 from .kang_nam.folds import Surface as Surface

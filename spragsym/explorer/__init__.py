@@ -1,7 +1,8 @@
 """The explorer: a page of any model that computes in the browser, by exported JavaScript."""
 
+from .cell import Page, explore
 from .page import explorer_page
 from .presets import Preset
 from .units import Units
 
-__all__ = ["Preset", "Units", "explorer_page"]
+__all__ = ["Page", "Preset", "Units", "explore", "explorer_page"]

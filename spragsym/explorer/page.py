@@ -11,7 +11,7 @@ from .._version import __version__
 from ..derive.kang_nam.library import exported
 from ..models import Model, load
 from ..models.load import USUAL
-from .derived import required
+from .derived import derived
 from .described import described
 from .presets import Preset
 from .units import Units
@@ -24,7 +24,6 @@ def explorer_page(
     model: Model | None = None,
     presets: Sequence[Preset] = (),
     *,
-    derived: tuple[str, str] | None = None,
     units: Units | None = None,
     onsets: tuple[str, str] = ("", ""),
 ) -> str:
@@ -38,8 +37,6 @@ def explorer_page(
         As :func:`spragsym.load` gives it; the article's by default.
     presets : sequence of Preset
         Points of the user's own. The page begins at the first of them; the model's follow.
-    derived : pair of str, optional
-        The model's functions as an ES module, and its drawing as SVG; of the article's model the package has them.
     units : Units, optional
         Units of the user's own, in which states, forces and motion are shown.
     onsets : pair of str
@@ -52,8 +49,8 @@ def explorer_page(
 
     Raises
     ------
-    ParameterError
-        If ``derived`` is missing for a model that needs it.
+    MissingExtraError
+        Without the extra ``derive``, for a model whose functions the package does not hold in JavaScript.
 
     Examples
     --------
@@ -62,7 +59,7 @@ def explorer_page(
     (True, True)
     """
     model = model or load(USUAL)
-    module, drawing = derived or required(model)
+    module, drawing = derived(model)
     shown = [*presets, *(Preset.of(name, p) for name, p in model.cases())]
     data = {
         "model": described(model, shown),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import io
 import textwrap
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
@@ -83,6 +84,11 @@ class Sheet(Figure):
         self.caption = " ".join(textwrap.dedent(caption).split())
         self.tables = dict(tables)
         return self
+
+    def _repr_png_(self) -> bytes:
+        with house_style(), io.BytesIO() as file:
+            self.savefig(file, format="png", dpi=150)
+            return file.getvalue()
 
 
 def house_style() -> AbstractContextManager[None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import math
 import re
@@ -50,11 +51,17 @@ def test_the_page_is_whole_and_the_same_every_time() -> None:
         assert text.strip() in page
 
 
+def test_a_cell_of_a_notebook_shows_it_at_the_point() -> None:
+    shown = ss.explore(ss.Parameters.article(theta0=0.8125, V=0.5, d=10.0))._repr_html_()
+    assert shown.startswith("<iframe srcdoc=")
+    assert "0.8125" in html.unescape(shown)
+
+
 @pytest.mark.thorough
 def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     """The dimensionless numbers by hand from those of the example file, and a model that the page can't compute refused."""
     pytest.importorskip("pint", reason="pint is not installed")
-    data, out = ROOT / "spragsym" / "studies" / "brake.toml", tmp_path / "mine.html"
+    data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
     assert CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code == 0
     (text,) = re.findall(r'id="data">(.*?)</script>', out.read_text(encoding="utf-8"))
     said = json.loads(text)

@@ -10,6 +10,7 @@ import importlib
 import os
 import sys
 import traceback
+import warnings
 from contextlib import suppress
 from typing import IO, Any, NoReturn
 
@@ -122,7 +123,8 @@ def _run(arguments: list[str], debug: bool) -> int:
     try:
         if "_SPRAGSYM_COMPLETE" in os.environ:  # the shell asks for completions
             cli.main(arguments, prog_name="spragsym")
-        with ending():
+        with ending(), warnings.catch_warnings():
+            warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
             code = _invoke(arguments)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()  # flush here, so that a closed pipe and a full disk are noticed here

@@ -97,7 +97,8 @@ def within_ranges(found: Any) -> Any:
 
 def plane(case: Case, vary: tuple[Typed, ...], plot: Path | None, force: bool) -> list[Span]:
     """What varies; refused, before anything is computed, are more than a plane, and what can't be drawn."""
-    along = [span(case, typed, "") for typed in vary or [Typed(name, name) for name in case.model.axes]]
+    asked = vary or [Typed(name, name) for name in case.model.axes]
+    along = [span(case, typed, "", begins=place > 0) for place, typed in enumerate(asked)]  # folds are at a value of the second
     if len(along) > 2 or len({one.name for one in along}) < len(along):
         raise ParameterError(f"--vary {' --vary '.join(typed.text for typed in vary)}: give one parameter, or two different ones")
     if plot is not None:

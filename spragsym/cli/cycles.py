@@ -53,7 +53,7 @@ def cycles(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    along = None if vary is None else span(case, vary, "")
+    along = None if vary is None else span(case, vary, "", begins=True)
     if plot is not None and (along is None or plot.suffix not in (".pdf", ".png", ".svg")):
         raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary, and the ending .pdf, .png or .svg")
     if along is not None and along.ends is None:

@@ -68,13 +68,13 @@ def equilibria(
         _draw(case, None if vary is None else along, plot, force)
     many = [name for name, value in case.values.items() if not isinstance(value, float) and value.ndim]
     asked = box(case, within)
-    found, size = [], math.prod(np.size(value) for value in case.values.values())
+    size = math.prod(np.size(value) for value in case.values.values())
     if size > MOST:
         raise click.UsageError(f"{size} points are more than the {MOST} of a table; in Python ss.equilibria takes any number")
     with show_progress(f"searching for equilibria of {size} points" if many else "searching for equilibria"):
-        for point in _points(case.values):
-            told = {title: unit * point[name] for name, (title, unit) in titles.items()}
-            found.append({"parameters": told, **_states(case, point, asked)})
+        points = list(_points(case.values))
+        told = [{title: unit * point[name] for name, (title, unit) in titles.items()} for point in points]
+        found = [{"parameters": at, **one} for at, one in zip(told, _all_states(case, points, asked), strict=True)]
     if json_output:
         print_json({"model": case.model.name, **({"points": found} if many else found[0])})
         return
@@ -121,10 +121,25 @@ def _points(values: dict[str, Any]) -> Iterator[dict[str, float]]:
         yield dict(zip(values, combination, strict=True))
 
 
+def _all_states(case: Case, points: list[dict[str, float]], within: Any) -> list[dict[str, Any]]:
+    """As :func:`_states` of each point: of all in one call, and of those that it does not answer whole in one each."""
+    p = case.model.Parameters(**{name: np.array([point[name] for point in points]) for name in points[0]})
+    more, several = case.searching({}, within), len(points) > 1  # of one alone an error is the answer
+    every = [ss.equilibria(p, contact=contact, **more) for contact in case.model.regimes if several]
+    found = []
+    for at, point in enumerate(points):
+        if several and all((eq.decided & eq.whole)[at] for eq in every):
+            rows = [row for eq in every for row in rows_of(eq, case.units, (at,))]
+            found.append({"equilibria": rows, "complete": True, "undecided": [], "remarks": []})
+        else:
+            found.append(_states(case, point, within))
+    return found
+
+
 def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
     """A row for each equilibrium of a point, whether these are all, and what is not known."""
     p, units = case.model.Parameters(**point), case.units
-    more = case.ask if within is None else {**case.ask, "within": within}
+    more = case.searching({}, within)
     told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
     for contact, state in case.model.regimes.items():
         try:

@@ -19,7 +19,7 @@ from ..files.writing import probe, put
 from ..models.load import USUAL
 from ..progress import show_progress
 from .commands import command
-from .of_model import TRUST, method
+from .of_model import TRUST, method, study_of
 from .targets import force, holds, refuse
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def explore(
     \b
     Exit codes: 0 written; 1 the file can't be written; 2 usage, or a file that differs is in the way.
     """
-    study = None if data is None else _study(data, model, trust)
+    study = None if data is None else study_of(data, model, trust)
     from ..models import load
 
     chosen = load(study.model if study is not None else model or USUAL)
@@ -111,16 +111,6 @@ def _page_name(out: Path) -> Path:
     return out if out.suffix else out.with_name(f"{out.name}.html")
 
 
-def _study(path: Path, model: str | None, trust: bool) -> Study:
-    """The user's data, for the model that the command names if it names one."""
-    from ..report import Study
-
-    study = Study.from_file(path, trust=trust or model or False)
-    if model not in (None, study.model):
-        raise ParameterError(f"--model {model}: {path} holds data for the model {study.model}; leave out one of the two")
-    return study
-
-
 def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     """The page of a model, at the user's point if there is one."""
     if study is None:
@@ -146,6 +136,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
     with show_progress("searching for onsets (--onsets)"):
         found = ss.onset_curves(p, model.plane, _LINES, between=ends)
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
+    taken += " --trust" if study is not None and not shipped(model) else ""
     spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.plane)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
     return picture(lambda ax: draw_onset_curves(found, ax)), command

@@ -9,15 +9,15 @@ import numpy as np
 
 from ..errors import ParameterError
 from .drawings import written
-from .motion import BACKEND, grid_of
+from .motion import grid_of
 from .of_model import Case, of_model
-from .options import Axis, workers
+from .options import Axis, integrator, workers
 from .targets import force, refuse, resumed
 
 
 @of_model(kind=Axis, start=True)
 @click.option("--t-end", type=float, default=40_000.0, show_default=True, help="How long to follow it; exponents come after.")
-@BACKEND
+@integrator("heyoka", "scipy")
 @workers(1)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.csv.")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,7 +16,7 @@ from ..errors import ParameterError
 from ..models.parameters import FloatArray
 from .drawings import drawable, written
 from .of_model import Case, of_model
-from .options import Axis, as_json, window, workers
+from .options import Axis, as_json, integrator, window, workers
 from .tables import print_json
 from .targets import force, refuse, resumed
 
@@ -26,11 +25,6 @@ if TYPE_CHECKING:
 
 #: Where a value came from that was typed.
 COMMANDLINE = click.core.ParameterSource.COMMANDLINE
-BACKEND = click.option(
-    "--backend",
-    type=click.Choice(["heyoka", "compiled", "scipy"]),
-    help="Integrator. Default: heyoka where it is installed, else the compiled one.",
-)
 PLOT = click.option(
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg)."
 )
@@ -39,13 +33,14 @@ LONGEST = 2e6
 #: Why it is bounded in a sweep.
 EACH = "each motion of a sweep is followed to its end"
 
+
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
 @of_model(start=True)
 @window
 @RTOL
-@BACKEND
+@integrator("heyoka", "compiled", "scipy")
 @click.option("--error", "estimate_error", is_flag=True, help="Estimate the error by a second run at a tighter tolerance.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
 @PLOT
@@ -147,7 +142,7 @@ def _draw(case: Case, tr: Trajectory, transient: float, path: Path) -> None:
 @of_model(kind=Axis, start=True)
 @window
 @RTOL
-@BACKEND
+@integrator("heyoka", "compiled", "scipy")
 @workers(1)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
@@ -191,8 +186,7 @@ def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:
     """Run a sweep to its file, and say what its motions came to."""
     from ..motion.sweeps import Regime
 
-    with resumed(force), warnings.catch_warnings():
-        warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
+    with resumed(force):
         result = run()
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
     click.echo(f"{output}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))

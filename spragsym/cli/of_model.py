@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -18,7 +19,7 @@ from ..models import load
 from ..models.load import USUAL
 from ..models.parameter_class import options_of
 from ..models.parameters import Range, degrees
-from .commands import command
+from .commands import Command, command
 from .options import Number
 from .units import Units
 
@@ -77,7 +78,7 @@ class Case:
         return {title: None if value is None else unit * value for (title, unit), value in titles}
 
 
-class OfModel(click.Command):
+class OfModel(Command):
     """A command whose options are its own and one for each parameter of a model; its work is given a :class:`Case`.
 
     Parameters are of the type ``kind``. With ``start`` each number of the initial state has an option too. ``statics`` of a brake
@@ -117,22 +118,12 @@ class OfModel(click.Command):
         self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
     ) -> click.Context:
         """With the options of the model that the arguments name."""
-        study = _study(_value_of(args, "--data"), "--trust" in args or _value_of(args, "--model") or False)
-        name = _value_of(args, "--model")
-        name = name if name is not None else study.model if study else USUAL
-        if study is not None:
-            if study.model != name:
-                raise ParameterError(f"--model {name}: --data is about {study.model}; leave one of the two out")
-            from ..report.cautions import of_data
-
-            for said in of_data(study):
-                click.echo(f"spragsym: warning: {said}", err=True)
-            extra |= {"default_map": self._defaults(study), "obj": study}
+        path, name = _value_of(args, "--data"), _value_of(args, "--model")
+        if path is not None:
+            study = study_of(path, name, "--trust" in args)
+            name, extra = study.model, extra | {"default_map": self._defaults(study), "obj": study}
+        name = USUAL if name is None else name
         about = self if name == self.model.where else self.of_model(load(name))
-        for option in about.params:
-            typed = [word for word in args if word.partition("=")[0] in option.opts and word.startswith("--")]
-            if len(typed) > 1 and isinstance(option, click.Option) and not (option.multiple or option.is_flag):
-                raise ParameterError(f"{typed[0].partition('=')[0]} is given {len(typed)} times; give it once")
         return super(OfModel, about).make_context(info_name, args, parent, **extra)
 
     def invoke(self, ctx: click.Context) -> Any:
@@ -252,9 +243,11 @@ def _value_of(args: Sequence[str], flag: str) -> str | None:
     return None
 
 
-def _study(path: str | None, trust: bool | str) -> Study | None:
-    if path is None:
-        return None
+def study_of(path: str | Path, model: str | None, trust: bool) -> Study:
+    """The data of a brake, for the model that the command names if it names one."""
     from ..report import Study
 
-    return Study.from_file(path, trust=trust)
+    study = Study.from_file(path, trust=trust or model or False)
+    if model not in (None, study.model):
+        raise ParameterError(f"--model {model}: {path} is about {study.model}; leave one of the two out")
+    return study

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -12,6 +13,9 @@ from ..errors import ParameterError
 from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers
 
 F = TypeVar("F", bound=Callable[..., Any])
+
+#: Numbers of an axis.
+MOST = 1_000_000
 
 
 class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
@@ -39,12 +43,16 @@ class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
         self.allowed = allowed
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> FloatArray:
+        if re.fullmatch(r"\s*[+-]?(0,\d+|\d+,0\d+)\s*", str(value)):
+            self.fail(
+                f"{value!r} may be one number or two; write {value.replace(',', '.')}, or {value.replace(',', '.0,')}", param, ctx
+            )
         try:
             numbers = self._numbers(str(value))
         except ValueError:
             self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61", param, ctx)
         if numbers is None:
-            self.fail(f"{value!r}: equal steps with both ends are 2 numbers or more; for one number give it alone", param, ctx)
+            self.fail(f"{value!r}: equal steps with both ends are 2 to {MOST} numbers; for one give it alone", param, ctx)
         as_numbers(_flag(param), numbers if numbers.size > 1 else numbers[0], self.allowed)
         return numbers
 
@@ -53,7 +61,7 @@ class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
             return np.array([float(number) for number in text.split(",")])
         start, stop, count = text.split(":")
         with np.errstate(all="ignore"):  # an infinite end, which the range refuses
-            return np.linspace(float(start), float(stop), int(count)) if int(count) > 1 else None
+            return np.linspace(float(start), float(stop), int(count)) if 1 < int(count) <= MOST else None
 
 
 class Numbers(Number):
@@ -91,6 +99,12 @@ def window(function: F) -> F:
     function = click.option("--transient", type=Number(NOT_NEGATIVE), help=text)(function)
     text = "Until when, in {time}; with --data in seconds, as --transient."
     return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, help=text)(function)
+
+
+def integrator(*names: str) -> Callable[[F], F]:
+    """``--backend``: of those that a command can use, the first that is there."""
+    text = f"Integrator. Default: the first of {', '.join(names)} that is installed."
+    return click.option("--backend", type=click.Choice(names), help=text)
 
 
 def workers(default: int) -> Callable[[F], F]:

@@ -57,9 +57,9 @@ def report(
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([] if html is None else [html], force)
-    from ..report import Study
+    from ..report.brake_files import read_brake
 
-    study = Study.from_file(file, trust=trust or model or False)
+    study = read_brake(file, trust or model or False)  # the report has its own warnings
     if model not in (None, study.model):
         raise click.UsageError(f"--model {model}: {file} is about {study.model}; leave --model out")
     options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]

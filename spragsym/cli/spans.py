@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 import numpy as np
+from click.core import ParameterSource
 
 from ..errors import ParameterError
+from ..models.parameter_class import options_of
 from ..models.parameters import FloatArray, shown
 
 if TYPE_CHECKING:
@@ -18,8 +20,8 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-#: Values from one end to the other, unless told otherwise.
-COUNT = 11
+#: Values from one end to the other, unless told otherwise; and how far an end may be, in the model's units.
+COUNT, LARGEST = 11, 1e6
 
 
 @dataclass(frozen=True)
@@ -58,17 +60,8 @@ class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
 
 
 def vary(text: str, multiple: bool = False) -> Callable[[F], F]:
-    """``--vary``; where one parameter varies, a second one is refused, and not taken in place of the first."""
-    callback = None if multiple else _only
-    return click.option("--vary", type=Vary(), metavar="NAME[=FROM:TO]", multiple=True, callback=callback, help=text)
-
-
-def _only(context: click.Context, option: click.Parameter, given: tuple[Typed, ...]) -> Typed | None:
-    if len(given) > 1:
-        raise click.BadParameter(
-            f"{', '.join(one.text for one in given)}: here one parameter varies; give it once", context, option
-        )
-    return given[0] if given else None
+    """``--vary``, of one parameter or of several."""
+    return click.option("--vary", type=Vary(), metavar="NAME[=FROM:TO]", multiple=multiple, help=text)
 
 
 def within(function: F) -> F:
@@ -100,16 +93,25 @@ class Span:
         return np.linspace(low, high, self.count) / self.unit
 
 
-def span(case: Case, typed: Typed | None, default: str, values: bool = False) -> Span:
-    """What varies, by default a parameter whose whole range is meant; with ``values``, both ends are values themselves."""
+def span(case: Case, typed: Typed | None, default: str, values: bool = False, begins: bool = False) -> Span:
+    """What varies, by default a parameter whose whole range is meant; with ``values``, both ends are values themselves.
+
+    With a range it has no value besides, unless it ``begins`` there.
+    """
     typed = typed or Typed(default, default)
     name, unit, title = case.units.varied(typed.name)
+    asked = typed.low is not None and not begins
+    if asked and click.get_current_context().get_parameter_source(name) == ParameterSource.COMMANDLINE:
+        flag = options_of(case.model.about, name)[0]
+        raise ParameterError(f"{flag} gives {name} a value, and --vary {typed.text} varies it; leave one of the two out")
     allowed = case.model.Parameters.ranges[name]
     if typed.low is None or typed.high is None:
         return Span(name, unit, title, None, typed.count or COUNT)
     for end in (typed.low, typed.high):
         value = end / unit
         inside = allowed.contains(value) if values else allowed.low <= value <= allowed.high
+        if inside and abs(value) > LARGEST:
+            raise ParameterError(f"--vary {typed.text}: {title} = {end:g} is too far; give at most {LARGEST * unit:g} in size")
         if not inside:
             ends = case.model.Parameters.ranges[name] if name not in case.model.about["angles"] else _in_degrees(allowed)
             own = "" if name in case.model.about["angles"] or unit == 1 else f" is {name} = {value:g}, which"

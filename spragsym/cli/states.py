@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from .units import Units
 
 
-def rows_of(eq: Any, units: Units) -> list[dict[str, Any]]:
+def rows_of(eq: Any, units: Units, point: tuple[int, ...] = ()) -> list[dict[str, Any]]:
     """A row for each equilibrium of one point: words, directions and lengths of springs, coordinates, and what is known of them.
 
     ``stability`` is that with dampers and the slope of the friction law; ``undamped`` and ``eigenvalues`` are without, as (27).
@@ -31,7 +31,7 @@ def rows_of(eq: Any, units: Units) -> list[dict[str, Any]]:
             "error": float(eq.error[slot]),
             "marginal": bool(eq.marginal[slot]),
         }
-        for slot in range(int(eq.count))
+        for slot in ((*point, number) for number in range(int(eq.count[point])))
     ]
 
 

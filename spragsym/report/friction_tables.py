@@ -129,7 +129,7 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[floa
     lines, cells = lines[begin:], cells[begin:]
     names = cells[0][1]
     if any(_NUMBER.fullmatch(name) for name in names):
-        said = f"{lines[0][1]!r} is no head: it does not say which column is which, and in what unit"
+        said = "this is no head: it does not say which column is which, and in what unit"
         raise _RefusedError(f"{said}; put a line such as {EXAMPLE} above it", lines[0][0], 3)
     data, units = cells[1:], [""] * len(names)
     if data and len(data[0][1]) == len(names) and not any(_NUMBER.match(cell) for cell in data[0][1] if cell not in ("1", "")):
@@ -186,7 +186,7 @@ def _column(
     if len(found) != 1:
         several = f"is named {len(found)} times" if found else "is not among the names"
         raise _RefusedError(
-            f"{head[1]!r}: {what} {several}; name one column {'v [m/s]' if si == 'm/s' else 'mu'}, as in {EXAMPLE}", head[0], 1
+            f"{what} {several}; name one column {'v [m/s]' if si == 'm/s' else 'mu'}, as in {EXAMPLE}", head[0], 1
         )
     i, name, unit = found[0]
     if not unit and si == "m/s":

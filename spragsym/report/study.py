@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -161,11 +162,16 @@ class Study:
     def from_file(cls, path: str | os.PathLike[str], *, trust: bool | str = False) -> Study:
         """The study of a file such as ``brake.toml``; see :func:`spragsym.report.brake_files.read_brake`.
 
-        A file may name the folder of a model, whose code runs: ``trust`` says that it may.
+        A file may name the folder of a model, whose code runs: ``trust`` says that it may. A number whose unit was probably meant
+        otherwise is a UserWarning.
         """
         from .brake_files import read_brake
+        from .cautions import of_data
 
-        return read_brake(path, trust)
+        study = read_brake(path, trust)
+        for said in of_data(study):
+            warnings.warn(f"{study.source}: {said}", stacklevel=2)
+        return study
 
     @classmethod
     def of(cls, **data: Any) -> Study:

@@ -148,13 +148,21 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["equilibria", "--theta0", "x"], USAGE, ["--theta0", "'x'"]),
         (["equilibria", "--theta0", "49", "--nonsense"], USAGE, ["--nonsense"]),
         (["equilibria", "--theta0", "30", "--theta0=40"], USAGE, ["--theta0", "2 times"]),
+        (["equilibria", "-V", "1", "--speed", "2"], USAGE, ["--speed", "2 times"]),
+        (["equilibria", "--theta0", "30", "--vary", "mu0=0:1:3", "--mu0", "4"], USAGE, ["--mu0", "leave one of the two out"]),
+        (["equilibria", "--theta0", "30", "--mu0", "0,5"], USAGE, ["--mu0", "0.5", "0.0,5"]),
+        (["folds", "--theta0", "30", "--vary", "mu0=0:1e300"], USAGE, ["mu0 = 1e+300", "at most 1e+06"]),
+        (["explore", "--no-open", "--model", ""], USAGE, ["--model", "empty"]),
+        (["export", "--out="], USAGE, ["--out", "empty"]),
+        (["report", ""], USAGE, ["FILE", "empty"]),
+        (["fates", "--theta0", "30", "--backend", "compiled", "-o", "a.csv"], USAGE, ["heyoka", "scipy"]),
         (["equilibria", "--theta0", "30", "--model", ""], USAGE, ["no shipped model"]),
         (["equilibria", "--theta0", "0"], USAGE, ["--theta0 = 0", "(0, 180)"]),
         (["equilibria", "--theta0", "nan"], USAGE, ["--theta0 = nan"]),
         (["equilibria", "--theta0", "49", "--sigma", "0"], USAGE, ["sigma = 0", "(0, inf)"]),
         (["equilibria", "--theta0", "49", "--mu0", "-0.3"], USAGE, ["--mu0 = -0.3 is"]),
         (["equilibria", "--theta0", "180.00000000000003"], USAGE, ["--theta0 = 180.00000000000003"]),
-        (["critical", "--theta0", "49", "--vary", "mu0=0:1", "--vary", "theta0"], USAGE, ["--vary", "mu0=0:1, theta0", "once"]),
+        (["critical", "--theta0", "49", "--vary", "mu0=0:1", "--vary", "theta0"], USAGE, ["--vary", "2 times"]),
         (["bifurcation", "--plot", "a.txt"], USAGE, ["a.txt", ".pdf, .png or .svg"]),
         (["bifurcation", "--plot", "missing/a.pdf"], USAGE, ["missing/a.pdf", "existing folder"]),
         (["simulate", "--theta0", "49", "--t-end", "-1"], USAGE, ["--t-end = -1"]),
@@ -163,6 +171,7 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["simulate", "--theta0", "49", "-V", "-1"], USAGE, ["--speed = -1", "mirror image"]),
         (["simulate", "--theta0", "49", "-o", "missing/a.csv"], USAGE, ["missing"]),
         (["sweep", "--theta0", "1:2", "-o", "a.csv"], USAGE, ["1:2", "start:stop:count"]),
+        (["sweep", "--theta0", "1:2:1000000000000", "-o", "a.csv"], USAGE, ["1000000 numbers"]),
         (["sweep", "--theta0", "30:200:3", "-o", "a.csv"], USAGE, ["--theta0[2] = 200", "degrees"]),
         (["sweep", "--theta0", "200", "-o", "a.csv"], USAGE, ["--theta0 = 200", "(0, 180)", "degrees"]),
         (["figures", "--only", "2", "--out", "a"], USAGE, ["--only", "'2'", "3, 4"]),
@@ -216,6 +225,14 @@ def test_exit_codes(error: BaseException, code: int, words: str, monkeypatch: py
 # ------------------------------------------------------------------------------------------- pipes, colours, Ctrl-C
 
 ONE = ["equilibria", "--theta0", "30"]
+
+
+def test_many_points_are_asked_in_one_call(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked, answer = [], ss.equilibria
+    monkeypatch.setattr(ss, "equilibria", lambda p, **more: asked.append(p.shape) or answer(p, **more))
+    points = json.loads(run("equilibria", "--theta0", "20:80:7", "--json"))["points"]
+    assert asked == [(7,), (7,)]
+    assert points[1]["equilibria"] == json.loads(run(*ONE, "--json"))["equilibria"]
 
 
 @needs_posix

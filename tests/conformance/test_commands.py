@@ -85,7 +85,7 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
     assert told[0]["equilibria"][0]["growth_per_s"] == pytest.approx(float(growth[0]) / study.scales.time, rel=1e-9)
     assert growth[0] != ss.equilibria(at_work.replace(V=0.5, d=10.0)).growth[0]
     said = run("equilibria", "--data", str(two), "--model", "damped", code=2)
-    assert "--data is about cubic_contact" in said
+    assert "is about cubic_contact" in said
 
 
 # ----------------------------------------------------------------------------------------------- points and paths
@@ -136,7 +136,7 @@ PLANES = [name for name in MODELS if len(load(name).axes) == 2]
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
 def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
-    told = json.loads(run("bifurcation", *of(name), "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json"))
+    told = json.loads(run("bifurcation", *of(name)[:2], "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json"))
     assert list(told) == ["model", "parameters", "folds", "onsets", "cusps"]
     model = load(name)
     for row in told["cusps"]["points"]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -46,9 +47,12 @@ def test_units_and_dimensions_of_a_value_are_not_dropped(given: object, words: s
         ss.PhysicalParameters(m=1, k=1, k_x=1, k_y=0, k_c=9, F_L=3, L_0=given, theta0=0.5, mu0=0.5)
 
 
+@pytest.mark.filterwarnings("always")
 def test_an_odd_number_is_told_of_wherever_data_are_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rows = {"m": "0.35 kg", "k": "180 N/mm", "k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm", "L_0": "38 mm"}
     brake = written_brake(tmp_path, {**rows, "theta0": "52 deg", "F_L": "420 N", "mu0": "45"})
     with pytest.raises(SystemExit, match="0"):
         main(["equilibria", "--data", str(brake)])
-    assert "write 45 % or 0.45" in capsys.readouterr().err
+    assert re.fullmatch("spragsym: warning: .*write 45 % or 0.45.*\n", capsys.readouterr().err)
+    with pytest.warns(UserWarning, match="write 45 % or 0.45"):
+        ss.Study.from_file(brake)

@@ -16,7 +16,7 @@ import spragsym as ss
 from ..errors import ModelError, ParameterError
 from ..explorer import Preset, Units, explorer_page
 from ..files.writing import probe, put
-from ..models.load import USUAL
+from ..models.load import USUAL, shipped
 from ..progress import show_progress
 from .commands import command
 from .of_model import TRUST, method, study_of
@@ -136,7 +136,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
     with show_progress("searching for onsets (--onsets)"):
         found = ss.onset_curves(p, model.plane, _LINES, between=ends)
     taken = f"--model {shlex.quote(model.where)}" if study is None else f"--data {shlex.quote(study.source)}"
-    taken += " --trust" if study is not None and not shipped(model) else ""
+    taken += " --trust" if study is not None and model.where not in shipped() else ""
     spans = (one if one in model.about["angles"] else f"{one}={ends[one][0]:g}:{ends[one][1]:g}" for one in model.plane)
     command = " ".join(["spragsym onsets", taken, *(f"--vary {span}" for span in spans), f"--n {_LINES} --json"])
     return picture(lambda ax: draw_onset_curves(found, ax)), command

@@ -128,7 +128,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
         return "", ""
     from ..figures.labels import window
     from ..figures.planes import draw_onset_curves
-    from ..report.pages import picture
+    from ..figures.report_pages import picture
 
     if len(model.plane) != 2:
         raise ParameterError(f"--onsets: {model.name} has no two parameters of its equilibria; leave it out")

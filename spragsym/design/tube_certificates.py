@@ -14,6 +14,7 @@ from ..bifurcation.tubes.tube_regions import ByColumn, Flags, Parts, Place, halv
 from ..bifurcation.tubes.tubes import SMALL, Tubes
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import ParameterSet
+from ..models.parameters.units import Unit, checked_units
 from ..numerics.interval_arrays import FloatArray
 from ..progress import doing
 from ..questions import Method, question
@@ -21,7 +22,7 @@ from ..results.equilibria import Stability
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.varying_units import BalanceInUnits
 from ..statics.reference_state import reference_state
-from .certificates import Certificate, Unit, checked_units
+from .certificates import Certificate
 from .state_certificates import STATES, certify_states, corner_values
 
 #: Parts at a time, and points at a time.

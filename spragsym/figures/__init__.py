@@ -29,6 +29,7 @@ from .motions import figure_3, figure_7
 from .oscillation import branch_figure, fate_map_figure, figure_cycles, figure_cycles_plane
 from .planes import bifurcation_figure, draw_bifurcation_set, draw_onset_curves, stability_figure
 from .plots import plot
+from .report_pages import report_page
 from .style import Sheet
 from .trajectories import figure_6, figure_13
 
@@ -81,6 +82,7 @@ __all__ = [
     "plot",
     "plot_eigenvalues",
     "plot_equilibria",
+    "report_page",
     "write",
     *(function.__name__ for function in FIGURES.values()),
 ]

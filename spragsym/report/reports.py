@@ -86,9 +86,9 @@ class Report(Facts, Result):
 
     def to_html(self, path: str | os.PathLike[str]) -> None:
         """Write the report as one page with its pictures (extra ``plot``)."""
-        from .pages import page
+        import spragsym  # a shorthand for what a user asks the package: no room imports one behind it
 
-        put(Path(path), page(self))
+        put(Path(path), spragsym.figures.report_page(self))
 
     def as_table(self) -> Table:
         """The rows of its text."""

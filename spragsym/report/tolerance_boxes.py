@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ..design.certificates import Unit
+from ..models.parameters.units import Unit
 from .study import Study
 from .units import Measured
 

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
-from ..design.certificates import Unit
 from ..design.jump_probability import measured
 from ..design.jumps import have_jumped
 from ..design.probability import estimated, probability_table
@@ -17,6 +16,7 @@ from ..design.tube_certificates import Splitting, certify
 from ..display import Table
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
+from ..models.parameters.units import Unit
 from ..results.result import Result
 from . import friction, tolerance_boxes
 from .study import Study

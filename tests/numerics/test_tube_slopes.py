@@ -7,8 +7,8 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation.tubes.tube_regions import Parts, Region
-from spragsym.design.certificates import Unit
 from spragsym.design.tube_certificates import Splitting
+from spragsym.models.parameters.units import Unit
 from spragsym.numerics import contractors
 from spragsym.numerics.affine import Affine
 from spragsym.numerics.interval_arrays import Intervals

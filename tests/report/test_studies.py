@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.report import pages, redesigns, tolerances
+from spragsym.figures import report_pages as pages
+from spragsym.report import redesigns, tolerances
 from spragsym.report.tolerances import certificate
 from tests.conftest import Run
 from tests.support import few, written_brake

@@ -6,9 +6,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...design.certificates import Certificate, Unit, checked_units
+from ...design.certificates import Certificate
 from ...errors import ParameterError
 from ...models.parameters import NAMES, FloatArray, Parameters
+from ...models.parameters.units import Unit, checked_units
 from ...questions import NotInClosedForm
 from .cells import Boxes
 from .claims import CLAIMS, Claim

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ...design.certificates import Unit
+from ...models.parameters.units import Unit
 from ...numerics.interval_arrays import Intervals, stacked
 from .balance import Balance
 from .forces import Model

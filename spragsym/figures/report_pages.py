@@ -16,11 +16,15 @@ import numpy as np
 import spragsym as ss
 
 from ..errors import MissingExtraError, SpragsymError
-from .states import unit_of
-from .texts import sections
+from ..report.states import unit_of
+from ..report.texts import sections
+from . import brakes, motion_pictures
+from .files import FORMATS
+from .planes import draw_onset_curves
+from .style import Sheet, house_style
 
 if TYPE_CHECKING:
-    from .reports import Report
+    from ..report.reports import Report
 
 #: Lines on which onsets of oscillation are looked for.
 _ONSETS = 12
@@ -28,8 +32,8 @@ _ONSETS = 12
 _LINES, _VALUES = 40, 80
 
 
-def page(report: Report) -> str:
-    """The page as text."""
+def report_page(report: Report) -> str:
+    """A report as one page of HTML, which needs no other file (extra ``plot``): the text of it."""
     study, data = report.study, []
     for name, one in study.quantities.items():
         ends = f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" if one.varies else ""
@@ -54,8 +58,6 @@ def document(
 
 def pictures(report: Report) -> Iterator[tuple[str, str]]:
     """Each picture as SVG, with its caption; none of a plane that the model does not have."""
-    from ..figures import brakes
-
     study, odds = report.study, report.probability
     if study.rise is not None:
         yield from _planes(report)
@@ -70,8 +72,6 @@ def pictures(report: Report) -> Iterator[tuple[str, str]]:
 
 def _planes(report: Report) -> Iterator[tuple[str, str]]:
     """The brake in the plane of angle and friction, where that rises and there is an angle, and its states as what rises does."""
-    from ..figures import brakes
-
     study, jump = report.study, report.mu_jump
     (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
     if "theta0" in p.model.parameters and study.of_friction:
@@ -106,9 +106,6 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
 
 def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
     """Where oscillation sets in, over angle and friction; nothing where the belt or its law is not known."""
-    from ..figures import brakes
-    from ..figures.planes import draw_onset_curves
-
     study, p = report.study, report.study.at_work
     if "theta0" not in p.model.parameters or not study.moves:
         return
@@ -130,8 +127,6 @@ def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _of_motion(report: Report, lives: Any) -> Iterator[tuple[str, str]]:
-    from ..figures import motion_pictures
-
     (unit, size), time, name = unit_of(report.study), report.study.scales.time, report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
     up, speed = ("speed along the belt in m/s", 1e-3 * size / time) if unit == "mm" else (f"rate of {name} in deg/s", size / time)
@@ -144,9 +139,6 @@ def _of_motion(report: Report, lives: Any) -> Iterator[tuple[str, str]]:
 
 def picture(draw: Callable[[Any], Any]) -> str:
     """A picture of one panel, without the head of a file; its ids are made from itself, so that no other has them."""
-    from ..figures import FORMATS
-    from ..figures.style import Sheet, house_style
-
     stream = io.StringIO()
     with house_style():
         figure = Sheet(figsize=(4.2, 3.0), layout="constrained")

@@ -46,7 +46,7 @@ help:
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the quick tests, those marked neither thorough nor validate; a minute"
 	@echo "make poor          run them as on a machine without compiler, heyoka, symbolic links and UTF-8, set up for it"
-	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
+	@echo "make lint          ruff with its formatter, mypy in strict mode, contracts of imports, clang-format, cppcheck if installed"
 	@echo "make thorough      quick and thorough tests, with more random cases: what CI runs; some minutes"
 	@echo "make validate      tests marked validate and all campaigns, by hand; hours, goes on where it was"
 	@echo "make coverage      as make thorough, and the lines and branches that they reach; twice the time"
@@ -110,6 +110,9 @@ lint: $(TEST)
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/mypy tests/conformance/user_code.py
+	@if command -v node >/dev/null; then $(BIN)/pyright --pythonpath $(BIN)/python tests/conformance/user_code.py; \
+	else echo "node is not installed: pyright is skipped, mypy has read the same"; fi
+	$(BIN)/lint-imports
 	$(BIN)/clang-format --dry-run --Werror $(C_FILES)
 	@if command -v cppcheck >/dev/null; then $(CPPCHECK) $(filter %.c,$(C_FILES)); \
 	else echo "cppcheck is not installed: skipped, C is checked for its layout only"; fi

@@ -21,11 +21,10 @@ if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endsw
     # As a command: until that hears Ctrl-C itself, it ends the process, without a traceback of what is imported.
     _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
 
-import importlib as _importlib
 import importlib.util as _util
 import pathlib as _pathlib
-import re as _re
-from typing import Any as _Any
+
+import lazy_loader as _lazy
 
 _HERE = _pathlib.Path(__file__).resolve().parent  # a link to this folder, from wherever, leads to its checkout
 
@@ -46,25 +45,6 @@ for _name in ("derive", "generated"):
     if not (_HERE / _name).is_dir() and (_HERE.parent / _name / "__init__.py").is_file():
         _find_beside(_name)
 
-_LIST = _pathlib.Path(__file__).with_suffix(".pyi")
-#: Public name → where it is, read from the list that type checkers read. The name of a module stands for the module.
-_HOMES = {
-    name: home
-    for home, name in _re.findall(r"^from (\.[\w.]*) import (\w+) as", _LIST.read_text(encoding="utf-8"), _re.MULTILINE)
-}
-
-__all__ = sorted({*_HOMES} - {"open"})  # which an import of all names would put in the place of Python's own
-
-
-def __getattr__(name: str) -> _Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    home = _HOMES[name]
-    module = _importlib.import_module(f".{name}" if home == "." else home, __name__)
-    value = module if home == "." else getattr(module, name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_HOMES})
+# Names are read from the list that type checkers read, and loaded when they are used.
+__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
+__all__.remove("open")  # which an import of all names would put in the place of Python's own

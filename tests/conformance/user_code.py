@@ -1,5 +1,7 @@
 """Calls as a user writes them, for type checkers: ``make lint`` checks that right ones pass, and that wrong ones are seen."""
 
+# pyright: reportUnnecessaryTypeIgnoreComment=true
+
 import numpy as np
 
 import spragsym as ss

@@ -43,7 +43,7 @@ ROOMS = sorted({name.split(".")[1] for name in MODULES if name not in (*LONG, *S
 
 
 @pytest.mark.by_hand(*SECONDS)
-@pytest.mark.parametrize("name", few([*ROOMS, *LONG, *SECONDS], *ROOMS))
+@pytest.mark.parametrize("name", few(["spragsym", *ROOMS, *LONG, *SECONDS], "spragsym", *ROOMS))
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each example of a room, or of a module of which they take long, runs as it stands."""
     if name.startswith(("orbits", "spragsym.orbits")) and LONG_MOTIONS_TAKE_MINUTES:

@@ -1,13 +1,12 @@
-"""Pages whose gap is an expression, each beside its mechanics written by hand: forces, gap, masses and dampers.
+"""Pages whose gap is an expression, each beside its forces and its gap written by hand.
 
-Forces are those that pull back, so that the balance is ``forces = 0``; with complex numbers they give their own slopes.
+Forces are those that pull back, so that the balance is ``forces = 0``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
-from functools import partial
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -30,38 +29,17 @@ TANH = "lambda v: mu0 * tanh(d * v), at_rest=mu0"
 
 @dataclass(frozen=True)
 class Hand:
-    """A page, and what it says written by hand: q by coordinate, p by name, N = −gap where ``contact`` is 1."""
+    """A page, and what it says written by hand: q by coordinate, p by name, N = law(−gap) where ``contact`` is 1."""
 
     page: str
     forces: Callable[[Any, Values, int], list[Any]]
     gap: Callable[[Any, Values], Any]
-    mass: Callable[[Any, Values], list[list[Any]]]
-    damping: Callable[[Any, Values, Any], list[list[Any]]]  #: with the normal force for the last argument
-    law: Callable[[Any, Values], Any] = lambda depth, p: depth  #: of the contact
-    reach: float = 3.0  #: how far from 0 starts lie
-    ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict)  #: of parameters that are not drawn around their base
-    vary: tuple[str, tuple[float, float]] = ("mu0", (0.0, 2.0))  #: what folds and onsets are looked for along
+    law: Callable[[Any, Values], Any] = lambda depth, p: depth
 
 
 def push(hand: Hand, q: Any, p: Values, contact: int) -> Any:
     """The normal force."""
     return hand.law(-hand.gap(q, p), p) if contact else 0.0
-
-
-def slope(p: Values) -> Any:
-    """Of the friction law at steady sliding."""
-    return p["mu0"] * p["d"] * np.exp(-p["d"] * p["V"])
-
-
-def tanh_slope(p: Values) -> Any:
-    """Of the law with tanh."""
-    return p["mu0"] * p["d"] / np.cosh(p["d"] * p["V"]) ** 2
-
-
-def hertz(depth: Any, p: Values) -> Any:
-    """Depth to the power of 3/2; odd, so that it is a number beyond the touch too, where nothing is compared."""
-    side = np.sign(np.real(depth))
-    return side * (side * depth) ** 1.5
 
 
 # ------------------------------------------------------------------------------------------------------------ rod
@@ -86,11 +64,7 @@ def _rod(q: Any, p: Values, contact: int) -> list[Any]:
     return [p["tau"] * (q[0] - p["psi"]) - N * np.sin(q[0]) - p["mu0"] * N * np.cos(q[0])]
 
 
-ROD = Hand(
-    _ROD, _rod, lambda q, p: p["eta"] - np.cos(q[0]), lambda q, p: [[1.0]],
-    lambda q, p, N: [[N * slope(p) * np.cos(q[0]) ** 2]],
-    reach=40.0, ranges={"psi": (-1.5, 1.5), "eta": (0.2, 1.05), "mu0": (0.0, 1.5)}, vary=("eta", (0.05, 1.2)),
-)  # fmt: skip
+ROD = Hand(_ROD, _rod, lambda q, p: p["eta"] - np.cos(q[0]))
 
 # ----------------------------------------------------------------------------------------------------------- rail
 
@@ -118,66 +92,39 @@ def _rail(q: Any, p: Values, contact: int) -> list[Any]:
     return [p["sigma"] * x + N * p["b"] * np.cos(x) - p["mu0"] * N, p["alpha"] * y + p["kappa"] - N]
 
 
-RAIL = Hand(
-    _RAIL, _rail, lambda q, p: q[1] - p["b"] * np.sin(q[0]), lambda q, p: [[1.0, 0.0], [0.0, 1.0]],
-    lambda q, p, N: [[N * slope(p), 0.0], [0.0, 0.0]],
-    reach=12.0, ranges={"kappa": (-0.2, 0.4), "mu0": (0.0, 1.5)}, vary=("kappa", (-0.3, 0.6)),
-)  # fmt: skip
+RAIL = Hand(_RAIL, _rail, lambda q, p: q[1] - p["b"] * np.sin(q[0]))
 
-# ------------------------------------------------------------------------------------------------------- carriage
+# --------------------------------------------------------------------------------------------------------- sledge
 
-_CARRIAGE = (
+_SLEDGE = (
     HEAD
     + f"""
-M = page.parameter("M", "kg", "mass of the carriage", "> 0", 2.0, becomes="nu")
+M = page.parameter("M", "kg", "mass of the sledge", "> 0", 2.0, becomes="nu")
 psi = page.parameter("psi", "rad", "angle at rest", "real", 0.5)
-k = page.parameter("k", "N/m", "spring of the carriage", "> 0", 0.3, becomes="sigma")
+k = page.parameter("k", "N/m", "spring of the sledge", "> 0", 0.3, becomes="sigma")
 k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.1, becomes="tau")
-c = page.parameter("c", "N s/m", "damper of the carriage", ">= 0", 0.03, becomes="zeta")
+c = page.parameter("c", "N s/m", "damper of the sledge", ">= 0", 0.03, becomes="zeta")
 h = page.parameter("h", "m", "height of the pivot", "> 0", 0.85, becomes="eta")
-x = page.coordinate("x", "m", "of the carriage")
+k_3 = page.parameter("k_3", "N/m^3", "hardening", ">= 0", 10.0, becomes="gamma")
+x = page.coordinate("x", "m", "of the sledge")
 phi = page.coordinate("phi", "rad", "angle of the rod")
 page.kinetic(M * page.rate(x)**2 / 2 + m * (
     page.rate(x)**2 + L_0**2 * page.rate(phi)**2 + 2 * L_0 * cos(phi) * page.rate(x) * page.rate(phi)) / 2)
 page.spring(k, along=x)
 page.potential(k_t * (phi - psi)**2 / 2)
 page.damper(c, along=x)
-page.contact(h - L_0 * cos(phi), lambda depth: k_c * L_0 * (depth / L_0)**(3 / 2))
+page.contact(h - L_0 * cos(phi), lambda depth: k_c * depth + k_3 * depth**3)
 page.friction(x + L_0 * sin(phi), V, {TANH})
 """
 )
 
 
-def _carriage(q: Any, p: Values, contact: int, law: Callable[[Any, Values], Any] = hertz) -> list[Any]:
-    x, phi = q
-    N = law(np.cos(phi) - p["eta"], p) if contact else 0.0
+def _sledge(q: Any, p: Values, contact: int) -> list[Any]:
+    N, (x, phi) = push(SLEDGE, q, p, contact), q
     drag = p["mu0"] * N
     return [p["sigma"] * x - drag, p["tau"] * (phi - p["psi"]) - N * np.sin(phi) - drag * np.cos(phi)]
 
 
-def _carriage_damped(q: Any, p: Values, N: Any) -> Any:
-    way = np.array([1.0, np.cos(q[1])])
-    return N * tanh_slope(p) * np.outer(way, way) + np.diag([p["zeta"], 0.0])
-
-
-CARRIAGE = Hand(
-    _CARRIAGE, _carriage, lambda q, p: p["eta"] - np.cos(q[1]),
-    lambda q, p: [[1 + p["nu"], np.cos(q[1])], [np.cos(q[1]), 1.0]], _carriage_damped,
-    law=hertz, reach=12.0, ranges={"psi": (-1.5, 1.5), "eta": (0.3, 1.05), "mu0": (0.0, 1.5)}, vary=("eta", (0.1, 1.2)),
-)  # fmt: skip
-
-# --------------------------------------------------------------------------------------------------------- sledge
-
-#: The carriage on a belt that hardens: its law, written for any depth, pulls far beyond the border.
-_SLEDGE = _CARRIAGE.replace("k_c * L_0 * (depth / L_0)**(3 / 2)", "k_c * depth + k_3 * depth**3").replace(
-    "x = page.coord", 'k_3 = page.parameter("k_3", "N/m^3", "hardening", ">= 0", 10.0, becomes="gamma")\nx = page.coord', 1
-)
-
-
-def _hardening(depth: Any, p: Values) -> Any:
-    return depth + p["gamma"] * depth**3
-
-
-SLEDGE = replace(CARRIAGE, page=_SLEDGE, forces=partial(_carriage, law=_hardening), law=_hardening)
+SLEDGE = Hand(_SLEDGE, _sledge, lambda q, p: p["eta"] - np.cos(q[1]), lambda depth, p: depth + p["gamma"] * depth**3)
 
 HANDS = {"rod": ROD, "rail": RAIL, "sledge": SLEDGE}

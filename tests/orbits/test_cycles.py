@@ -427,7 +427,7 @@ def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
     return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
     p, settings = of_call(32)
     with pytest.raises(
@@ -521,7 +521,7 @@ def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -
 
 @pytest.mark.by_hand("200", "60")
 @pytest.mark.thorough
-@pytest.mark.parametrize("digits", few([10, 25, 60, 200], 10))
+@pytest.mark.parametrize("digits", few([10, 60, 200], 10))
 def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, proving: types.SimpleNamespace) -> None:
     """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
     found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
@@ -630,7 +630,7 @@ def test_a_loaded_model_is_proved() -> None:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("low", few([0.06, 0.085, 0.05], 0.085))
+@pytest.mark.parametrize("low", [0.06, 0.085])
 def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> None:
     """Whatever the range: at 0.085 it went on over its end, at 0.06 it turned onto the shorter cycle through a fold of none."""
     p = ss.Parameters(

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles.model_references import turned_spring
+from tests.oracles.turned_spring import turned_spring
 from tests.oracles.user_pages import model_of
 from tests.support import ROOT, few
 

@@ -1,4 +1,4 @@
-"""How far a design is from a jump: the nearest parameters at which the state of small deformation jumps."""
+"""How far a design is from a jump: the nearest parameters at which the followed state ends."""
 
 from __future__ import annotations
 
@@ -6,15 +6,21 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..errors import ParameterError
 from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters
+from ..questions import Method, model_of, question
 from ..results.result import Result
-from .design_space import Space
-from .jump_boundary import Gradient, on_border
-from .nearest import RAYS, Member, nearest
+from .design_space import Design, Space, space
+from .jump_boundary import on_border
+from .jumps import have_jumped
+from .moved_folds import MovedFold
+from .nearest import nearest
+from .tube_certificates import certify
 
-#: Shares of the distance within which a proof that nothing jumps is tried.
-_SHARES = (0.95, 0.8, 0.5, 0.2)
+#: Shares of the distance within which a proof that nothing jumps is tried, and parts of a box that it may take.
+_SHARES, BOXES = (0.95, 0.8, 0.5, 0.2), 500
 
 
 @dataclass(frozen=True)
@@ -39,23 +45,76 @@ class JumpMargin(Result):
     parameters: ParameterSet | PhysicalParameters | None
 
 
-def margin(
-    designs: Space, member: Member, safe: Callable[[float], bool] | None, vary: str, gradient: Gradient, rays: int = RAYS
-) -> JumpMargin:
-    """The nearest design that jumps along ``vary``, which ``member`` tells; ``safe`` proves that none does within a radius."""
+@question
+def jump_margin(
+    p: ParameterSet | PhysicalParameters | Design, scale: Mapping[str, float], *, vary: str | None = None,
+    begin: float | None = None, prove: bool = False, method: Method = "auto",
+) -> JumpMargin:  # fmt: skip
+    """The nearest parameters at which the followed state ends as ``vary`` rises to its value, in the metric of the tolerances.
+
+    Parameters
+    ----------
+    p : Parameters or PhysicalParameters
+        One design, with its friction.
+    scale : mapping of str to float
+        A tolerance for each quantity that may be off; the others stay.
+    vary, begin : str and float, optional
+        The parameter that rises, mu0 unless told otherwise, and from where, the lower end of its range.
+    prove : bool
+        Also prove that nothing jumps within a part of the distance, as large as can be shown in some seconds.
+    method : {"auto", "closed", "search"}
+        Whether what is asked on the way may be answered by closed forms.
+
+    Returns
+    -------
+    JumpMargin
+
+    Raises
+    ------
+    ParameterError
+        For quantities that ``p`` does not have, tolerances that are not positive, and a proof with physical quantities.
+
+    Notes
+    -----
+    Source: F = 0, det K = 0 at the least change. That the point found is on a fold at which that state jumps is certain; that
+    there is no nearer one is known within ``proved`` only: the search follows the fold that ends the state, and asks along rays
+    for nearer ones; where the state has no end, it goes out along them, up to 256 tolerances away.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(40.0))
+    >>> margin = ss.jump_margin(p, {"theta0": np.radians(1.0), "mu0": 0.05})
+    >>> round(margin.distance, 4), {name: round(value, 4) for name, value in margin.change.items()}
+    (1.6845, {'theta0': 0.0114, 'mu0': 0.0776})
+    >>> margin = ss.jump_margin(ss.load("cubic_contact").Parameters(theta0=0.7, gamma=3000.0, mu0=0.5), {"mu0": 0.05})
+    >>> round(margin.distance, 6)
+    1.948441
+    """
+    name, first = model_of(p).rising(vary, begin)
+    designs = space(p, scale, None)
+    if prove and not isinstance(p, ParameterSet):
+        raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
+
+    def ending(z: FloatArray) -> NDArray[np.bool_]:
+        # A design below where the parameter begins has not come to any end.
+        return np.asarray(have_jumped(designs.sets(z), name, designs.begin(z, first)) == 1)
+
+    gradient = MovedFold(name, first)
 
     def on_fold(z: FloatArray) -> FloatArray | None:
-        better = on_border(designs, z, vary, gradient)
+        better = on_border(designs, z, name, gradient)
         if better is None:
             return None
         # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
         beyond = better * (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
-        return better if member(beyond).any() else None
+        return better if ending(beyond).any() else None
 
-    best = nearest(member, designs.limits(), on_fold, rays)
+    best = nearest(ending, designs.limits(), on_fold)
     distance = np.inf if best is None else float(np.linalg.norm(best))
     # Where nothing was found two tolerances are enough.
-    proved = np.nan if safe is None else _proved(safe, distance if best is not None else 2.0)
+    reach = 2.0 if best is None else distance
+    proved = _proved(lambda radius: safe_within(designs, radius, name, first), reach) if prove else np.nan
     if best is None:
         return JumpMargin(distance, proved, {}, None)
     change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
@@ -66,3 +125,13 @@ def _proved(safe: Callable[[float], bool], distance: float) -> float:
     """The largest share of the distance within which nothing jumps, proved; 0 if none of those tried can be."""
     radii = (share * distance for share in _SHARES if distance)
     return next((radius for radius in radii if safe(radius)), 0.0)
+
+
+@question
+def safe_within(designs: Space, radius: float, vary: str, begin: float, *, method: Method = "auto") -> bool:
+    """Whether it is proved that no state ends within a ball: over the box around it."""
+    low, high = designs.limits()
+    if (low > -radius).any() or (high < radius).any():
+        return False
+    ends = [designs.sets(np.full(len(designs.names), side * radius)) for side in (-1, 1)]
+    return certify(ends[0], ends[1], "no jump", vary=vary, begin=begin, max_boxes=BOXES, refute=False).outcome == "proved"

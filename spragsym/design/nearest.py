@@ -20,10 +20,10 @@ Member = Callable[[FloatArray], NDArray[np.bool_]]
 #: From a point near the border, or from 0, to the nearest point of the border about there, a member, if it is found.
 Improved = Callable[[FloatArray], FloatArray | None]
 
-#: Rays for each dimension squared, and radii at which each is asked, the last of them the farthest.
-RAYS, _RADII = 64, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
-#: Points to ask for at once, where there is a choice, for each ray of one dimension.
-_POINTS = 64
+#: Rays for each dimension squared, since a point may take milliseconds; radii at which each is asked, the last the farthest.
+RAYS, _RADII = 8, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
+#: Points to ask for at once, where there is a choice, outward and inward.
+_OUTWARD, _INWARD = 512, 4096
 #: Halvings of a radius while rays are compared, and at the end, to 1e-11 of it.
 _COARSE, _FINE = 9, 36
 #: Shares of the distance of a member at which rays ask for nearer ones, and how often the nearest of these is improved at most.
@@ -31,7 +31,7 @@ _SHARES, _ROUNDS = (0.999, 0.7, 0.4), 20
 
 
 def nearest(
-    member: Member, limits: tuple[FloatArray, FloatArray], improved: Improved, each: int = RAYS
+    member: Member, limits: tuple[FloatArray, FloatArray], improved: Improved
 ) -> FloatArray | None:  # fmt: skip
     """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
 
@@ -43,16 +43,14 @@ def nearest(
         The smallest and the largest value of each coordinate.
     improved : callable
         The nearest member on the border about a point, if it finds one.
-    each : int
-        Rays for each dimension squared.
     """
     size = limits[0].size
     if member(np.zeros((1, size)))[0]:
         return np.zeros(size)
-    rays = _rays(size, each)
+    rays = _rays(size)
     found = improved(np.zeros(size))
     if found is None:
-        far = _walked(member, rays, limits, each)
+        far = _walked(member, rays, limits)
         if far is None:
             return None
         found = _better(member, far, improved)
@@ -87,25 +85,25 @@ def _nearer(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArr
     return nearer
 
 
-def _walked(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray], each: int) -> FloatArray | None:
+def _walked(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray | None:
     """A member about as near to 0 as rays find it that are walked outward."""
-    radius = _first(member, rays, limits, _POINTS * each)
+    radius = _first(member, rays, limits)
     if not np.isfinite(radius).any():
         return None
     best = np.flatnonzero(radius <= 1.5 * radius.min())
     found = _shortened(member, rays[best], radius[best], _COARSE)
     place = int(np.argmin(found))
-    return _turned(member, rays[best[place]], float(found[place]), limits, each)
+    return _turned(member, rays[best[place]], float(found[place]), limits)
 
 
-def _rays(size: int, each: int) -> FloatArray:
+def _rays(size: int) -> FloatArray:
     """Unit vectors: both ways along every axis, and evenly in between."""
     from scipy.stats import norm, qmc
 
     axes = np.concatenate([np.eye(size), -np.eye(size)])
     if size == 1:
         return axes
-    number = 1 << int(np.ceil(np.log2(each * size * size)))
+    number = 1 << int(np.ceil(np.log2(RAYS * size * size)))
     points = qmc.Sobol(size, scramble=True, rng=np.random.default_rng(20)).random(number)
     normal = norm.ppf(np.clip(points, 1e-9, 1 - 1e-9))
     return np.concatenate([axes, normal / np.linalg.norm(normal, axis=-1, keepdims=True)])
@@ -118,11 +116,11 @@ def _reach(rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArra
     return np.asarray(ends.min(axis=-1))
 
 
-def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray], points: int) -> FloatArray:
+def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
     """The first of the radii at which each ray is in the set, infinite where none is."""
     reach = _reach(rays, limits)
     radius = np.full(len(rays), np.inf)
-    together = max(1, points // len(rays))
+    together = max(1, _OUTWARD // len(rays))
     for begin in range(0, _RADII.size, together):
         radii = _RADII[begin : begin + together]
         asked = np.flatnonzero(np.isinf(radius))
@@ -151,7 +149,7 @@ def shortened(member: Member, point: FloatArray) -> FloatArray:
 
 def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
     """Radii of borders on the rays; several parts of each are asked for at once, where rays are few."""
-    parts = min(16, max(2, _POINTS * RAYS // len(rays)))
+    parts = min(16, max(2, _INWARD // len(rays)))
     low, high = np.zeros_like(radius), radius.copy()
     for _ in range(-(-halvings // int(np.log2(parts)))):
         marks = low + np.linspace(0.0, 1.0, parts + 1)[1:-1, None] * (high - low)
@@ -164,11 +162,11 @@ def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: i
 
 
 def _turned(
-    member: Member, ray: FloatArray, radius: float, limits: tuple[FloatArray, FloatArray], each: int
+    member: Member, ray: FloatArray, radius: float, limits: tuple[FloatArray, FloatArray]
 ) -> FloatArray:  # fmt: skip
     """The best ray turned a little, and less and less, as long as that shortens it."""
     if ray.size > 1:
-        normal = np.random.default_rng(21).standard_normal((each * ray.size, ray.size))
+        normal = np.random.default_rng(21).standard_normal((RAYS * ray.size, ray.size))
         for spread in (0.3, 0.1, 0.1, 0.03, 0.03, 0.01):
             rays = ray + spread * normal
             rays /= np.linalg.norm(rays, axis=-1, keepdims=True)

@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ParameterError
-from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters
+from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters, as_number
+from ..questions import Method, model_of, question
 from ..results.result import Result
-from .design_space import Space
-from .jump_boundary import Gradient, on_border
-from .nearest import RAYS, nearest
+from .design_space import Design, space
+from .jump_boundary import on_border
+from .jumps import have_jumped, jump_value
+from .moved_folds import MovedFold
+from .nearest import nearest
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
 _OUTWARD = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
-
-
-#: Which of many designs are known not to jump below a limit: (set of the model, name, limit).
-Keeps: TypeAlias = Callable[[Any, str, float], NDArray[np.bool_]]
 
 
 @dataclass(frozen=True)
@@ -46,24 +44,77 @@ class Redesign(Result):
     jump: Mapping[str, float]
 
 
-def redesigned(
-    designs: Space, wanted: Mapping[str, float], keeps: Keeps, solved: Callable[[Any, str], float],
-    gradient: Callable[[str], Gradient], rays: int = RAYS,
+@question
+def redesign(
+    p: ParameterSet | PhysicalParameters | Design, change: str | Iterable[str], target: Mapping[str, float],
+    scale: Mapping[str, float] | None = None, *, begin: float | None = None, method: Method = "auto",
 ) -> Redesign:  # fmt: skip
-    """The nearest of the designs that reach all targets; ``solved`` says where one jumps, ``gradient`` is along a parameter."""
+    """The least change of some quantities that keeps the end of the followed state beyond a target.
+
+    Parameters
+    ----------
+    p : Parameters or PhysicalParameters
+        One design.
+    change : str or sequence of str
+        What may change: parameters, or physical quantities of :class:`PhysicalParameters`.
+    target : mapping of str to float
+        For parameters that rise, as ``mu0`` or ``theta0``, below what value the state may not end.
+    scale : mapping of str to float, optional
+        A tolerance for each quantity that may change, in which changes are measured; by default its own value.
+    begin : float, optional
+        From where they rise instead of the lower end of their range: from its value in ``p`` a design whose state has ended
+        below that looks like one whose state goes on.
+    method : {"auto", "closed", "search"}
+        Whether what is asked on the way may be answered by closed forms.
+
+    Returns
+    -------
+    Redesign
+
+    Raises
+    ------
+    ParameterError
+        For quantities that ``p`` does not have, a target that is no parameter, or one that is to change itself.
+
+    Notes
+    -----
+    Source: F = 0, det K = 0 at the target. That the new design keeps it is verified; that there is no smaller change is not
+    proved: the search follows the fold, and asks along rays for nearer ones, or goes out along them, up to 256 scales away, if it
+    knows none.
+
+    Examples
+    --------
+    >>> import numpy as np, spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(40.0))
+    >>> better = ss.redesign(p, ("sigma", "theta0"), {"mu0": 0.7})
+    >>> round(better.distance, 4), {name: round(value, 4) for name, value in better.change.items()}
+    (0.115, {'sigma': 0.0016, 'theta0': -0.0795})
+    >>> round(better.jump["mu0"], 9)
+    0.7
+    """
+    model = model_of(p)
+    ranges = model.Parameters.ranges
+    wanted = {name: as_number(f"target[{name!r}]", value, ranges[name]) for name, value in target.items() if name in ranges}
+    if len(wanted) != len(target) or not wanted:
+        raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
+
+    designs = space(p, scale, change, "change")
     for name in wanted:
         if name in designs.names:
             raise ParameterError(f"{name} is the target and can't be what changes; leave it out of one of the two")
+    lowest = {name: ranges[name].reached(ranges[name].low) for name in wanted if np.isfinite(ranges[name].low)}
+    first = {name: lowest.get(name) if begin is None else begin for name in wanted}
+    along = {name: MovedFold(name, first[name]) for name in wanted}
 
-    def member(z: FloatArray) -> NDArray[np.bool_]:
+    def keeps(z: FloatArray) -> NDArray[np.bool_]:
         result = np.ones(z.shape[:-1], dtype=np.bool_)
         for name, limit in wanted.items():
             left = np.flatnonzero(result)
             if left.size:
-                result[left] = keeps(designs.sets(z[left]), name, limit)
+                some = designs.sets(z[left])
+                begins = getattr(some, name) if first[name] is None else first[name]
+                result[left] = have_jumped(some.replace(**{name: np.full(some.shape, limit)}), name, begins) == 0
         return result
-
-    along = {name: gradient(name) for name in wanted}
 
     def on_target(z: FloatArray) -> FloatArray | None:
         """The nearest design on a fold at one of the targets, verified."""
@@ -72,12 +123,12 @@ def redesigned(
             better = on_border(designs, z, name, along[name], limit)
             if better is not None:
                 outward = better * (1 + _OUTWARD)[:, None]
-                candidates += list(outward[member(outward)][:1])
+                candidates += list(outward[keeps(outward)][:1])
         return min(candidates, key=np.linalg.norm, default=None)
 
-    best = nearest(member, designs.limits(), on_target, rays)
+    best = nearest(keeps, designs.limits(), on_target)
     if best is None:
         return Redesign(np.inf, {}, None, {})
-    change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
-    jump = {name: solved(designs.sets(best), name) for name in wanted}
-    return Redesign(float(np.linalg.norm(best)), change, designs.made(best), jump)
+    changed = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
+    jump = {name: float(jump_value(designs.sets(best), name, begin=first[name])) for name in wanted}
+    return Redesign(float(np.linalg.norm(best)), changed, designs.made(best), jump)

@@ -6,16 +6,15 @@ from ..models.parameters import Parameters
 
 __all__ = ["CLOSED_FORMS", "Parameters"]
 
-_ROOMS = {
-    ".kang_nam.quartic": ("equilibria", "count"),
-    ".kang_nam.folds": (
-        "folds", "cusps", "flutter_onsets", "bifurcation_set", "critical_friction",
-    ),
-    ".kang_nam.lift_off": ("aloft",), ".kang_nam.rest": ("rest_index",), ".kang_nam.jumps.events": ("have_jumped",),
-    ".kang_nam.jumps.jump_values": ("first_ends",), ".kang_nam.jumps.certificates": ("certify",),
-    ".kang_nam.jumps.margins": ("safe_within",),
+_MODULES = {
+    ".kang_nam.quartic.solver": ("equilibria", "count"),
+    ".kang_nam.folds.fold_points": ("folds",), ".kang_nam.folds.cusp_points": ("cusps",),
+    ".kang_nam.folds.flutter_points": ("flutter_onsets",), ".kang_nam.folds.bifurcation_sets": ("bifurcation_set",),
+    ".kang_nam.folds.lowest_fold": ("critical_friction",), ".kang_nam.lift_off": ("aloft",), ".kang_nam.rest": ("rest_index",),
+    ".kang_nam.jumps.events": ("have_jumped",), ".kang_nam.jumps.jump_values": ("first_ends",),
+    ".kang_nam.jumps.certificates": ("certify",), ".kang_nam.jumps.margins": ("safe_within",),
     ".kang_nam.ranks": ("linked", "open_ends"), ".kang_nam.cases": ("cases",),
     ".kang_nam.digits": ("precise_equilibria", "precise_cusps"), ".motion.with_compiled": ("integrate",),
 }  # fmt: skip
-#: Question → room of its closed form.
-CLOSED_FORMS = {name: room for room, names in _ROOMS.items() for name in names}
+#: Question → module of its closed form.
+CLOSED_FORMS = {name: module for module, names in _MODULES.items() for name in names}

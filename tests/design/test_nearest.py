@@ -13,7 +13,7 @@ import spragsym as ss
 from spragsym.design.nearest import nearest
 
 #: Centres and radii of discs; the nearest point of each lies on the line to its centre.
-DISCS = ((np.array([5.0, 0.0, 0.0]), 1.0), (np.array([0.0, -2.0, 2.0]), 0.5), (np.array([-1.5, 3.0, 3.0]), 0.8))
+DISCS = ((np.array([5.0, 0.0, 0.0]), 1.0), (np.array([0.0, -2.0, 2.0]), 1.0), (np.array([-1.5, 3.0, 3.0]), 0.8))
 LIMITS = (np.full(3, -10.0), np.full(3, 10.0))
 BRAKE = """[brake]
 model = "MODEL"
@@ -53,13 +53,13 @@ def on_disc(which: int | None) -> Callable[[Any], Any]:
 def test_of_several_sheets_the_nearest_one_is_found_whichever_comes_first(first: int | None) -> None:
     found = nearest(in_a_disc, LIMITS, on_disc(first))
     assert found is not None
-    assert np.linalg.norm(found) == pytest.approx(8**0.5 - 0.5, abs=1e-12)
+    assert np.linalg.norm(found) == pytest.approx(8**0.5 - 1.0, abs=1e-12)
 
 
 def test_a_border_that_nothing_improves_is_come_to_along_a_ray() -> None:
     found = nearest(in_a_disc, LIMITS, lambda _: None)
     assert found is not None
-    assert np.linalg.norm(found) == pytest.approx(8**0.5 - 0.5, rel=3e-3)
+    assert np.linalg.norm(found) == pytest.approx(8**0.5 - 1.0, rel=3e-3)
     assert nearest(lambda z: np.zeros(z.shape[:-1], dtype=bool), LIMITS, lambda _: None) is None
 
 

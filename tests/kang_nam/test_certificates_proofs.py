@@ -271,7 +271,10 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
     exact = dict.fromkeys(NAMES, Fraction(1))
 
     def eliminated(of: Any) -> None:
-        monkeypatch.setattr(fold_proofs, "_eliminated", lambda _, c0, s0, *__: lambda t: of(s0 / (1 + c0), t))
+        def polynomial(_: str, c0: Fraction, s0: Fraction, *__: Any) -> Any:
+            return polynomials.interpolate(lambda t: of(s0 / (1 + c0), t), 6, Fraction)
+
+        monkeypatch.setattr(fold_proofs, "_eliminated", polynomial)
 
     for zeros in ((1, 5), (2, 3), (3,), (1, 2, 4), (2, 4, 5)):
         eliminated(lambda v, t, zeros=zeros: math.prod(7 * v - zero for zero in zeros) * (t * t - 2))

@@ -17,8 +17,8 @@ from ..quartic import kernel
 from . import fold_curves
 from .cusp_points import cusps
 from .fixed_parameters import FIXED, Fixed
+from .fold_enclosures import landing
 from .fold_points import folds
-from .fold_successor import landing
 
 #: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
 _LIGHT = 1e-4
@@ -28,12 +28,8 @@ _TOO_LIGHT = 1e-8
 _SAMPLED = (0.11, 1.3, 7.1)
 
 
-def bifurcation_set(
-    p: Parameters, vary: Sequence[str] | None = None, n: int | None = None, *, negative_friction: bool = False
-) -> BifurcationSet:
+def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | None = None) -> BifurcationSet:
     """The closed form of :func:`spragsym.bifurcation_set` in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0.
-
-    With ``negative_friction`` the mirror images (θ, θ₀, μ₀) → (π − θ, π − θ₀, −μ₀) are listed too.
 
     Notes
     -----
@@ -59,9 +55,7 @@ def bifurcation_set(
     if preload < _LIGHT:
         _compare(curves, p)
     found = cusps(p)
-    ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & ((found.mu0 >= 0) | negative_friction)
-    if negative_friction:
-        curves += [_mirrored(curve) for curve in list(curves)]
+    ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & (found.mu0 >= 0)
     return BifurcationSet(("theta0", "mu0"), tuple(curves), found.select(ahead), True)
 
 
@@ -96,9 +90,3 @@ def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixe
         "theta0": strand.theta0, "mu0": strand.mu0, "theta": strand.theta, "x": x, "y": y, "upper": curvature > 0,
         "when_theta0": by_angle, "when_mu0": by_friction, "theta_after": theta_after, "x_after": x_after, "y_after": y_after,
     })  # fmt: skip
-
-
-def _mirrored(curve: Curve) -> Curve:
-    turned = {name: math.pi - curve.values[name] for name in ("theta0", "theta", "theta_after")}
-    negated = {name: -curve.values[name] for name in ("mu0", "x", "when_theta0", "when_mu0", "x_after")}
-    return Curve({**curve.values, **turned, **negated, "upper": ~curve.values["upper"]})

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ParameterError
 from ...generated import catastrophe as _catastrophe
+from ...generated import kernel as solver
 from ...models.parameters import RANGES, FloatArray, Parameters, as_numbers
 from ...questions import of_article
 from ...results.equilibria import Stability
@@ -81,8 +82,8 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
         mu0 = _catastrophe.surface(c, s, c0, s0, kappa, alpha, sigma, beta)
         L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
         slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1))
-        point = kernel.Point(c0, s0, mu0, kappa, alpha, sigma, beta, 1)
-        code = kernel.stability(kernel.Direction(c, s), L, slope, 0.0, point).code
+        point = solver.Point(c0, s0, mu0, kappa, alpha, sigma, beta, 1)
+        code = solver.stability(solver.Direction(c, s), L, slope, 0.0, point).code
     good = (y < 0) & (L > 0) & np.isfinite(mu0)
     mu0, L, x, y = (np.where(good, value, np.nan) for value in (mu0, L, x, y))
     return Surface(direction, reference, mu0, L, x, y, np.where(good, code, 0).astype(np.int8))

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from ...bifurcation.onsets import Onsets
 from ...errors import ParameterError
+from ...generated import kernel as solver
 from ...generated import stability as _stability
-from ...generated.kernel import direction
 from ...models.parameters import FloatArray, Parameters
 from ...numerics.adaptive_bits import as_floats, with_enough_bits
 from ...numerics.intervals import Arithmetic, arithmetic
@@ -166,9 +166,9 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
     c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(all="ignore"):
         trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
-        p1, q1, p2, q2 = kernel.factors(kernel.quartic(*trig), kernel.cubic(*trig))
-        pairs = kernel.root_pair(p1, q1), kernel.root_pair(p2, q2)
+        p1, q1, p2, q2 = solver.factors(solver.quartic(*trig), solver.cubic(*trig))
+        pairs = solver.root_pair(p1, q1), solver.root_pair(p2, q2)
         t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
-        _, _, y = kernel.state(*direction(t), c0, s0, kappa, sigma, beta, 1)
+        _, _, y = kernel.state(*solver.direction(t), c0, s0, kappa, sigma, beta, 1)
         t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
         return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)

@@ -7,26 +7,18 @@ isolated by :mod:`spragsym.numerics.bernstein`, and every sign that says what a 
 from __future__ import annotations
 
 import functools
-import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...generated import catastrophe as _catastrophe
 from ...models.parameters import NAMES, FloatArray
 from ...numerics import bernstein
 from ...numerics.half_angle import on_circle
 from ...numerics.rounded import Rounded, cosine_and_sine
 from ..quartic import kernel
-
-_sextic = inspect.unwrap(_catastrophe.fold_sextic)
-_changes = inspect.unwrap(_catastrophe.f_changes)
-_cubics = inspect.unwrap(_catastrophe.fold_cubics)
-_sine = inspect.unwrap(_catastrophe.fold_sine)
-_angles = inspect.unwrap(_catastrophe.fold_angles)
 
 
 @dataclass(frozen=True)
@@ -44,6 +36,11 @@ class FoldArrays:
     side: NDArray[np.int8]
     upper: NDArray[np.bool_]
     undecided: NDArray[np.bool_]
+
+    def rows(self, index: NDArray[np.intp]) -> FoldArrays:
+        """Some of them."""
+        value, best, t = (number.rows(index) for number in (self.value, self.best, self.t))
+        return FoldArrays(self.row[index], value, best, t, self.side[index], self.upper[index], self.undecided)
 
 
 def folds(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
@@ -64,8 +61,8 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     cos0, sin0 = cosine_and_sine(given["theta0"])
     values = [Rounded(given[name]) if name != vary else Rounded(np.float64(0.0)) for name in NAMES[1:]]
     without = kernel.f_coefficients(cos0, sin0, *values, 1)
-    change = [_as_rounded(part) for part in _changes(cos0, sin0, *values)[NAMES.index(vary)]]
-    roots = bernstein.positive_roots([_as_rounded(part) for part in _sextic(*without, *change)], size)
+    change = _rounded(kernel.f_changes(cos0, sin0, *values)[NAMES.index(vary)])
+    roots = bernstein.positive_roots(_rounded(kernel.fold_sextic(*without, *change)), size)
     c, s, _ = on_circle(roots.t)
     at_zero = kernel.f(c, s, *(_rows(part, roots.row) for part in without))
     slope = kernel.f(c, s, *(_rows(part, roots.row) for part in change))
@@ -85,8 +82,8 @@ def friction_sextic(given: Mapping[str, FloatArray]) -> list[Rounded]:
     """f′ f_μ₀ − f f_μ₀′ times (1 + t²)³ by powers of t = tan(θ/2): negative where μ₀ on the surface f = 0 rises with θ."""
     cos0, sin0 = cosine_and_sine(given["theta0"])
     values = [Rounded(given[name]) if name != "mu0" else Rounded(np.float64(0.0)) for name in NAMES[1:]]
-    change = [_as_rounded(part) for part in _changes(cos0, sin0, *values)[NAMES.index("mu0")]]
-    return [_as_rounded(part) for part in _sextic(*kernel.f_coefficients(cos0, sin0, *values, 1), *change)]
+    change = _rounded(kernel.f_changes(cos0, sin0, *values)[NAMES.index("mu0")])
+    return _rounded(kernel.fold_sextic(*kernel.f_coefficients(cos0, sin0, *values, 1), *change))
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
@@ -105,21 +102,21 @@ def _with_alpha(values: list[Rounded], size: int) -> FoldArrays:
     roots = bernstein.positive_roots(_squares(values), size)
     here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)}
     c, s, _ = on_circle(roots.t)
-    return _at_angles(roots, here, _angles(c, s, *here.values())[1], _sine(c, s, *here.values()))
+    return _at_angles(roots, here, kernel.fold_angles(c, s, *here.values())[1], kernel.fold_sine(c, s, *here.values()))
 
 
 def _without_alpha(values: list[Rounded], size: int) -> FoldArrays:
-    _, cosines = _cubics(*values)
-    roots = bernstein.positive_roots([_as_rounded(part) for part in cosines], size)
+    _, cosines = kernel.fold_cubics(*values)
+    roots = bernstein.positive_roots(_rounded(cosines), size)
     here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)}
     c, s, _ = on_circle(roots.t)
-    square = 1 - _sine(c, s, *here.values()) ** 2
+    square = 1 - kernel.fold_sine(c, s, *here.values()) ** 2
     undecided = roots.undecided.copy()
     undecided[roots.row[square.sign() == 0]] = True
     keep = np.flatnonzero(square.sign() > 0)
     roots = bernstein.Roots(roots.row[keep], roots.t.rows(keep), roots.rising[keep], undecided)
     here = {name: one.rows(keep) for name, one in here.items()}
-    cos0, sin0 = square.rows(keep).sqrt(), _sine(*on_circle(roots.t)[:2], *here.values())
+    cos0, sin0 = square.rows(keep).sqrt(), kernel.fold_sine(*on_circle(roots.t)[:2], *here.values())
     both = [(np.arange(size), _at_angles(roots, here, one, sin0)) for one in (cos0, -cos0)]
     return _merged(both, size)
 
@@ -130,33 +127,22 @@ def _merged(parts: list[tuple[NDArray[np.intp], FoldArrays]], size: int) -> Fold
     for rows, part in parts:
         undecided[rows[part.undecided]] = True
 
-    def joined(of: Callable[[FoldArrays], Any]) -> Any:
-        return np.concatenate([of(part) for _, part in parts])
-
-    def numbers(of: Callable[[FoldArrays], Rounded]) -> Rounded:
-        return Rounded(joined(lambda part: of(part).value), joined(lambda part: of(part).error))
+    def joined(name: str) -> Any:
+        every = [getattr(part, name) for _, part in parts]
+        if isinstance(every[0], Rounded):
+            return Rounded(*(np.concatenate([getattr(one, end) for one in every]) for end in ("value", "error")))
+        return np.concatenate(every)
 
     row = np.concatenate([rows[part.row] for rows, part in parts])
-    every = FoldArrays(
-        row, numbers(lambda part: part.value), numbers(lambda part: part.best), numbers(lambda part: part.t),
-        joined(lambda part: part.side), joined(lambda part: part.upper), undecided,
-    )  # fmt: skip
-    keep = np.flatnonzero(~undecided[row])
-    return FoldArrays(
-        row[keep],
-        every.value.rows(keep),
-        every.best.rows(keep),
-        every.t.rows(keep),
-        every.side[keep],
-        every.upper[keep],
-        undecided,
-    )
+    value, best, t, side, upper = map(joined, ("value", "best", "t", "side", "upper"))
+    every = FoldArrays(row, value, best, t, side, upper, undecided)
+    return every.rows(np.flatnonzero(~undecided[row]))
 
 
 def _at_angles(roots: bernstein.Roots, here: Mapping[str, Rounded], cos0: Rounded, sin0: Rounded) -> FoldArrays:
     c, s, _ = on_circle(roots.t)
     trig = kernel.f_coefficients(cos0, sin0, *here.values(), 1)
-    change = kernel.f(c, s, *(_as_rounded(part) for part in _changes(cos0, sin0, *here.values())[0]))
+    change = kernel.f(c, s, *_rounded(kernel.f_changes(cos0, sin0, *here.values())[0]))
     curvature = kernel.f_curvature(c, s, *trig).sign()
     angle = np.arctan2(sin0.value, cos0.value)
     # The true point lies on the unit circle, at most this far from the computed one.
@@ -166,7 +152,7 @@ def _at_angles(roots: bernstein.Roots, here: Mapping[str, Rounded], cos0: Rounde
     def parts_at(v: Rounded) -> tuple[list[Any], list[Any]]:
         cos_v, sin_v = cosine_and_sine(v.value)
         at = [Rounded(one.value, one.error + v.error) for one in (cos_v, sin_v)]
-        return [*kernel.f_coefficients(*at, *here.values(), 1)], [_as_rounded(one) for one in _changes(*at, *here.values())[0]]
+        return [*kernel.f_coefficients(*at, *here.values(), 1)], _rounded(kernel.f_changes(*at, *here.values())[0])
 
     # Twice as wide, so that the surface beside the fold is in it too.
     best = _sharpened(roots.t, Rounded(theta0.value, 2 * theta0.error), parts_at)
@@ -215,7 +201,7 @@ def _squares(values: list[Rounded]) -> list[Rounded]:
     _, _, alpha, sigma, beta = values
     width = alpha * (beta + 1 + sigma)
     scale = (alpha + sigma) * (beta + 1) * width
-    sines, cosines = ([_as_rounded(part) for part in row] for row in _cubics(*values))
+    sines, cosines = map(_rounded, kernel.fold_cubics(*values))
     powers, others = _square(sines), _square(cosines)
     result = [width * width * one + other for one, other in zip(powers, others, strict=True)]
     for half, binomial in enumerate((1, 6, 15, 20, 15, 6, 1)):
@@ -250,14 +236,12 @@ def _kept(
     vague = functools.reduce(np.logical_or, [test == 0 for test in (*tests, side, upper)]) & ~out
     undecided = roots.undecided.copy()
     undecided[roots.row[vague]] = True
-    keep = np.flatnonzero(~out & ~undecided[roots.row])
-    return FoldArrays(
-        roots.row[keep], value.rows(keep), best.rows(keep), roots.t.rows(keep), side[keep], upper[keep] > 0, undecided
-    )
+    every = FoldArrays(roots.row, value, best, roots.t, side, upper > 0, undecided)
+    return every.rows(np.flatnonzero(~out & ~undecided[roots.row]))
 
 
-def _as_rounded(part: Any) -> Rounded:
-    return part if isinstance(part, Rounded) else Rounded(np.float64(part))
+def _rounded(parts: Iterable[Any]) -> list[Rounded]:
+    return [part if isinstance(part, Rounded) else Rounded(np.float64(part)) for part in parts]
 
 
 def _rows(part: Any, index: NDArray[np.intp]) -> Any:

@@ -6,17 +6,14 @@ found or decided again: one evaluation on each side of the fold gives the digits
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Mapping
 from fractions import Fraction
 
-from ...generated import catastrophe as _catastrophe
 from ...models.parameters import NAMES
 from ...numerics.half_angle import on_circle
 from ...numerics.intervals import Arithmetic, Interval, arithmetic
 from ..quartic import kernel
 
-_changes = inspect.unwrap(_catastrophe.f_changes)
 #: Bits of the evaluation: enough for a value that loses half of the digits of float64, twice over.
 _BITS = 160
 #: The error is squared each time.
@@ -52,7 +49,7 @@ def sharpened(vary: str, given: Mapping[str, float], t: tuple[float, float], val
         cos0, sin0 = arith.cos_sin(arith.exact(Fraction(given["theta0"])))
         others = [arith.exact(Fraction(given[name] if name != vary else 0)) for name in NAMES[1:]]
         without = kernel.f_coefficients(cos0, sin0, *others, 1)
-        change = _changes(cos0, sin0, *others)[NAMES.index(vary)]
+        change = kernel.f_changes(cos0, sin0, *others)[NAMES.index(vary)]
         for _ in range(_STEPS):
             middle = arith.middle(directions)
             trig = [one + values * other for one, other in zip(without, change, strict=True)]

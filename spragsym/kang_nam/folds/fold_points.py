@@ -47,13 +47,11 @@ def folds(
     vary: str | None = None,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
-    negative_friction: bool = False,
     arith: Arithmetic | None = None,
 ) -> Points:
     """The closed form of :func:`spragsym.folds`: proved complete, to 1e-12 and better.
 
-    With ``negative_friction`` folds with μ₀ < 0 are listed too: mirror images, for a belt that runs the other way. All kinds but
-    ``"fold"`` need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀ = α = 0.
+    All kinds but ``"fold"`` need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀ = α = 0.
 
     Notes
     -----
@@ -64,18 +62,13 @@ def folds(
     vary = vary or "theta0"
     if vary not in NAMES:
         raise NotInClosedForm
-    found = turns(p, vary, negative_friction=negative_friction, arith=arith)
-    if negative_friction and vary != "mu0" and p.scalars("mu0") != (0.0,):
-        reflected = p if vary == "theta0" else p.replace(theta0=math.pi - float(p.theta0))
-        found += [_mirrored(turn, vary) for turn in turns(reflected, vary, arith=arith)]
-    found.sort(key=lambda turn: turn.values[NAMES.index(vary)])
+    found = turns(p, vary, arith=arith)
     columns: Any = np.array([turn.values for turn in found], dtype=float).reshape(-1, 11).T.copy()
     after: Any = np.array([turn.after for turn in found], dtype=float).reshape(-1, 4).T.copy()
     kind, ends, when = np.array([(turn.kind, *_words(turn)) for turn in found], dtype=np.str_).reshape(-1, 3).T.copy()
     values = dict(zip((*NAMES, *STATE, "error"), columns, strict=True))
-    spans = {"mu0": (-math.inf, math.inf)} if negative_friction else None
     ended = Ended(ends, when, dict(zip(STATE, after, strict=True)))
-    every = Points(**in_closed_form(p, (vary,), kind, values.pop("error"), values, ended, spans))
+    every = Points(**in_closed_form(p, (vary,), kind, values.pop("error"), values, ended))
     return in_ranges(every, between)
 
 
@@ -96,7 +89,7 @@ def _words(turn: Turn) -> tuple[str, str]:
 
 
 def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: Arithmetic | None = None) -> list[Turn]:
-    """The rows of :func:`folds` along one parameter, sorted by it; ``negative_friction`` matters for ``mu0`` only."""
+    """The rows of :func:`folds` along one parameter, sorted by it; along ``mu0`` those of a belt that runs back, too."""
     if vary not in NAMES:
         raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
     fixed = [name for name in NAMES if name != vary]
@@ -130,12 +123,3 @@ def _turn(arith: Arithmetic, fold: fold_proofs.Fold, place: int) -> Turn:
     if high - low > abs(low) / 10**25:
         raise Undecided("a fold to 25 digits")
     return Turn(values, fold.kind, fold.side, fold.upper, tuple(after))
-
-
-def _mirrored(turn: Turn, vary: str) -> Turn:
-    """A fold at μ₀ of the mirror image, reflected back to −μ₀."""
-    theta0, mu0, kappa, alpha, sigma, beta, theta, L, x, y, error = turn.values
-    values = (math.pi - theta0, -mu0, kappa, alpha, sigma, beta, math.pi - theta, L, -x, y, error)
-    after = (math.pi - turn.after[0], turn.after[1], -turn.after[2], turn.after[3])
-    side = -turn.side if vary == "theta0" else turn.side
-    return Turn(values, turn.kind, side, not turn.upper, after)

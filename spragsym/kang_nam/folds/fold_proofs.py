@@ -1,7 +1,7 @@
 """Folds of exactly given parameters, with a proof that there are no more: real-root counting, no starting points.
 
-On a fold two relations hold that are linear in every parameter but θ₀ (derived: ``fold_lines_*``), so that eliminating the one
-that varies leaves a polynomial in t = tan(θ/2). Its real roots are isolated exactly over rationals (Descartes), and with
+On a fold f and f′ are 0, which are linear in every parameter but θ₀, so that eliminating the one that varies leaves a polynomial
+in t = tan(θ/2) (derived: ``fold_sextic``). Its real roots are isolated exactly over rationals (Descartes), and with
 intervals where cos θ₀ and sin θ₀ enter (Sturm).
 """
 
@@ -22,16 +22,8 @@ from ...numerics.intervals import Arithmetic, Interval, sign
 from ...numerics.line_roots import Root, roots_on_the_line
 from ...numerics.polynomials import Undecided
 from ..quartic import kernel
-from .fold_enclosures import Angles, Point, in_contact
-from .fold_successor import landing
+from .fold_enclosures import Angles, Point, in_contact, landing
 
-_LINES = {
-    "mu0": _catastrophe.fold_lines_mu0,
-    "kappa": _catastrophe.fold_lines_kappa,
-    "alpha": _catastrophe.fold_lines_alpha,
-    "sigma": _catastrophe.fold_lines_sigma,
-    "beta": _catastrophe.fold_lines_beta,
-}
 #: Degree in t of the eliminated fold condition: two cubics in cos θ, sin θ where θ₀ varies, half of that otherwise.
 _DEGREE_IN_THETA0, _DEGREE = 12, 6
 #: The same in cos θ, sin θ.
@@ -84,7 +76,7 @@ def folds(arith: Arithmetic, vary: str, exact: dict[str, Fraction], bits: int) -
     for direction in _directions(arith, vary, exact, (c0, s0, *others), bits):
         c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, c0, s0)
-        u1, w1, u2, w2 = _LINES[vary](*angles, *others)
+        u1, w1, u2, w2 = _lines(vary, angles, others)
         value = -u1 / w1 if sign(arith, w1) else -u2 / w2
         found = {**fixed, vary: value}
         for point in in_contact(arith, angles, found["mu0"], tuple(found[name] for name in NAMES[2:])):
@@ -98,7 +90,7 @@ def _directions(
     """All folds along a parameter other than θ₀, by their directions."""
     c0, s0, *others = values
     try:
-        polynomial = polynomials.interpolate(_eliminated(vary, c0, s0, others, arith.exact), _DEGREE, arith.exact)
+        polynomial = _eliminated(vary, c0, s0, others)
         roots = roots_on_the_line(polynomial, lambda v: sign(arith, v), arith.exact, bits // 2, positive=True)
         return [_Direction(root.interval(arith)) for root in roots]
     except Undecided:
@@ -108,17 +100,24 @@ def _directions(
         return _with_multiplicity(arith, common, _curvature(vary, exact), bits) if common else []
 
 
-def _eliminated(
-    vary: str, c0: Any, s0: Any, others: Sequence[Any], number: Callable[[Fraction], Any]
-) -> Callable[[Fraction], Any]:
+def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence[Any], Sequence[Any]]:
+    """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ."""
+    values = list(others)
+    values.insert(NAMES.index(vary) - 1, 0 * others[0])
+    return kernel.f_coefficients(c0, s0, *values, 1), kernel.f_changes(c0, s0, *values)[NAMES.index(vary)]
+
+
+def _lines(vary: str, angles: Sequence[Any], others: Sequence[Any]) -> tuple[Any, ...]:
+    """f and f′ as lines in the parameter that varies: u₁ + w₁ λ and u₂ + w₂ λ."""
+    c, s, c0, s0 = angles
+    without, change = _parts(vary, c0, s0, others)
+    return kernel.f(c, s, *without), kernel.f(c, s, *change), kernel.f_slope(c, s, *without), kernel.f_slope(c, s, *change)
+
+
+def _eliminated(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> polynomials.Polynomial:
     """u₁ w₂ − u₂ w₁ times (1 + t²)³: zero at the folds, a polynomial in t."""
-
-    def value(t: Fraction) -> Any:
-        c, s, scale = (number(part) for part in on_circle(t))
-        u1, w1, u2, w2 = _LINES[vary](c, s, c0, s0, *others)
-        return (u1 * w2 - u2 * w1) * scale**_HALF
-
-    return value
+    without, change = _parts(vary, c0, s0, others)
+    return tuple(kernel.fold_sextic(*without, *change))
 
 
 def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials.Polynomial | None:
@@ -132,9 +131,7 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
     common: polynomials.Polynomial = ()
     for v in _SAMPLES:
         c0, s0, _ = on_circle(v)
-        polynomial = polynomials.primitive(
-            polynomials.interpolate(_eliminated(vary, c0, s0, others, Fraction), _DEGREE, Fraction)
-        )
+        polynomial = polynomials.primitive(tuple(map(Fraction, _eliminated(vary, c0, s0, others))))
         if common and polynomial and polynomial not in (common, tuple(-value for value in common)):
             return None
         common = common or polynomial
@@ -153,16 +150,15 @@ def _lines_meet(vary: str, others: list[Fraction]) -> bool:
     Where they are w₁ (λ − λ₀) = 0 and w₂ (λ − λ₀) = 0 with one λ₀ for all θ, f would be 0 for all θ at λ₀, and no parameters in
     their ranges have that (b < 0). What is left is w₁ = w₂ = 0: not for a transcendental v if not for some rational one.
     """
-    rows = [
-        _LINES[vary](*on_circle(Fraction(number, 5))[:2], *on_circle(v)[:2], *others) for number in range(-3, 4) for v in _SAMPLES
-    ]
+    directions = [on_circle(Fraction(number, 5))[:2] for number in range(-3, 4)]
+    rows = [_lines(vary, (*direction, *on_circle(v)[:2]), others) for direction in directions for v in _SAMPLES]
     ratio = next((-u1 / w1 if w1 else -u2 / w2 for u1, w1, u2, w2 in rows if w1 or w2), None)
     if ratio is None or any(u1 + ratio * w1 or u2 + ratio * w2 for u1, w1, u2, w2 in rows):
         return True
     c0, s0, _ = on_circle(_SAMPLES[0])
 
     def slope(place: int) -> polynomials.Polynomial:
-        return polynomials.interpolate(in_t(lambda c, s: _LINES[vary](c, s, c0, s0, *others)[place], _HALF), _DEGREE, Fraction)
+        return polynomials.interpolate(in_t(lambda c, s: _lines(vary, (c, s, c0, s0), others)[place], _HALF), _DEGREE, Fraction)
 
     common = polynomials.squarefree(polynomials.common_divisor(slope(1), slope(3)))
     return not common or bool(roots_on_the_line(common, polynomials.exact_sign, Fraction, 64, positive=True))

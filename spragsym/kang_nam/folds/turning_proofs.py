@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
@@ -17,7 +16,6 @@ from ...numerics.line_roots import roots_on_the_line
 from ..quartic import kernel
 from .fold_enclosures import Angles, Point, SineRoot, in_contact
 
-_sextic = inspect.unwrap(_catastrophe.fold_sextic)
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
 _DEGREE, _CURVATURE_DEGREE = 6, 9
 
@@ -68,7 +66,7 @@ def level_folds(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> It
     """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0 leave."""
     level = Fraction(1), Fraction(0)
     change = _catastrophe.f_changes(*level, Fraction(0), *exact)[NAMES.index("mu0")]
-    sextic = _sextic(*kernel.f_coefficients(*level, Fraction(0), *exact, 1), *change)
+    sextic = kernel.fold_sextic(*kernel.f_coefficients(*level, Fraction(0), *exact, 1), *change)
     polynomial = polynomials.primitive(tuple(map(Fraction, sextic)))
     repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
     values = tuple(map(arith.exact, exact))

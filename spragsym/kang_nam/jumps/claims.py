@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,7 +20,6 @@ from ..quartic.solver import count, equilibria
 from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
 from .jump_values import first_jumps, small
 
-_in_differences = inspect.unwrap(_catastrophe.f_in_differences)
 _MU0 = NAMES.index("mu0")
 #: A little more than π, beyond which no direction is in contact.
 _ALL = math.pi + 1e-15
@@ -54,7 +52,7 @@ def _point(values: dict[str, FloatArray], i: int) -> Parameters:
 
 def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
     """f, f′, f_μ₀ and f_μ₀′."""
-    return _in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)  # type: ignore[no-any-return]
+    return kernel.f_in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)  # type: ignore[no-any-return]
 
 
 def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:

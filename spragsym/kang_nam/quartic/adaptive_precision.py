@@ -109,7 +109,7 @@ def _settle(
 
 
 def _split(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> tuple[Interval, ...]:
-    """p1, q1, p2, q2 of the two real quadratic factors of the quartic in t, about: as :func:`.kernel.factors`."""
+    """p1, q1, p2, q2 of the two real quadratic factors of the quartic in t, about: as ``factors`` of the generated kernel."""
     a, b, d, m = map(arith.middle, trig)
     r0, r1, r2 = kernel.resolvent(a, b, d, m)
     P, Q = map(arith.middle, kernel.depressed(r0, r1, r2))

@@ -1,6 +1,7 @@
 """What the package offers and where it is, for type checkers and for the package, which loads names as they are used."""
 
 from . import figures as figures
+from . import kang_nam as kang_nam
 from . import precise as precise
 from ._version import __version__ as __version__
 from .bifurcation.bifurcation import bifurcation_set as bifurcation_set
@@ -32,14 +33,14 @@ from .errors import ParameterError as ParameterError
 from .errors import ParameterTypeError as ParameterTypeError
 from .errors import SpragsymError as SpragsymError
 from .explorer import explore as explore
-from .kang_nam.folds.equilibrium_surface import Surface as Surface
-from .kang_nam.folds.equilibrium_surface import surface as surface
-from .kang_nam.folds.flutter_points import FlutterBoundary as FlutterBoundary
-from .kang_nam.folds.flutter_points import flutter_boundary as flutter_boundary
-from .kang_nam.folds.linear import LinearSprag as LinearSprag
-from .kang_nam.folds.linear import linear_critical_friction as linear_critical_friction
-from .kang_nam.folds.linear import linear_sprag as linear_sprag
-from .kang_nam.folds.sliding import sliding_friction as sliding_friction
+from .kang_nam import FlutterBoundary as FlutterBoundary
+from .kang_nam import LinearSprag as LinearSprag
+from .kang_nam import Surface as Surface
+from .kang_nam import flutter_boundary as flutter_boundary
+from .kang_nam import linear_critical_friction as linear_critical_friction
+from .kang_nam import linear_sprag as linear_sprag
+from .kang_nam import sliding_friction as sliding_friction
+from .kang_nam import surface as surface
 from .kang_nam.quartic.backends import get_backend as get_backend
 from .kang_nam.quartic.backends import set_backend as set_backend
 from .models import Model as Model

@@ -1,10 +1,12 @@
-"""The article's model: where its closed forms stand, each under the name of the question that it answers."""
+"""The article's model: what only it has, and where its closed forms stand, each under the name of its question."""
 
 from __future__ import annotations
 
-from ..models.parameters import Parameters
+import lazy_loader as _lazy
 
-__all__ = ["CLOSED_FORMS", "Parameters"]
+from ..models.parameters import Parameters as Parameters
+
+__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
 
 _MODULES = {
     ".kang_nam.quartic.solver": ("equilibria", "count"),

@@ -171,7 +171,7 @@ def test_the_page_on_the_command_line_lists_every_command() -> None:
 def test_the_reference_has_every_public_name() -> None:
     """By itself, as a module, or among the errors, which come with theirs."""
     page = (DOCS / "api.md").read_text(encoding="utf-8")
-    shown = set(re.findall(r"spragsym\.(\w+)", page)) | set(vars(spragsym.errors)) | {"__version__"}
+    shown = set(re.findall(r"spragsym\.(?:kang_nam\.)?(\w+)", page)) | {"kang_nam"} | set(vars(spragsym.errors)) | {"__version__"}
     assert set(spragsym.__all__) - shown == set()
 
 

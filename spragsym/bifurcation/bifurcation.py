@@ -18,7 +18,7 @@ from ..results.points import Points
 from ..statics.mechanics.balance import Balance
 from ..statics.regions import by_hand
 from ..statics.remarks import of_boxes, of_ranges
-from .bifurcation_conditions import Fold
+from .bifurcation_conditions import FOLD
 from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
 from .fold_extrema import extrema
@@ -105,7 +105,7 @@ def bifurcation_set(
     given = given_column(p, balance.parameters, vary)
     more = np.concatenate([rows_of(balance, vary, points) for _, points in known], axis=1)
     asked = by_hand(balance.coordinates, within)
-    found = on_lines(balance, vary, Fold(), given, spans, n, more, asked, more[-1])
+    found = on_lines(balance, vary, FOLD, given, spans, n, more, asked, more[-1])
     curves = [Curve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains]
     complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
     remarks = (*found.remarks, *_said(known, of_ranges(unsaid, spans[[list(vary).index(name) for name in unsaid]])))

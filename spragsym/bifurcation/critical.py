@@ -21,7 +21,7 @@ from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import reference_state
 from ..statics.remarks import of_ranges
-from .bifurcation_conditions import Touch, TouchTurn
+from .bifurcation_conditions import TOUCH, TOUCH_TURN
 from .cusps import cusps
 from .escapes import INFINITY, escapes
 from .fold_extrema import extrema
@@ -322,10 +322,10 @@ class _Search:
                 yield INFINITY, escapes(self.balance, self.p.replace(**{self.over: float(end)}), (self.vary,), self.spans[1:])
         if self.balance.opens:
             beyond = Balance(self.p.model, contact=True, room=OVER_BORDER)
-            yield "border", isolated(beyond, self.p, TouchTurn(), both, self.spans, "border")
+            yield "border", isolated(beyond, self.p, TOUCH_TURN, both, self.spans, "border")
             for end in self.spans[0]:
                 here = self.p.replace(**{self.over: float(end)})
-                yield "border", isolated(beyond, here, Touch(), (self.vary,), self.spans[1:], "border")
+                yield "border", isolated(beyond, here, TOUCH, (self.vary,), self.spans[1:], "border")
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""

@@ -12,9 +12,9 @@ from ..numerics.determinants import cofactor
 from ..numerics.interval_arrays import Intervals
 from ..numerics.jets import variables
 from ..statics.mechanics.balance import Balance
-from .bifurcation_conditions import Cusp, change
+from .bifurcation_conditions import change, cusp
 from .defining_systems import Augmented
-from .points import Found, picked, search
+from .points import Found, search
 
 
 def isolated(
@@ -22,11 +22,10 @@ def isolated(
     asked: NDArray[np.float64] | None = None,
 ) -> Found:  # fmt: skip
     """A box for each cusp, and what is left; arguments as of :func:`spragsym.bifurcation.points.search`."""
-    found = search(balance, vary, Cusp(), given, spans, asked=asked)
+    found = search(balance, vary, cusp(), given, spans, asked=asked)
     proved, unclear = told_apart(balance, vary, found, given)
-    left = np.concatenate([found.roots.left, found.roots.ends[:, :, unclear]], axis=2)
-    left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
-    return replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
+    roots = found.roots.kept(proved).besides(found.roots.ends[:, :, unclear], found.roots.point[unclear])
+    return replace(found, roots=roots)
 
 
 def told_apart(
@@ -41,7 +40,7 @@ def told_apart(
     if not shape[0]:
         return np.zeros(0, dtype=np.bool_), np.zeros(0, dtype=np.bool_)
     with np.errstate(all="ignore"):
-        system = Augmented(balance, vary, Cusp())
+        system = Augmented(balance, vary, cusp())
         fixed = system.prepared(Intervals.point(np.nan_to_num(given[:, found.roots.point])))
         at = system.state(variables(list(Intervals(ends)), 1), fixed, shape)
         K = at.slopes()

@@ -6,9 +6,10 @@ with no change of det K along the direction that K maps to 0, a cusp. Derivative
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,24 +21,21 @@ from ..statics.mechanics.balance import Balance, matrix
 from ..statics.mechanics.laws import XP
 
 
-class Condition(Protocol):
-    """What is asked of a state beside the balance."""
+@dataclass(frozen=True)
+class Condition:
+    """What is asked of a state beside the balance.
 
-    #: Order of the derivatives of the stiffness that it is made of.
-    order: int
-    #: Whether det K = 0 is one of the equations.
-    singular: bool
-    #: Whether one is that the gap of the contact is 0.
-    touching: bool
+    ``equations`` are the values that must vanish, one for each unknown parameter; jets carry ``order`` more derivatives.
+    ``singular`` and ``touching``: one of them is det K = 0, or that the gap of the contact is 0. ``hopeless`` are boxes in which
+    an inequality that is asked for can't hold, ``given_up`` those that halving would never decide.
+    """
 
-    def equations(self, at: State) -> Sequence[Any]:
-        """The values that must vanish, one for each unknown parameter; jets carry ``order`` derivatives more than these."""
-
-    def hopeless(self, at: State) -> NDArray[np.bool_]:
-        """Boxes in which an inequality that the condition asks for can't hold."""
-
-    def given_up(self, at: State) -> NDArray[np.bool_] | None:
-        """Boxes that halving would never decide; None for a condition that has no such."""
+    equations: Callable[[State], Sequence[Any]]
+    order: int = 0
+    singular: bool = False
+    touching: bool = False
+    hopeless: Callable[[State], NDArray[np.bool_]] | None = None
+    given_up: Callable[[State], NDArray[np.bool_]] | None = None
 
 
 class State:
@@ -154,7 +152,8 @@ class Augmented(System):
         """Boxes beyond the contact's border, or without what the condition asks for."""
         shape = unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape)
-        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(at)
+        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape)
+        out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
 
         def no_root(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
             values = self._values(unknowns[:, rows], parameters[:, rows], sides)
@@ -166,8 +165,8 @@ class Augmented(System):
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
         """As for the balance, and for the condition."""
         at = self.state(list(unknowns), parameters, unknowns.shape[1:])
-        poles, more = self.balance.at_poles(at.q, at.values, at.shape, width), self.condition.given_up(at)
-        return poles if more is None else poles | more
+        poles: NDArray[np.bool_] = self.balance.at_poles(at.q, at.values, at.shape, width)
+        return poles if self.condition.given_up is None else poles | self.condition.given_up(at)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""

@@ -28,7 +28,7 @@ from ..statics.mechanics.precise_balance import PreciseBalance
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.spectrum import type_at
-from .bifurcation_conditions import Cusp
+from .bifurcation_conditions import cusp
 from .cusp_search import isolated
 from .defining_systems import Augmented
 from .points import endless, ranges
@@ -139,7 +139,7 @@ def precise_cusps(
         ends = _ends(exact)
     given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
     found = isolated(balance, vary, given, spans)
-    system = Augmented(balance, vary, Cusp())
+    system = Augmented(balance, vary, cusp())
 
     def attempt(bits: int) -> list[PreciseCusp]:
         precise = PreciseAugmented(system, given[:, 0], bits, _ends(exact))

@@ -20,10 +20,10 @@ from ..statics import stability
 from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
 from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.regions import by_hand
-from .bifurcation_conditions import FLAT, Flutter, Hopf, NoDamping, NoSlope, UndampedMode
+from .bifurcation_conditions import FLAT, FLUTTER, HOPF, NO_SLOPE, no_damping, undamped_mode
 from .defining_systems import Augmented, Condition
 from .onsets import Onsets, onsets_of
-from .points import Found, arranged, endless, given_column, nothing, picked, ranges, search
+from .points import Found, arranged, endless, given_column, nothing, ranges, search
 from .seen import VALUES, with_seen
 
 #: ω of the points of a search that M, C and K are taken at.
@@ -103,41 +103,37 @@ def flutter_onsets(
     if damping is None:
         damping = is_damped(balance, given, spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
 
-    flat = False
-
-    seen: list[_Part] = []
-
-    def searched(condition: Condition, kind: str, frequencies: Frequencies) -> _Part:
-        out = search(balance, (vary,), condition, given, spans, asked=asked)
-        if isinstance(condition, NoSlope):
+    conservative = is_conservative(balance, given, spans)
+    sought: list[tuple[Condition | None, str, Frequencies]]
+    if not damping:
+        # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass each other.
+        sought = [(None if conservative else FLUTTER, "flutter", meeting)]
+    elif only is None or balance.n == 1:
+        sought = [(HOPF, "hopf", _crossing)]
+    else:
+        # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
+        sought = [] if conservative else [(undamped_mode(only), "hopf", partial(_without, only))]
+        if slope is None:
+            sought.append((no_damping(only), "hopf", _every))
+        elif conservative or slope.holds_zero().any():
+            sought.append((NO_SLOPE, "hopf", _every))
+    parts, seen = list[_Part](), list[_Part]()
+    for condition, kind, frequencies in sought:
+        if condition is None:
+            out = nothing(balance, (vary,), given, spans, asked)
+        else:
+            out = search(balance, (vary,), condition, given, spans, asked=asked)
+        if condition is NO_SLOPE:
             out = _without_ends(balance, vary, given, spans[0], out)
-        if out.roots.left.shape[2]:
+        if condition is not None and out.roots.left.shape[2]:
             out, more, omega = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
             followed = np.isfinite(omega)
-            alone, others = (replace(out, roots=picked(more, some)) for some in (followed, ~followed))
+            alone, others = (replace(out, roots=more.kept(some)) for some in (followed, ~followed))
             seen.append(_Part(alone, np.full(followed.sum(), "seen"), omega[followed]))
             seen.append(_part(balance, vary, given, others, "seen", frequencies))
-        return _part(balance, vary, given, out, kind, frequencies)
-
-    conservative = is_conservative(balance, given, spans)
-    if not damping and conservative:
-        # All κ are real and change with K without leaving the real line: where two meet they pass each other.
-        parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans, asked), "flutter", meeting)]
-    elif not damping:
-        parts = [searched(Flutter(), "flutter", meeting)]
-    elif only is None or balance.n == 1:
-        parts = [searched(Hopf(), "hopf", _crossing)]
-    else:
-        parts = []
-        if not conservative:
-            # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
-            parts.append(searched(UndampedMode(only), "hopf", partial(_without, only)))
-        if slope is None:
-            parts.append(searched(NoDamping(only), "hopf", _every))
-        elif not parts or slope.holds_zero().any():
-            parts.append(searched(NoSlope(), "hopf", _every))
-            flat = True
+        parts.append(_part(balance, vary, given, out, kind, frequencies))
     parts[1:1] = seen
+    flat = sought[-1][0] is NO_SLOPE
     return onsets_of(_joined(balance, p, vary, given, parts, flat, endless(model, (vary,), between or {})))
 
 
@@ -160,8 +156,7 @@ def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArr
             changed = {vary: Jet.variable(bounds[place], 0, 1)}
             change = gradient(balance.slope(balance.arguments(balance.prepared(bounds), changed)), 1)
             dropped |= ~stacked(change, left.shape[2:])[0].holds_zero()
-    roots = found.roots
-    return replace(found, roots=replace(roots, left=left[:, :, ~dropped], left_point=roots.left_point[~dropped]))
+    return replace(found, roots=found.roots.kept(left=~dropped))
 
 
 def slope_vanishes(balance: Balance, vary: str, point: FloatArray, end: float) -> bool:
@@ -199,7 +194,7 @@ def _part(balance: Balance, vary: str, given: FloatArray, found: Found, kind: st
             some = frequencies(M, C, K)
             omega += some
             rows += [row] * len(some)
-    kept = replace(found, roots=picked(found.roots, np.array(rows, dtype=np.int64)))
+    kept = replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64)))
     return _Part(kept, np.full(len(rows), kind), np.array(omega))
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from ..progress import doing
 from ..results.points import Points
 from ..statics.mechanics.balance import Balance
-from .bifurcation_conditions import FoldOnBorder, Turn
+from .bifurcation_conditions import FOLD_ON_BORDER, TURN
 from .cusps import cusps
 from .folds import folds
 from .points import OVER_BORDER, isolated, ranges
@@ -50,10 +50,10 @@ def extrema(
     # Where no state depends on one of the two, curves are straight along it.
     bends = set(vary) <= set(balance.balanced)
     if bends:
-        yield "turn", isolated(balance, p, Turn(), vary, spans, "turn", within)
+        yield "turn", isolated(balance, p, TURN, vary, spans, "turn", within)
     for end in spans[0]:
         value = p.ranges[over].reached(float(end), float(spans[0, 1] - spans[0, 0]))
         yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
     if balance.opens and bends:
         beyond = Balance(p.model, contact=True, room=OVER_BORDER)
-        yield "border", isolated(beyond, p, FoldOnBorder(), vary, spans, "border", within)
+        yield "border", isolated(beyond, p, FOLD_ON_BORDER, vary, spans, "border", within)

@@ -20,7 +20,7 @@ from ..statics.equilibria import equilibria
 from ..statics.foremost import foremost
 from ..statics.mechanics.balance import Balance
 from ..statics.stability import with_a_zero
-from .bifurcation_conditions import Fold, change
+from .bifurcation_conditions import FOLD, change
 from .defining_systems import Augmented
 from .points import given_column
 
@@ -62,7 +62,7 @@ def _at(points: Points, row: int) -> tuple[str, str, dict[str, float]]:
 
 def _normal_form(balance: Balance, vary: str, given: FloatArray, box: Intervals) -> tuple[int, bool]:
     """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
-    system = Augmented(balance, (vary,), Fold())
+    system = Augmented(balance, (vary,), FOLD)
     with np.errstate(all="ignore"):
         at = system.state(variables(list(box), 1), system.prepared(Intervals.point(np.nan_to_num(given))), (1,))
         K, n = at.stiffness(), balance.n

@@ -76,7 +76,7 @@ def folds(
     """
     from ..statics.mechanics.balance import Balance  # where a closed form answers nothing of it is loaded
     from ..statics.regions import by_hand
-    from .bifurcation_conditions import Fold
+    from .bifurcation_conditions import FOLD
     from .points import arranged, endless, given_column, ranges, search
     from .symmetry import with_pitchforks
 
@@ -85,7 +85,7 @@ def folds(
     balance = Balance(model, contact=True)
     spans = ranges(model, (vary,), between or {})
     given = given_column(p, balance.parameters, (vary,))
-    found = search(balance, (vary,), Fold(), given, spans, asked=by_hand(balance.coordinates, within))
+    found = search(balance, (vary,), FOLD, given, spans, asked=by_hand(balance.coordinates, within))
     found, pitchforks = with_pitchforks(balance, vary, given, spans[0], found)
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
     return arranged(
@@ -96,11 +96,11 @@ def folds(
 
 def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[str, ...]:
     """Of boxes that are left at an end of the range where det K is 0 whatever the state."""
-    from .bifurcation_conditions import Fold
+    from .bifurcation_conditions import FOLD
     from .defining_systems import Augmented
     from .degenerate_ends import vanishes
 
-    left, system = found.roots.left, Augmented(balance, (vary,), Fold())
+    left, system = found.roots.left, Augmented(balance, (vary,), FOLD)
     remarks = []
     for end in span if left.shape[2] else ():
         here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]

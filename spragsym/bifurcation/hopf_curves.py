@@ -23,23 +23,13 @@ from ..statics import stability
 from ..statics.damping import is_conservative, only_damped, slope_ends
 from ..statics.mechanics.balance import Balance
 from .bifurcation import on_lines, rows_of
-from .bifurcation_conditions import (
-    BogdanovTakens,
-    Damped,
-    DoubleHopf,
-    Flutter,
-    FoldWithoutDamping,
-    Hopf,
-    NoDamping,
-    UndampedMode,
-    ZeroHopf,
-)
+from .bifurcation_conditions import FLUTTER, HOPF, KINDS, no_damping, undamped_mode
 from .defining_systems import Condition
 from .flutter import meeting
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
 from .onsets import told
-from .points import arranged, given_column, nothing, picked, ranges, search
+from .points import arranged, given_column, nothing, ranges, search
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -52,8 +42,6 @@ UNPROVED = "no generic Hopf point is proved there"
 HALVINGS = 30
 #: C over K below which a state is as good as undamped.
 UNDAMPED = 1e-6
-#: Kinds of points in the plane, as MatCont calls them, with what is asked of a state there.
-KINDS: Mapping[str, type[Damped]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "HH": DoubleHopf}
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,7 +166,7 @@ def onset_curves(
     ends = rows_of(balance, vary, points)[:, points.kind == "BT"]
     free = _hardly_damped(balance, vary, given, ends) & (only is not None)
     rest, ends = ends[:, free], ends[:, ~free]
-    found = on_lines(balance, vary, Hopf() if only is None else UndampedMode(only), given, spans, n, ends)
+    found = on_lines(balance, vary, HOPF if only is None else undamped_mode(only), given, spans, n, ends)
     lines = _Lines(model, balance, tuple(vary), given, found.curves, ends)
     curves, changes = [], []
     for chain in found.chains:
@@ -195,7 +183,7 @@ def onset_curves(
             )
             whole, said = False, (*said, f"{text}; the slope is between {low:.3g} and {high:.3g} here")
     if only is not None and dampers:
-        flat = on_lines(balance, vary, NoDamping(only), given, spans, n, rest)
+        flat = on_lines(balance, vary, no_damping(only), given, spans, n, rest)
         lines = _Lines(model, balance, tuple(vary), given, flat.curves, rest)
         curves += [curve for chain in flat.chains for curve in lines.of_all_pairs(chain)]
         undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
@@ -219,7 +207,7 @@ def _without_damping(
     changes = {name: np.empty(0) for name in (*vary, *balance.coordinates, "error")}
     if balance.n < 2 or is_conservative(balance, given, spans):
         return OnsetCurves(vary, False, ranged, (), points, changes, {}, True, np.empty((0, balance.n + 2, 2)), ())
-    found = on_lines(balance, vary, Flutter(), given, spans, n, none)
+    found = on_lines(balance, vary, FLUTTER, given, spans, n, none)
     lines = _Lines(model, balance, vary, given, found.curves, none)
     for chain in found.chains:
         omega = np.array([sum(meeting(*lines.matrices(state))) for state in chain.T])
@@ -257,7 +245,7 @@ def _points(
     kinds, parts = [], []
     sought: list[tuple[str, Condition]] = [(kind, condition(only)) for kind, condition in KINDS.items()]
     if only is not None and balance.model.about["dampers"]:
-        sought.insert(1, ("BT", FoldWithoutDamping(only)))
+        sought.insert(1, ("BT", no_damping(only, on_fold=True)))
     for kind, condition in sought:
         # With one coordinate damped the coefficient of λ³ is that damping times a mass.
         if (kind == "HH" and (balance.n != 2 or only is not None)) or (kind == "ZH" and balance.n < 2):
@@ -265,7 +253,7 @@ def _points(
         found = search(balance, vary, condition, given, spans)
         middle = found.roots.middle
         kept = np.array([kind == "BT" or _oscillates(balance, given, vary, state, kind) for state in middle.T], dtype=np.bool_)
-        parts.append(replace(found, roots=picked(found.roots, kept)))
+        parts.append(replace(found, roots=found.roots.kept(kept)))
         kinds += [kind] * int(kept.sum())
     every = concatenated([part.roots for part in parts], balance.n + 2)
     return arranged(balance, p, vary, given, replace(parts[0], roots=every), np.array(kinds, dtype=np.str_))

@@ -29,7 +29,7 @@ from ..statics.reference_state import chosen_state
 from ..statics.search import columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, one_each, with_state
-from .bifurcation_conditions import Touch
+from .bifurcation_conditions import TOUCH
 from .branches import HALVINGS, linked
 from .escapes import INFINITY, escapes
 from .folds import folds
@@ -162,7 +162,7 @@ def open_ends(
     balance, found = Balance(p.model, contact=True), list[Points]()
     if balance.opens:
         beyond = Balance(p.model, contact=True, room=OVER_BORDER)
-        found = [isolated(beyond, p, Touch(), (vary,), np.array([span]), "border")]
+        found = [isolated(beyond, p, TOUCH, (vary,), np.array([span]), "border")]
         if not found[0].decided:
             raise ConvergenceError(f"whether equilibria leave the contact along {vary} is not decided; shorten the range")
     if not (turns.whole and np.isfinite(turns.region).all()):  # states run to infinity only where nothing bounds them

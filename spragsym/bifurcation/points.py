@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -134,8 +134,7 @@ def search(
     roots = on_its_side(system, fixed, roots, partial(PreciseAugmented, system))
     roots = once_around(balance, roots)
     if alone:
-        dropped = shared(system, given, spans[0], roots.left)
-        roots = without(roots, dropped)
+        roots = roots.kept(left=~shared(system, given, spans[0], roots.left))
     return Found(roots, around, whole)
 
 
@@ -196,16 +195,6 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
     fixed = [name for name in names if name not in vary]
     values = dict(zip(fixed, p.scalars(*fixed), strict=True))
     return np.array([[values.get(name, np.nan)] for name in names])
-
-
-def without(roots: Roots, dropped: NDArray[np.bool_]) -> Roots:
-    """All roots, and the boxes that are left but for some."""
-    return replace(roots, left=roots.left[:, :, ~dropped], left_point=roots.left_point[~dropped])
-
-
-def picked(roots: Roots, which: NDArray[np.bool_]) -> Roots:
-    """Some of the roots, and all of the boxes that are left."""
-    return replace(roots, ends=roots.ends[:, :, which], alone=roots.alone[:, :, which], point=roots.point[which])
 
 
 def arranged(

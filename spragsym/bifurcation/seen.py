@@ -24,7 +24,7 @@ from ..statics import stability
 from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.precise_balance import ROOT_BITS
 from ..statics.search import seen
-from .bifurcation_conditions import Hopf
+from .bifurcation_conditions import HOPF
 from .defining_systems import Augmented
 from .points import Found
 from .precise_points import PreciseAugmented
@@ -99,7 +99,7 @@ def _sightings(system: Augmented, given: FloatArray, span: FloatArray, asked: Fl
         if following.size:
             neighbours.append((one, int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])))
     z = np.concatenate([q, values[point][None]])
-    if isinstance(system.condition, Hopf):
+    if system.condition is HOPF:
         return _pairs_that_cross(system, given, z, neighbours)
     return _sign_changes(system, given, z, neighbours)
 

@@ -36,7 +36,7 @@ from ..statics.mechanics.border import on_side
 from ..statics.mechanics.parity import follows
 from ..statics.mechanics.precise_balance import PreciseBalance, clusters
 from ..statics.regions import region
-from .bifurcation_conditions import Fold
+from .bifurcation_conditions import FOLD
 from .defining_systems import Augmented, State
 from .points import Found
 
@@ -198,7 +198,7 @@ def _with_pitchforks(
 
 def _on_side(balance: Balance, vary: str, given: FloatArray, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Pitchforks in contact, and such beyond its border."""
-    system = Augmented(balance, (vary,), Fold())
+    system = Augmented(balance, (vary,), FOLD)
     return on_side(system, system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), ends.shape[2], axis=1))), ends)
 
 

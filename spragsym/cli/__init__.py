@@ -20,7 +20,7 @@ from .._version import __version__
 from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
 from ..interrupts import ending
 from ..names import closest, latin
-from .commands import HELP
+from .options import HELP
 
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
@@ -28,17 +28,17 @@ COMMANDS = {
     "check": ("check", "Hold the article against the derivation."),
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, flutter onsets, and cusps."),
-    "onsets": ("onsets", "Where oscillation sets in, over two parameters."),
-    "folds": ("folds", "Folds along one parameter: what ends there."),
-    "path": ("path", "A state followed as one parameter moves."),
-    "critical": ("critical", "Where a state jumps first, and critical frictions."),
+    "onsets": ("bifurcation", "Where oscillation sets in, over two parameters."),
+    "folds": ("bifurcation", "Folds along one parameter: what ends there."),
+    "path": ("paths", "A state followed as one parameter moves."),
+    "critical": ("paths", "Where a state jumps first, and critical frictions."),
     "simulate": ("motion", "Integrate the motion from an initial state."),
     "cycles": ("cycles", "Cycles of the motion, and branches of them."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
-    "fates": ("fates", "What motions come to, over a grid of parameters."),
+    "fates": ("motion", "What motions come to, over a grid of parameters."),
     "figures": ("figures", "Draw the article's figures, and more."),
     "explore": ("explore", "Write the explorer, a page for the browser."),
-    "derive": ("derive", "Carry the page of a model through to code."),
+    "derive": ("export", "Carry the page of a model through to code."),
     "export": ("export", "Write the solver in another language."),
 }
 
@@ -146,7 +146,7 @@ def _run(arguments: list[str], debug: bool) -> int:
         module = (error.name or "").partition(".")[0]
         if module not in EXTRAS:
             return _report_mistake(error, debug)
-        return _report(str(MissingExtraError("this command", module, EXTRAS[module])), 1, debug)
+        return _report(str(MissingExtraError(f"spragsym {arguments[0]}", module, EXTRAS[module])), 1, debug)
     except OSError as error:
         return _report(_of_the_system(error), 1, debug)
     except MemoryError:

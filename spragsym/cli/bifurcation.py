@@ -1,8 +1,8 @@
-"""``spragsym bifurcation``: folds and onsets of flutter along one parameter, cusps in the plane of two."""
+"""``spragsym bifurcation``, ``folds`` and ``onsets``: where states meet, and where oscillation sets in."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,37 +14,49 @@ import spragsym as ss
 
 from ..errors import ParameterError
 from ..progress import show_progress
-from .drawings import drawable, written
-from .of_model import Case, method, of_model
-from .options import as_json
-from .points import points_of, print_points
-from .spans import Span, Typed, box, span, vary, within
-from .tables import print_json
-from .targets import force, refuse
+from . import options as o
+from .of_model import Case, of_model
+from .output import drawn, print_rows, print_table
+from .points import points_of, print_open, print_points
 
 
 @of_model(statics=True)
-@vary(
+@o.vary("What varies: a parameter, with --data a quantity of the file too; with a range as mu0=0:1. Default: {last}.")
+@o.within
+@o.method
+@o.as_json
+def folds(case: Case) -> Any:
+    """All folds along one parameter, proved: which state ends there, when, and where it jumps to.
+
+    \b
+    Examples:
+      spragsym folds --theta0 40
+      spragsym folds --data brake.toml --vary k_x
+      spragsym folds --model two_springs --theta0 40 --vary mu0=0:1
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    along = case.span
+    with show_progress(f"searching for folds along {along.name}"):
+        told = points_of(case, ss.folds(case.set(along.name), along.name, **case.searching(along)))
+    return {"vary": along.title, **told}, lambda: print_points("Folds", told, [along.title])
+
+
+@of_model(statics=True)
+@o.vary(
     "A parameter, with a range as theta0=5:175. Of two, folds and onsets are looked for along the first, cusps in the plane of "
     "both; of one, no cusps. Default: {axes}.",
-    multiple=True,
+    several=True,
 )
-@within
-@click.option("--undamped", is_flag=True, help="Onsets of flutter by (27), without dampers and the slope of the friction law.")
-@method
-@click.option(
-    "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the bifurcation set (pdf, png, svg)."
-)
-@click.option(
-    "--n", type=click.IntRange(2, 2000), default=60, show_default=True,
-    help="Lines of either parameter on which --plot searches for folds, where there is no closed form.",
-)  # fmt: skip
-@force
-@as_json
-def bifurcation(
-    case: Case, vary: tuple[Typed, ...], within: tuple[Typed, ...], undamped: bool, plot: Path | None, n: int, force: bool,
-    json_output: bool,
-) -> None:  # fmt: skip
+@o.within
+@o.undamped
+@o.method
+@o.plot("the bifurcation set")
+@o.lines(60, "Lines of either parameter on which --plot searches for folds, where there is no closed form.")
+@o.force
+@o.as_json
+def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
     """All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved.
 
     \b
@@ -58,34 +70,44 @@ def bifurcation(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    along = plane(case, vary, plot, force)
-    line, (name, *_) = along[:1], (one.name for one in along)
-    between, asked, p = line[0].between, box(case, within), case.set(name)
-    ways = case.searching(between, asked)
-    questions: dict[str, Callable[[], Any]] = {
-        "folds": lambda: ss.folds(p, name, **ways),
-        "onsets": lambda: ss.flutter_onsets(p, name, damping=False if undamped else None, **ways),
+    names, name = _plane(case), case.span.name
+    if plot is not None and len(names) < 2:
+        raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
+    p, ways = case.set(name), case.searching(case.span)
+    questions: dict[str, tuple[Sequence[str], Callable[[], Any]]] = {
+        "folds": (names[:1], lambda: ss.folds(p, name, **ways)),
+        "onsets": (names[:1], lambda: ss.flutter_onsets(p, name, damping=False if undamped else None, **ways)),
     }
-    both, ranges = tuple(one.name for one in along), {key: ends for one in along for key, ends in one.between.items()}
-    if len(along) == 2:
-        questions["cusps"] = lambda: ss.cusps(case.set(*both), both, **case.searching(ranges, asked))
-    elif not vary:
+    if len(names) == 2:
+        questions["cusps"] = names, lambda: ss.cusps(case.set(*names), names, **case.searching(*case.spans))
+    elif len(case.model.axes) > 1:
         click.echo(f"cusps are looked for in the plane of two parameters: --vary {name} --vary NAME", err=True)
-    told, found = {}, {}
-    for title, question in questions.items():
-        with show_progress(f"searching for {title} along {' and '.join(both if title == 'cusps' else (name,))}"):
-            found[title] = within_ranges(question())
-        told[title] = points_of(case, found[title], along if title == "cusps" else line)
+    found = {}
+    for title, (along, question) in questions.items():
+        with show_progress(f"searching for {title} along {' and '.join(along)}"):
+            found[title] = _within_ranges(question())
     if plot is not None:
-        _draw(case, plot, both, ranges, found, n, undamped)
-    if json_output:
-        print_json({"model": case.model.name, "parameters": case.told(), **told})
-        return
-    for title, one in told.items():
-        print_points(title.capitalize(), one, along if title == "cusps" else line)
+        _draw(case, plot, names, found, n, undamped)
+    told = {title: points_of(case, one) for title, one in found.items()}
+
+    def tables() -> None:
+        titles = [span.title for span in case.spans]
+        for title, one in told.items():
+            print_points(title.capitalize(), one, titles[: len(found[title].vary)])
+
+    return {"parameters": case.told(), **told}, tables
 
 
-def within_ranges(found: Any) -> Any:
+def _plane(case: Case) -> tuple[str, ...]:
+    """What varies: one parameter, or two different ones."""
+    names = tuple(span.name for span in case.spans)
+    if len(names) > 2 or len(set(names)) < len(names):
+        typed = " --vary ".join(span.typed for span in case.spans)
+        raise ParameterError(f"--vary {typed}: give one parameter, or two different ones")
+    return names
+
+
+def _within_ranges(found: Any) -> Any:
     """Those points at which all that varies is in its range: closed forms know mirror images beyond it."""
     ranges, inside = [found.parameters.ranges[name] for name in found.vary], np.ones(len(found), dtype=np.bool_)
     for name, allowed in zip(found.vary, ranges, strict=True):
@@ -95,23 +117,7 @@ def within_ranges(found: Any) -> Any:
     return replace(found.select(inside), region=region)
 
 
-def plane(case: Case, vary: tuple[Typed, ...], plot: Path | None, force: bool) -> list[Span]:
-    """What varies; refused, before anything is computed, are more than a plane, and what can't be drawn."""
-    asked = vary or [Typed(name, name) for name in case.model.axes]
-    along = [span(case, typed, "", begins=place > 0) for place, typed in enumerate(asked)]  # folds are at a value of the second
-    if len(along) > 2 or len({one.name for one in along}) < len(along):
-        raise ParameterError(f"--vary {' --vary '.join(typed.text for typed in vary)}: give one parameter, or two different ones")
-    if plot is not None:
-        drawable(plot)
-    if plot is not None and len(along) < 2:
-        raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
-    refuse([] if plot is None else [plot], force)
-    return along
-
-
-def _draw(
-    case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], found: dict[str, Any], n: int, undamped: bool
-) -> None:  # fmt: skip
+def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], n: int, undamped: bool) -> None:
     """The bifurcation set; by closed forms where the model has them for all of this plane.
 
     Curves of onsets where they are asked for, or were found along the first parameter, or where there are no folds to show.
@@ -119,17 +125,83 @@ def _draw(
     from ..figures import bifurcation_figure
     from ..figures.labels import window
 
-    p = case.set(*vary)
+    p, ranges = case.set(*vary), case.between(*case.spans)
     closed = case.has_closed("bifurcation_set") and vary == case.model.axes and not ranges
-
     shown, onsets, plane = window(case.model, vary, ranges, found["cusps"]), None, " and ".join(vary)
     if undamped or len(found["onsets"]) or not (closed or len(found["folds"]) or len(found["cusps"])):
         with show_progress(f"searching for onsets in the plane of {plane}"):
             onsets = ss.onset_curves(p, vary, min(n, 30), damping=not undamped, between=shown)
     else:
         click.echo("the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in", err=True)
-    across, up = (case.units.axis(name) for name in vary)
+    axes = [(case.axis(vary[0]), case.axis(vary[1]))]
     drawing = f"drawing folds{', onsets' if onsets else ''} and cusps in the plane of {plane}"
-    written(
-        path, drawing, lambda: bifurcation_figure(p, vary, between=None if closed else shown, n=n, onsets=onsets), [(across, up)]
-    )
+    drawn(path, drawing, lambda: bifurcation_figure(p, vary, between=None if closed else shown, n=n, onsets=onsets), axes)
+
+
+# --------------------------------------------------------------------------------------------------------------- onsets
+
+
+@of_model(statics=True)
+@o.vary("A parameter, with a range as theta0=5:175; give two. Default: {axes}.", several=True)
+@o.undamped
+@o.plot("the map of stability")
+@o.lines(30, "Lines of either parameter on which they are sought.")
+@o.force
+@o.as_json
+def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
+    """Where oscillation sets in over the plane of two parameters, gently or with a knock: a map of stability.
+
+    Onsets are Hopf points with all damping, that of the friction law included; on curves of them those points too at which their
+    kind changes (GH) and at which they meet folds (BT, ZH) and each other (HH).
+
+    \b
+    Examples:
+      spragsym onsets --vary theta0=20:60 --vary mu0=0:1
+      spragsym onsets --model stick_slip --vary V=0:1 --vary zeta=0:2 --plot map.pdf
+      spragsym onsets --model mode_coupling --vary sigma=0.1:2 --vary mu0=0:2 --undamped --plot map.pdf
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    names = _plane(case)
+    if len(names) != 2:
+        raise ParameterError(f"onsets of {case.model.name} are curves in a plane; give two different parameters with --vary")
+    plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates
+    with show_progress(f"searching for onsets {plane}"):
+        found = ss.onset_curves(case.set(*names), names, n, damping=not undamped, between=case.between(*case.spans))
+    if plot is not None:
+        from ..figures import stability_figure
+
+        axes = [(case.axis(names[0]), case.axis(names[1]))]
+        drawn(plot, f"drawing onsets {plane}", lambda: stability_figure(found), axes)
+    columns = ("criticality", *names, *coordinates, "omega", "lyapunov", "lyapunov_error")
+    curves = [case.row({name: getattr(curve, name) for name in columns}) for curve in found.curves]
+    # Points at which two conditions hold, and those at which the kind of the onset changes.
+    of_two = {name: getattr(found.points, name) for name in (*names, *coordinates, "error")}
+    points = [
+        case.row({"kind": kind, **{name: at[name][row] for name in (*names, *coordinates)}}) | {"error": float(at["error"][row])}
+        for kinds, at in ((found.points.kind, of_two), (["GH"] * len(found.changes["error"]), found.changes))
+        for row, kind in enumerate(kinds)
+    ]
+    told = {
+        "curves": curves, "points": points, "complete": found.complete,
+        "undecided": case.boxes(found.undecided, (*coordinates, *names)), "remarks": case.said(found.remarks),
+    }  # fmt: skip
+
+    def tables() -> None:
+        titles = [span.title for span in case.spans]
+        rows = [[number, *_summary(curve, titles)] for number, curve in enumerate(curves, 1)]
+        header = ["curve", "points", *(f"{title} {end}" for title in titles for end in ("from", "to")), "onset"]
+        print_table("Onsets", header, rows)
+        print_rows("Points on them", [{title: row[title] for title in ("kind", *titles)} for row in points])
+        print_open("Onsets", told)
+        click.echo(f"Onsets: sought on {n} lines of either parameter; a curve that closes between two of them is not seen")
+
+    return {"parameters": case.told(), **told}, tables
+
+
+def _summary(curve: dict[str, Any], titles: Sequence[str]) -> list[Any]:
+    """How many points, between which values, and of which kinds."""
+    ends = [end(curve[title]) for title in titles for end in (min, max)]
+    kinds = [kind for kind in ("gentle", "dangerous", "undecided") if kind in curve["criticality"]]
+    return [len(curve["criticality"]), *ends, ", ".join(kinds)]

@@ -13,15 +13,12 @@ from typing import Any
 
 import click
 
-from ..errors import MissingExtraError, ParameterError
-from ..files.writing import put
+from ..errors import ParameterError
+from ..models import load
 from ..models.load import page_of
 from ..progress import show_progress
-from .commands import command
-from .of_model import TEXT
-from .options import as_json
-from .tables import print_json, show
-from .targets import force, holds, refuse
+from . import options as o
+from .output import print_json, show, write
 
 _STYLES = {
     "confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red",
@@ -29,18 +26,16 @@ _STYLES = {
 }  # fmt: skip
 
 
-@command()
-@as_json
+@o.command()
+@o.as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
 @click.option(
     "--row", "only", multiple=True, metavar="ROW", help="Only this row, or rows that begin so: eq-9, fig-7. Repeatable."
 )
 @click.option("--again", is_flag=True, help="Derive or compute the rows anew, and compare them with what is committed.")
-@click.option(
-    "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from what is committed."
-)
-@click.option("--model", "model_name", metavar="NAME|DIR", help=f"{TEXT} What holds of the article for it.")
-@force
+@o.file("--report", help="Write the report on both, from what is committed.")
+@click.option("--model", "model_name", metavar="NAME|DIR", help=f"{o.TEXT} What holds of the article for it.")
+@o.force
 def check(
     json_output: bool, claims: bool, only: tuple[str, ...], again: bool, report: Path | None, model_name: str | None, force: bool
 ) -> None:  # fmt: skip
@@ -68,13 +63,8 @@ def check(
     elif report is not None:
         from ..article.report import page
 
-        text = page()
-        if holds(report, text):
-            click.echo(f"{report} is as it should be", err=True)
-            return
-        refuse([report], force)
-        put(report, text)
-        click.echo(f"wrote {report}", err=True)
+        wrote = write({report: page()}, force)
+        click.echo(f"wrote {report}" if wrote else f"{report} is as it should be", err=True)
     else:
         rows, wrong = (_claims if claims else _equations)(only, again)
         if json_output:
@@ -123,10 +113,8 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     chosen = _chosen(only, [row["id"] for row in recorded], "the equations (statements of the text: --claims)")
     if not again:
         return [row for row in recorded if row["id"] in chosen], []
-    try:
-        from ..derive.kang_nam import check as derivation
-    except ModuleNotFoundError as error:
-        raise MissingExtraError("spragsym check --again", error.name or "sympy", "derive") from error
+    from ..derive.kang_nam import check as derivation
+
     with show_progress("deriving the equations of the article"):
         every = derivation.run()
     wrong = [f"{row.id} ({row.where}): {row.note}" for row in derivation.failures(every) if row.id in chosen]
@@ -138,14 +126,10 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
 
 def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
     """Which rows of the article hold for a model, fail, or have no meaning there."""
-    from ..models import load
+    from ..derive import pages
+    from ..derive.kang_nam import variant_models
 
     model = load(name)
-    try:
-        from ..derive import pages
-        from ..derive.kang_nam import variant_models
-    except ModuleNotFoundError as error:
-        raise MissingExtraError("spragsym check --model", error.name or "sympy", "derive") from error
     with show_progress(f"deriving the equations of {model.name}"):
         every = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
     chosen = _chosen(only, [row.id for row in every], "the equations")

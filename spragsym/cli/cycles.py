@@ -1,7 +1,8 @@
-"""``spragsym cycles``: a cycle, or a branch of them over a parameter."""
+"""``spragsym cycles``: a cycle of the motion, and branches of cycles over a parameter."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,32 +12,28 @@ import spragsym as ss
 
 from ..errors import ParameterError
 from ..progress import show_progress
-from .drawings import written
+from . import options as o
 from .of_model import Case, of_model
-from .options import as_json
-from .spans import Span, Typed, span, vary
-from .tables import print_json, print_table
-from .targets import force, refuse
+from .output import drawn, print_rows, print_table
 
 if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
     from ..orbits import Cycle, CycleBranch
 
 
-@of_model()
+@of_model(begins=True)
 @click.option("--near", metavar="{state}", help="A state near the cycle, angles in degrees. Default: the motion from rest at 0.")
-@vary("Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too.")
+@o.vary("Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too.")
 @click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
 @click.option("--diagram", "whole", is_flag=True, help="Equilibria too, and cycles from Hopf points and doublings; with --vary.")
 @click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
 @click.option("--digits", type=click.IntRange(1), help="Digits of that proof; more of them prove what repels strongly.")
-@click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
-@force
-@as_json
+@o.plot("the branch")
+@o.force
+@o.as_json
 def cycles(
-    case: Case, near: str | None, vary: Typed | None, points: int, whole: bool, prove: bool, digits: int | None,
-    plot: Path | None, force: bool, json_output: bool,
-) -> None:  # fmt: skip
+    case: Case, near: str | None, points: int, whole: bool, prove: bool, digits: int | None, plot: Path | None
+) -> Any:  # fmt: skip
     """A cycle of the motion with its multipliers; with --vary, a branch of cycles with the events on it.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
@@ -53,97 +50,77 @@ def cycles(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    along = None if vary is None else span(case, vary, "", begins=True)
-    if plot is not None and (along is None or plot.suffix not in (".pdf", ".png", ".svg")):
-        raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary, and the ending .pdf, .png or .svg")
-    if along is not None and along.ends is None:
-        raise click.UsageError(f"--vary {along.name}: from where to where? Give it as {along.name}=FROM:TO")
+    along = case.span if case.spans else None
+    if plot is not None and along is None:
+        raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary")
+    if along is not None:
+        case.require_ends()
     if whole and (along is None or prove):
         raise click.UsageError("--diagram goes with --vary, and without --prove")
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
-    refuse([] if plot is None else [plot], force)
     p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
-    start = _state(near, case)
-    if whole and along is not None:
-        _tell_diagram(case, p, along, [] if start is None else [start], points, plot, json_output)
-        return
+    start = None if near is None else _state(near, case)
+    if whole:
+        return _diagram(case, p, [] if start is None else [start], points, plot)
     with show_progress("looking for a cycle"):
         found = ss.cycle(p, start)
-    summary, title = case.units.measured({"model": case.model.name, **_summary(found)}), ""
+    summary: dict[str, Any] = case.row({
+        "period": found.period, "stable": found.stable, "state": None, "multipliers": found.multipliers, "error": found.error,
+        "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude, **found.forces,
+        "crossings": len(found.events), "backend": found.backend,
+    })  # fmt: skip
     # As --near takes it.
-    summary["state"] = [value * one for value, one in zip(summary["state"], _ones(case), strict=True)]
+    summary["state"] = [value * one for value, one in zip(found.state.tolist(), _ones(case), strict=True)]
     if prove:
         with show_progress("proving it"):
             summary |= _proof(found, {} if digits is None else {"digits": digits})
-    if along is not None:
-        from ..orbits import cycle_branch
+    branch = {} if along is None else _branch(case, found, points, plot)
 
-        title = along.title
-        with show_progress(f"following cycles along {along.name}"):
-            branch = cycle_branch(found, along.name, _held(along, found), points=points)
-        summary |= _branch(case, branch, along)
-        if plot is not None:
-            _draw(case, branch, plot)
-    if json_output:
-        print_json(summary)
-        return
-    rows, events = summary.pop("branch", None), summary.pop("branch_events", [])
-    print_table("", ("", ""), [(name, _shown(value)) for name, value in summary.items()])
-    if rows is not None:
-        print_table("Branch", tuple(rows[0]), [list(row.values()) for row in rows])
-        period = case.units.measured({"period": 0.0})
-        print_table("Events", ("kind", title, "error", *period, "how"), [list(row.values()) for row in events])
+    def tables() -> None:
+        print_table("", ("", ""), [(name, _shown(value)) for name, value in {"model": case.model.name, **summary}.items()])
+        for key, title in (("branch", "Branch"), ("branch_events", "Events")):
+            if along is not None:
+                print_rows(title, branch[key])
+
+    return {**summary, **branch}, tables
 
 
-def _tell_diagram(
-    case: Case, p: ParameterSet, along: Span, starts: list[Any], points: int, plot: Path | None, json_output: bool
-) -> None:
+def _diagram(case: Case, p: ParameterSet, starts: list[Any], points: int, plot: Path | None) -> Any:
     """Equilibria and cycles over a parameter: the labelled points, and the figure."""
     from ..orbits.diagram import diagram
 
+    along = case.span
     unit, title = along.unit, along.title
     with show_progress(f"equilibria and cycles along {along.name}"):
         found = diagram(p, along.name, along.between[along.name], starts=starts, points=points)
     if plot is not None:
         from ..figures import diagram_figure
 
-        first = case.units.axis(found.name, after=": rest, cycles from least to largest")
-        written(plot, "drawing the diagram", lambda: diagram_figure(found), [(case.units.axis(found.vary), first)])
+        first = case.axis(found.name, after=": rest, cycles from least to largest")
+        drawn(plot, "drawing the diagram", lambda: diagram_figure(found), [(case.axis(found.vary), first)])
     labels = [
         {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
         for label in found.labels
     ]
+    ends = [branch.mode for branch in found.equilibria]
+    ends += ["; ".join(case.said(end.how for end in branch.of("end", "homoclinic"))) for branch in found.cycles]
+    every: Mapping[str, Sequence[Any]] = {"equilibria": found.equilibria, "cycles": found.cycles}
+    kinds = [(of, i, one) for of, those in every.items() for i, one in enumerate(those)]
     branches = [
-        {"of": "equilibria", "branch": i, "points": len(rest.values), "from": unit * rest.values[0], "to": unit * rest.values[-1],
-         "stable": int(rest.stable.sum()), "ends": rest.mode}
-        for i, rest in enumerate(found.equilibria)
-    ] + [
-        {"of": "cycles", "branch": i, "points": len(branch.values), "from": unit * branch.values[0],
-         "to": unit * branch.values[-1], "stable": int(branch.stable.sum()),
-         "ends": "; ".join(case.units.said(end.how for end in branch.of("end", "homoclinic")))}
-        for i, branch in enumerate(found.cycles)
+        {"of": of, "branch": i, "points": len(one.values), "from": unit * one.values[0], "to": unit * one.values[-1],
+         "stable": int(one.stable.sum()), "ends": end}
+        for (of, i, one), end in zip(kinds, ends, strict=True)
     ]  # fmt: skip
-    remarks = case.units.said(found.remarks)
-    if json_output:
-        print_json({"model": case.model.name, "labels": labels, "branches": branches, "remarks": remarks})
-        return
-    print_table("Branches", tuple(branches[0]) if branches else (), [list(row.values()) for row in branches])
-    print_table("Labels", tuple(labels[0]) if labels else (), [list(row.values()) for row in labels])
-    for remark in remarks:
-        click.echo(remark)
+    remarks = case.said(found.remarks)
 
+    def tables() -> None:
+        print_rows("Branches", branches)
+        print_rows("Labels", labels)
+        for remark in remarks:
+            click.echo(remark)
 
-def _held(along: Span, found: Cycle) -> tuple[float, float]:
-    """The range of a branch, which must hold the cycle that it begins with; in the units that were typed if it does not."""
-    low, high = along.between[along.name]
-    if not low <= (value := found.parameters[along.name]) <= high:
-        low, high, value = (along.unit * number for number in (low, high, value))
-        raise ParameterError(
-            f"--vary {along.title}: the range from {low:.10g} to {high:.10g} does not hold the cycle's own {value:.10g}; give "
-            "one that does"
-        )
-    return low, high
+    return {"labels": labels, "branches": branches, "remarks": remarks}, tables
 
 
 def _proof(found: Cycle, asked: dict[str, int]) -> dict[str, Any]:
@@ -156,9 +133,7 @@ def _proof(found: Cycle, asked: dict[str, int]) -> dict[str, Any]:
     return {"proved": True, **decimals, "stable_proved": proof.stable}
 
 
-def _state(text: str | None, case: Case) -> list[float] | None:
-    if text is None:
-        return None
+def _state(text: str, case: Case) -> list[float]:
     names = (*case.model.coordinates, *case.model.rates)
     try:
         numbers = [float(part) for part in text.split(",")]
@@ -171,30 +146,31 @@ def _state(text: str | None, case: Case) -> list[float] | None:
 
 def _ones(case: Case) -> list[float]:
     """What one of each component of a state is where it is typed, and where it is printed to be typed again."""
-    return [case.units.state(name) for name in (*case.model.coordinates, *case.model.rates)]
+    return [case.state(name) for name in (*case.model.coordinates, *case.model.rates)]
 
 
-def _summary(found: Cycle) -> dict[str, Any]:
+def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> dict[str, Any]:
+    """The branch of a cycle within a range, which must hold the cycle itself, and what happens on it."""
+    from ..orbits import cycle_branch
+
+    along = case.span
+    unit, (low, high), value = along.unit, along.between[along.name], found.parameters[along.name]
+    if not low <= value <= high:
+        raise ParameterError(
+            f"--vary {along.title}: the range from {unit * low:.10g} to {unit * high:.10g} does not hold the cycle's own "
+            f"{unit * value:.10g}; give one that does"
+        )
+    with show_progress(f"following cycles along {along.name}"):
+        branch = cycle_branch(found, along.name, (low, high), points=points)
+    if plot is not None:
+        _draw(case, branch, plot)
+    columns = {along.name: branch.values, "period": branch.periods, "rms": branch.rms, "stable": branch.stable}
     return {
-        "period": found.period, "stable": found.stable, "state": found.state.tolist(),
-        "multipliers": [[float(value.real), float(value.imag)] for value in found.multipliers], "error": found.error,
-        "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude,
-        **{name: list(ends) for name, ends in found.forces.items()}, "crossings": len(found.events),
-        "backend": found.backend,
-    }  # fmt: skip
-
-
-def _branch(case: Case, branch: CycleBranch, along: Span) -> dict[str, Any]:
-    unit, name, in_units = along.unit, along.title, case.units.measured
-    columns = zip(branch.values.tolist(), branch.periods.tolist(), branch.rms.tolist(), branch.stable.tolist(), strict=True)
-    return {
-        "branch": [
-            {name: unit * v, **in_units({"period": period, "rms": rms, "stable": stable})} for v, period, rms, stable in columns
-        ],
+        "branch": [case.row(dict(zip(columns, row, strict=True))) for row in zip(*columns.values(), strict=True)],
         "branch_events": [
-            {"kind": event.kind, name: unit * event.value, "error": unit * event.error,
-             **in_units({"period": event.cycle.period}), "how": how}
-            for event, how in zip(branch.events, case.units.said(event.how for event in branch.events), strict=True)
+            case.row({"kind": event.kind, along.name: event.value}) | {"error": unit * event.error}
+            | case.row({"period": event.cycle.period}) | {"how": how}
+            for event, how in zip(branch.events, case.said(event.how for event in branch.events), strict=True)
         ],
     }  # fmt: skip
 
@@ -202,18 +178,16 @@ def _branch(case: Case, branch: CycleBranch, along: Span) -> dict[str, Any]:
 def _draw(case: Case, branch: CycleBranch, path: Path) -> None:
     from ..figures import branch_figure
 
-    units, along = case.units, case.units.axis(branch.vary)
-    axes = [(along, units.axis(case.model.coordinates[0], "RMS of ")), (along, units.of_time("period"))]
-    written(path, "drawing the branch", lambda: branch_figure(branch), axes)
+    along, period = case.axis(branch.vary), None if case.study is None else ("period (s)", case.time)
+    axes = [(along, case.axis(case.model.coordinates[0], "RMS of ")), (along, period)]
+    drawn(path, "drawing the branch", lambda: branch_figure(branch), axes)
 
 
 def _shown(value: Any) -> Any:
     """Numbers to twelve digits; multipliers as a+bi."""
     if isinstance(value, float):
         return f"{value:.12g}"
-    if isinstance(value, list):
-        return "  ".join(_number(item) for item in value)
-    return value
+    return "  ".join(_number(item) for item in value) if isinstance(value, list) else value
 
 
 def _number(item: Any) -> str:

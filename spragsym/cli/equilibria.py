@@ -16,31 +16,26 @@ import spragsym as ss
 from ..errors import ConvergenceError
 from ..numerics.decimals import upward
 from ..progress import show_progress
-from .drawings import drawable, written
-from .of_model import Case, method, of_model
-from .options import Numbers, as_json
-from .spans import Span, Typed, box, span, vary, within
-from .states import boxes_of, rows_of, summed, unless_room
-from .tables import print_json, print_table
-from .targets import force, refuse
+from ..results.equilibria import Stability
+from . import options as o
+from .of_model import Case, of_model
+from .output import drawn, print_rows
+from .points import lengths, summed
 
 #: Points of a table.
 MOST = 10_000
 
 
-@of_model(kind=Numbers, statics=True)
-@vary("What varies, with its ends: a parameter, or with --data a quantity of the file, as k_x=5:20 or mu0=0:1:11 for 11 values.")
-@within
-@method
-@click.option(
-    "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE",
-    help="Draw frequencies and growth rates in contact over what varies, with damping and without (pdf, png, svg).",
-)  # fmt: skip
-@force
-@as_json
-def equilibria(
-    case: Case, vary: Typed | None, within: tuple[Typed, ...], plot: Path | None, force: bool, json_output: bool
-) -> None:  # fmt: skip
+@of_model(kind=o.Numbers, statics=True, values=True)
+@o.vary(
+    "What varies, with its ends: a parameter, or with --data a quantity of the file, as k_x=5:20 or mu0=0:1:11 for 11 values."
+)
+@o.within
+@o.method
+@o.plot("frequencies and growth rates in contact over what varies, with damping and without")
+@o.force
+@o.as_json
+def equilibria(case: Case, plot: Path | None) -> Any:
     """All equilibria at one point, in contact and in lift-off, stable and unstable; or at many.
 
     Every parameter may be a number, numbers a,b,c, or start:stop:count; of several, all combinations.
@@ -57,101 +52,102 @@ def equilibria(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    titles = {name: case.units.parameter(name) for name in case.model.parameters}
-    if vary is not None:
-        along = span(case, vary, "", values=True)
-        if along.ends is None:
-            raise click.UsageError(f"--vary {vary.text}: from where to where? Give it as {vary.text}=FROM:TO")
-        case.values[along.name], titles[along.name] = along.values, (along.title, along.unit)
-    case.require()
+    titles, values = {name: case.parameter(name) for name in case.model.parameters}, dict(case.values)
+    if case.spans:
+        case.require_ends()
+        values[case.span.name], titles[case.span.name] = case.span.values, (case.span.title, case.span.unit)
+    case.require([name for name, value in values.items() if value is None])
+    many = [name for name, value in values.items() if np.ndim(value)]
     if plot is not None:
-        _draw(case, None if vary is None else along, plot, force)
-    many = [name for name, value in case.values.items() if not isinstance(value, float) and value.ndim]
-    asked = box(case, within)
-    size = math.prod(np.size(value) for value in case.values.values())
+        _draw(case, plot, many)
+    lists = [np.ravel(value).tolist() for value in values.values()]
+    size = math.prod(map(len, lists))
     if size > MOST:
         raise click.UsageError(f"{size} points are more than the {MOST} of a table; in Python ss.equilibria takes any number")
     with show_progress(f"searching for equilibria of {size} points" if many else "searching for equilibria"):
-        points = list(_points(case.values))
-        told = [{title: unit * point[name] for name, (title, unit) in titles.items()} for point in points]
-        found = [{"parameters": at, **one} for at, one in zip(told, _all_states(case, points, asked), strict=True)]
-    if json_output:
-        print_json({"model": case.model.name, **({"points": found} if many else found[0])})
-        return
-    rows = [row for point in found for row in point["equilibria"]]
-    columns = [name for name in (rows[0] if rows else ()) if "eigenvalues" not in name and name not in ("error", "marginal")]
-    print_table("", (*(titles[name][0] for name in many), *columns, "error"), [
-        (*(point["parameters"][titles[name][0]] for name in many),
-         *(row[name] if not name.startswith("growth") else f"{row[name]:.1e}" for name in columns), upward(row["error"]))
-        for point in found for row in point["equilibria"]
-    ], optional=unless_room(columns))  # fmt: skip
-    if not rows and all(point["complete"] for point in found):
+        every = [dict(zip(values, combination, strict=True)) for combination in itertools.product(*lists)]  # the first slowest
+        told = [{title: unit * at[name] for name, (title, unit) in titles.items()} for at in every]
+        points = [{"parameters": at, **one} for at, one in zip(told, _all_states(case, every), strict=True)]
+    return {"points": points} if many else points[0], lambda: _print(case, points, [titles[name][0] for name in many])
+
+
+def _print(case: Case, points: list[dict[str, Any]], many: list[str]) -> None:
+    rows = [
+        {title: point["parameters"][title] for title in many}
+        | {
+            name: f"{value:.1e}" if name.startswith("growth") else upward(value) if name == "error" else value
+            for name, value in row.items() if "eigenvalues" not in name and name != "marginal"
+        }
+        for point in points for row in point["equilibria"]
+    ]  # fmt: skip
+    if rows:
+        print_rows("", rows, [*lengths(rows[0]), "error"])
+    elif all(point["complete"] for point in points):
         click.echo("none, proved")
     for state in case.model.regimes.values():
-        unknown = [one for point in found for one in point["undecided"] if one["state"] == state]
+        unknown = [one for point in points for one in point["undecided"] if one["state"] == state]
         if boxes := [one for one in unknown if len(one) > len(("state", "reason"))]:
             click.echo(f"{state}: not complete, {summed(boxes)}")
         for reason in dict.fromkeys(one["reason"] for one in unknown if one not in boxes):
             click.echo(f"{state}, undecided: {reason}")
-    for remark in dict.fromkeys(remark for point in found for remark in point["remarks"]):
+    for remark in dict.fromkeys(remark for point in points for remark in point["remarks"]):
         click.echo(remark)
 
 
-def _draw(case: Case, along: Span | None, plot: Path, force: bool) -> None:
+def _draw(case: Case, plot: Path, many: list[str]) -> None:
     """Eigenvalues over what varies, in the units of the answer."""
-    drawable(plot)
-    if along is None or along.ends is None or any(np.ndim(value) for name, value in case.values.items() if name != along.name):
+    if not case.spans or many != [case.span.name]:
         raise click.UsageError(
             "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and numbers for others"
         )
-    refuse([plot], force)
     from ..figures import eigenvalue_figure
 
-    name, p, (low, high) = along.name, case.set(along.name, **{along.name: None}), sorted(along.ends)
-    across, (_, per) = case.units.axis(name), case.units.rate("growth")
+    name, (low, high) = case.span.name, case.span.between[case.span.name]
+    p, across, (_, per) = case.set(name, **{name: None}), case.axis(name), case.of("growth")
     words = (r"frequency Im $\lambda$", r"growth Re $\lambda$")
-    axes = [(across, None if case.units.study is None else (f"{word} (1/s)", per)) for word in words]
-    written(plot, f"drawing eigenvalues over {name}", lambda: eigenvalue_figure(p, name, low=low, high=high), axes)
+    axes = [(across, None if case.study is None else (f"{word} (1/s)", per)) for word in words]
+    drawn(plot, f"drawing eigenvalues over {name}", lambda: eigenvalue_figure(p, name, low=low, high=high), axes)
 
 
-def _points(values: dict[str, Any]) -> Iterator[dict[str, float]]:
-    """All combinations, the first parameter slowest."""
-    lists = [[value] if isinstance(value, float) else value.ravel().tolist() for value in values.values()]
-    for combination in itertools.product(*lists):
-        yield dict(zip(values, combination, strict=True))
-
-
-def _all_states(case: Case, points: list[dict[str, float]], within: Any) -> list[dict[str, Any]]:
+def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[dict[str, Any]]:
     """As :func:`_states` of each point: of all in one call, and of those that it does not answer whole in one each."""
     p = case.model.Parameters(**{name: np.array([point[name] for point in points]) for name in points[0]})
-    more, several = case.searching({}, within), len(points) > 1  # of one alone an error is the answer
-    every = [ss.equilibria(p, contact=contact, **more) for contact in case.model.regimes if several]
-    found = []
+    several = len(points) > 1  # of one alone an error is the answer
+    every = [ss.equilibria(p, contact=contact, **case.ask) for contact in case.model.regimes if several]
     for at, point in enumerate(points):
         if several and all((eq.decided & eq.whole)[at] for eq in every):
-            rows = [row for eq in every for row in rows_of(eq, case.units, (at,))]
-            found.append({"equilibria": rows, "complete": True, "undecided": [], "remarks": []})
+            rows = [row for eq in every for row in _rows(case, eq, (at,))]
+            yield {"equilibria": rows, "complete": True, "undecided": [], "remarks": []}
         else:
-            found.append(_states(case, point, within))
-    return found
+            yield _states(case, point)
 
 
-def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
+def _states(case: Case, point: dict[str, float]) -> dict[str, Any]:
     """A row for each equilibrium of a point, whether these are all, and what is not known."""
-    p, units = case.model.Parameters(**point), case.units
-    more = case.searching({}, within)
+    p, names = case.model.Parameters(**point), case.model.coordinates
     told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
     for contact, state in case.model.regimes.items():
         try:
-            eq = ss.equilibria(p, contact=contact, **more)
+            eq = ss.equilibria(p, contact=contact, **case.ask)
         except ConvergenceError as reason:  # the other regime may be known
             told["undecided"].append({"state": state, "reason": str(reason)})
             told["complete"] = False
             continue
-        told["equilibria"] += rows_of(eq, units)
+        told["equilibria"] += _rows(case, eq)
         told["complete"] &= eq.complete
         for one in eq.undecided:
-            boxes = boxes_of(case, [zip(one.low, one.high, strict=True)], case.model.coordinates, state=state)
-            told["undecided"] += [{**box, "reason": one.reason} for box in boxes]
-        told["remarks"] += [f"{state}: {text}" for text in units.said(eq.remarks)]
+            told["undecided"] += case.boxes([zip(one.low, one.high, strict=True)], names, state=state, reason=one.reason)
+        told["remarks"] += [f"{state}: {text}" for text in case.said(eq.remarks)]
     return told
+
+
+def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> Iterator[dict[str, Any]]:
+    """Of each state of a point words, directions and lengths of springs, coordinates, and what is known of it.
+
+    ``stability`` is that with dampers and the slope of the friction law; ``undamped`` and ``eigenvalues`` are without, as (27).
+    """
+    names = (*eq.columns, "eigenvalues", "damped_eigenvalues", "growth")
+    for slot in ((*point, number) for number in range(int(eq.count[point]))):
+        words = {"state": eq.regime, "stability": str(eq.kind[slot]), "undamped": Stability(int(eq.stability[slot])).name.lower()}
+        known = {"error": float(eq.error[slot]), "marginal": bool(eq.marginal[slot])}
+        yield words | case.row({name: getattr(eq, name)[slot] for name in names}) | known

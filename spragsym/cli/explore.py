@@ -15,12 +15,12 @@ import spragsym as ss
 
 from ..errors import ModelError, ParameterError
 from ..explorer import Preset, Units, explorer_page
-from ..files.writing import probe, put
-from ..models.load import USUAL, shipped
+from ..files.writing import probe
+from ..models.load import USUAL, load, shipped
 from ..progress import show_progress
-from .commands import command
-from .of_model import TRUST, method, study_of
-from .targets import force, holds, refuse
+from . import options as o
+from .of_model import study_of
+from .output import write
 
 if TYPE_CHECKING:
     from ..models import Model
@@ -31,25 +31,18 @@ if TYPE_CHECKING:
 _LINES = 20
 
 
-@command()
-@click.option(
+@o.command()
+@o.file(
     "--out",
     "-o",
-    type=click.Path(path_type=Path),
+    folder=True,
     default=Path("explorer.html"),
     show_default=True,
     help="File to write; a name without an ending gets .html, and in a folder it is explorer.html.",
 )
+@o.file("--data", exists=True, metavar="FILE", help="Begin at your own data, a file like brake.toml.")
 @click.option(
-    "--data",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Begin at your own data, a file like brake.toml.",
-)
-@click.option(
-    "--model",
-    metavar="NAME|DIR",
-    help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {USUAL}]",
+    "--model", metavar="NAME|DIR", help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {USUAL}]"
 )
 @click.option(
     "--onsets", is_flag=True, help="With the map of stability, at the values that the page begins with; takes some seconds."
@@ -57,9 +50,9 @@ _LINES = 20
 @click.option(
     "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."
 )
-@click.option("--trust", is_flag=True, help=TRUST)
-@method
-@force
+@o.trust
+@o.method
+@o.force
 def explore(
     out: Path, data: Path | None, model: str | None, onsets: bool, unopened: bool, trust: bool, method: str | None, force: bool
 ) -> None:
@@ -84,17 +77,12 @@ def explore(
     Exit codes: 0 written; 1 the file can't be written; 2 usage, or a file that differs is in the way.
     """
     study = None if data is None else study_of(data, model, trust)
-    from ..models import load
-
     chosen = load(study.model if study is not None else model or USUAL)
     if method == "closed" and not chosen.closed:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
     out = _page_name(out)
     probe(out, made=True)
-    text = page(chosen.search if method == "search" else chosen, study, onsets)
-    if not holds(out, text):
-        refuse([out], force, made=True)
-        put(out, text, made=True)
+    write({out: page(chosen.search if method == "search" else chosen, study, onsets)}, force, made=True)
     click.echo(out)
     if unopened:
         return

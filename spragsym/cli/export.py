@@ -1,36 +1,26 @@
-"""``spragsym export``: the solver in another language."""
+"""``spragsym export`` and ``derive``: the solver in another language, and a page carried through to a model's folder."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from ..derive.emit.targets import languages
 from ..derive.kang_nam.library import exported
-from ..errors import MissingExtraError
-from ..files.writing import probe, put
+from ..errors import ParameterError, StoreError
+from ..files.writing import probe
+from ..models import Model, load
 from ..models.load import page_of
-from .commands import command
-from .of_model import TEXT
-from .targets import force, holds, refuse
-
-if TYPE_CHECKING:
-    from ..models import Model
+from . import options as o
+from .output import refuse, write
 
 
-@command()
-@click.option("--model", "model_name", metavar="NAME|DIR", help=TEXT)
+@o.command()
+@click.option("--model", "model_name", metavar="NAME|DIR", help=o.TEXT)
 @click.option("--language", type=click.Choice(languages()), default="c", show_default=True, help="Language to write.")
-@click.option(
-    "--out",
-    "-o",
-    type=click.Path(path_type=Path, file_okay=False),
-    required=True,
-    help="Folder to write to, made if missing.",
-)
-@force
+@o.folder("Folder to write to, made if missing.")
+@o.force
 def export(model_name: str | None, language: str, out: Path, force: bool) -> None:
     """Write the solver in another language, with an example that runs.
 
@@ -51,26 +41,49 @@ def export(model_name: str | None, language: str, out: Path, force: bool) -> Non
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
     """
     probe(out / "file", made=True)
-    texts = _of_name(model_name, language) if model_name else exported(language)
-    changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
-    refuse((out / name for name in changed), force, made=True)
-    for name, text in changed.items():
-        put(out / name, text, made=True)
+    texts = of_model(load(model_name), language) if model_name else exported(language)
+    write({out / name: text for name, text in texts.items()}, force, made=True)
     for name in texts:
         click.echo(out / name)
 
 
-def _of_name(name: str, language: str) -> dict[str, str]:
-    from ..models import load
-
-    return of_model(load(name), language)
-
-
 def of_model(model: Model, language: str) -> dict[str, str]:
     """The functions of a model in the language, from its page: that of the package, or the one in its folder."""
-    try:
-        from ..derive import export as translation
-        from ..derive import pages
-    except ModuleNotFoundError as error:
-        raise MissingExtraError("spragsym export --model", error.name or "sympy", "derive") from error
+    from ..derive import export as translation
+    from ..derive import pages
+
     return translation.export(page_of(model, pages.SHIPPED), model.name, language)
+
+
+@o.command()
+@click.argument("page", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@o.folder("Folder to write.")
+@o.force
+def derive(page: Path, out: Path, force: bool) -> None:
+    """Derive the model of a page, and write it to a folder.
+
+    A page is a Python file that says a model's quantities, coordinates, energies, springs, contact and friction; it is run. The
+    folder is what --model of other commands takes, and spragsym.load.
+
+    \b
+    Examples:
+      spragsym derive my_brake.py --out my_brake
+
+    \b
+    Exit codes: 0 written; 1 the page can't be carried through; 2 usage, or a folder is in the way.
+    """
+    from ..derive import folder
+    from ..derive.model import PageError
+
+    refuse([out / "model.json"], force, made=True)
+    try:
+        count = folder.write_page(page, out)
+    except PageError as error:
+        raise click.ClickException(f"{error}; nothing was written") from error
+    except FileExistsError as error:
+        raise ParameterError(str(error)) from error
+    except OSError as error:
+        raise StoreError(f"{out} cannot be written: {error.strerror}; make room, or give another path") from error
+    click.echo(f"wrote {count} files to {out}/", err=True)
+    for name in sorted(path.name for path in out.iterdir() if path.is_file()):
+        click.echo(out / name)

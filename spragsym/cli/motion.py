@@ -1,11 +1,10 @@
-"""``spragsym simulate`` and ``spragsym sweep``: motion in time."""
+"""``spragsym simulate``, ``sweep`` and ``fates``: motion in time, over a grid of parameters, and what it comes to."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 import numpy as np
@@ -14,42 +13,27 @@ import spragsym as ss
 
 from ..errors import ParameterError
 from ..models.parameters import FloatArray
-from .drawings import drawable, written
+from . import options as o
 from .of_model import Case, of_model
-from .options import Axis, as_json, integrator, window, workers
-from .tables import print_json
-from .targets import force, refuse, resumed
+from .output import drawn, refuse, resumed
 
-if TYPE_CHECKING:
-    from ..motion import Trajectory
-
-#: Where a value came from that was typed.
-COMMANDLINE = click.core.ParameterSource.COMMANDLINE
-PLOT = click.option(
-    "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg)."
-)
 #: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a sweep followed to the end.
 LONGEST = 2e6
-#: Why it is bounded in a sweep.
-EACH = "each motion of a sweep is followed to its end"
-
-
-RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
 @of_model(start=True)
-@window
-@RTOL
-@integrator("heyoka", "compiled", "scipy")
+@o.t_end
+@o.transient
+@o.rtol
+@o.backend("heyoka", "compiled", "scipy")
 @click.option("--error", "estimate_error", is_flag=True, help="Estimate the error by a second run at a tighter tolerance.")
-@click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
-@PLOT
-@force
-@as_json
+@o.file("--output", "-o", folder=True, help="Write the motion to FILE.nc or FILE.csv.")
+@o.plot("the motion")
+@o.force
+@o.as_json
 def simulate(
-    case: Case, t_end: float, transient: float | None, rtol: float, backend: str | None, estimate_error: bool,
-    output: Path | None, plot: Path | None, force: bool, json_output: bool,
-) -> None:  # fmt: skip
+    case: Case, t_end: float, transient: float | None, output: Path | None, plot: Path | None, force: bool, **settings: Any
+) -> Any:  # fmt: skip
     """Integrate the motion from an initial state, by default from rest where all coordinates are 0.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
@@ -65,21 +49,34 @@ def simulate(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    p, (t_end, transient) = case.set(), times(case, t_end, transient)
-    refuse_targets(output, plot, force)
-    tr = ss.simulate(p, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **case.start)
-    summary = {"model": case.model.name, **case.units.measured(summary_of(tr, transient))}
+    from ..files import storage
+
+    p, (t_end, transient) = case.set(), _times(case, t_end, transient, "all of a motion is kept")
+    refuse([output], force)
+    if output is not None:
+        storage.check_target(output, 10_000_000)
+    tr = ss.simulate(p, t_end=t_end, **case.start, **settings)
+    summary = case.row(_summary(tr, transient))
     if output is not None:
         tr.save(output)
     if plot is not None:
-        _draw(case, tr, transient, plot)
-    print_summary(summary, json_output)
+        from ..figures import motion_figure
+        from ..figures.motion_pictures import Units
+
+        units = None if case.study is None else Units(1e3 * case.study.scales.length, case.study.scales.time, "mm")
+        drawn(plot, "drawing the motion", lambda: motion_figure(tr, transient, units))
+
+    def table() -> None:
+        for name, value in {"model": case.model.name, **summary}.items():
+            click.echo(f"{name:18} {value:.10g}" if isinstance(value, float) else f"{name:18} {value}")
+
+    return summary, table
 
 
-def times(case: Case, t_end: float, transient: float | None, why: str = "all of a motion is kept") -> tuple[float, float]:
+def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple[float, float]:
     """Until when, and from when on it is measured, in the model's unit of time; with a file they are typed in seconds."""
-    second, of_file = case.units.time, case.units.study is not None
-    typed = click.get_current_context().get_parameter_source("t_end") == COMMANDLINE
+    second, of_file = case.time, case.study is not None
+    typed = click.get_current_context().get_parameter_source("t_end") == click.core.ParameterSource.COMMANDLINE
     t_end = t_end / second if typed else t_end
     transient = 0.75 * t_end if transient is None else transient / second
     if transient >= t_end:
@@ -94,59 +91,27 @@ def times(case: Case, t_end: float, transient: float | None, why: str = "all of 
     return t_end, transient
 
 
-def refuse_targets(output: Path | None, plot: Path | None, force: bool) -> None:
-    """Refuse, before anything is computed, files for a motion and its picture that can't be written."""
-    from ..files import storage
-
-    if plot is not None:
-        drawable(plot)
-    refuse([one for one in (output, plot) if one is not None], force)
-    if output is not None:
-        storage.check_target(output, 10_000_000)
-
-
-def summary_of(tr: Any, transient: float) -> dict[str, Any]:
+def _summary(tr: Any, transient: float) -> dict[str, Any]:
     """What is said of a motion."""
-    from ..motion import Event
-
-    late = tr.after(transient)
-    summary: dict[str, Any] = {
-        "rms": late.rms(0.0, of=tr.components[0]), "rms_about_mean": late.rms(0.0, of=tr.components[0], about="mean"),
-        "mean": late.mean(0.0, of=tr.components[0]), "largest": late.largest(0.0, of=tr.components[0]),
+    late, first = tr.after(transient), tr.components[0]
+    return {
+        "rms": late.rms(0.0, of=first), "rms_about_mean": late.rms(0.0, of=first, about="mean"),
+        "mean": late.mean(0.0, of=first), "largest": late.largest(0.0, of=first),
         "period": late.period(0.0), "converged": late.converged(0.0),
-        **{kind.name.lower(): len(tr.events.of(kind)) for kind in Event}, "backend": tr.backend,
+        **{kind.name.lower(): len(tr.events.of(kind)) for kind in ss.Event}, "backend": tr.backend,
+        **({} if tr.error is None else {"error": float(tr.error.max())}),
     }  # fmt: skip
-    if tr.error is not None:
-        summary["error"] = float(tr.error.max())
-    return summary
 
 
-def print_summary(summary: dict[str, Any], json_output: bool) -> None:
-    """As a list or as JSON."""
-    if json_output:
-        print_json(summary)
-        return
-    for name, value in summary.items():
-        click.echo(f"{name:18} {value:.10g}" if isinstance(value, float) else f"{name:18} {value}")
-
-
-def _draw(case: Case, tr: Trajectory, transient: float, path: Path) -> None:
-    from ..figures import motion_figure
-    from ..figures.motion_pictures import Units
-
-    study = case.units.study
-    units = None if study is None else Units(1e3 * study.scales.length, study.scales.time, "mm")
-    written(path, "drawing the motion", lambda: motion_figure(tr, transient, units))
-
-
-@of_model(kind=Axis, start=True)
-@window
-@RTOL
-@integrator("heyoka", "compiled", "scipy")
-@workers(1)
-@click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
-@click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
-@force
+@of_model(kind=o.Axis, start=True)
+@o.t_end
+@o.transient
+@o.rtol
+@o.backend("heyoka", "compiled", "scipy")
+@o.workers(1)
+@o.quiet
+@o.file("--output", "-o", folder=True, required=True, help="FILE.nc or FILE.csv.")
+@o.force
 def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, output: Path, force: bool, **settings: Any) -> None:
     """Simulate over a grid of parameters, to a file.
 
@@ -164,36 +129,62 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, output
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
+    from ..motion.sweeps import Regime
+
     case.require()
-    t_end, transient = times(case, t_end, transient, EACH)
-    p, start = grid_of(case)
-    options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": output}
-    run_sweep(lambda: ss.rms_sweep(p, **options), output, force)
-    study = case.units.study
-    if study is not None:
-        unit, size = study.unit_of("m")
-        click.echo(f"{output}: lengths are in units of {size:.4g} {unit}, times in {study.scales.time:.6g} s")
+    t_end, transient = _times(case, t_end, transient, "each motion of a sweep is followed to its end")
+    p, start = _grid(case)
+    with resumed(force):
+        options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": output}
+        result = ss.rms_sweep(p, **options)
+    counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
+    click.echo(f"{output}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
+    if case.study is not None:
+        unit, size = case.study.unit_of("m")
+        click.echo(f"{output}: lengths are in units of {size:.4g} {unit}, times in {case.time:.6g} s")
 
 
-def grid_of(case: Case) -> tuple[Any, dict[str, FloatArray]]:
+def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
     """The parameters and the initial state, each axis of more than one number along a dimension of its own."""
     axes = {**case.values, **case.start}
-    grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))
+    long = [name for name, axis in axes.items() if axis.size > 1]
+    opened = dict(zip(long, np.ix_(*(axes[name] for name in long)), strict=True))
+    grid = {name: opened.get(name, axis.reshape(()) if axis.size == 1 else axis) for name, axis in axes.items()}
     return case.model.Parameters(**{name: grid.pop(name) for name in case.values}), grid
 
 
-def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:
-    """Run a sweep to its file, and say what its motions came to."""
-    from ..motion.sweeps import Regime
+@of_model(kind=o.Axis, start=True)
+@click.option("--t-end", type=float, default=40_000.0, show_default=True, help="How long to follow it; exponents come after.")
+@o.backend("heyoka", "scipy")
+@o.workers(1)
+@o.quiet
+@o.file("--output", "-o", folder=True, required=True, help="FILE.csv.")
+@o.plot("the map")
+@o.force
+def fates(case: Case, quiet: bool, output: Path, plot: Path | None, force: bool, **settings: Any) -> None:
+    """What motions come to: rest, a cycle, chaos, lift-off, or undecided, and why.
 
+    Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two that vary. Killed or interrupted,
+    the same command goes on where it stopped; finished, it reads the file.
+
+    \b
+    Examples:
+      spragsym fates --theta0 10:170:21 --mu0 0.1:1:10 -V 0.25 -o fates.csv --plot fates.pdf
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    from ..orbits import fate_map
+
+    case.require()
+    if plot is not None and sum(np.size(values) > 1 for values in case.values.values()) != 2:
+        raise ParameterError(f"--plot {plot}: it draws a map over two parameters that vary; give two of them several values")
+    p, start = _grid(case)
+    begin = [float(value) for value in start.values()]
     with resumed(force):
-        result = run()
-    counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
-    click.echo(f"{output}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
+        found = fate_map(p, start=begin, progress=not quiet, store=output, **settings)
+    if plot is not None:
+        from ..figures import fate_map_figure
 
-
-def open_grid(axes: list[FloatArray]) -> list[FloatArray]:
-    """Axes of more than one number along dimensions of their own, the others as single numbers."""
-    long = [i for i, axis in enumerate(axes) if axis.size > 1]
-    opened = dict(zip(long, np.ix_(*(axes[i] for i in long)), strict=True))
-    return [opened.get(i, axis.reshape(()) if axis.size == 1 else axis) for i, axis in enumerate(axes)]
+        drawn(plot, "drawing the map", lambda: fate_map_figure(found))
+    click.echo(f"{output}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))

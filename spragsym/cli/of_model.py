@@ -5,22 +5,22 @@ from __future__ import annotations
 import copy
 import inspect
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 from click.core import ParameterSource
 
 from ..errors import ParameterError
 from ..models import load
 from ..models.load import USUAL
 from ..models.parameter_class import options_of
-from ..models.parameters import Range, degrees
-from .commands import Command, command
-from .options import Number
+from ..models.parameters import FloatArray, Range, degrees, shown
+from . import options as o
+from .output import drawable, print_json, refuse
 from .units import Units
 
 if TYPE_CHECKING:
@@ -28,28 +28,46 @@ if TYPE_CHECKING:
     from ..models.parameters import ParameterSet
     from ..report import Study
 
-F = TypeVar("F", bound=Callable[..., Any])
-
-TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
-MODEL = f"{TEXT} Its parameters become options."
-DATA = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
-TRUST = "Run the code of the folder that the file of --data names as its model."
-METHOD = "Closed forms that a model brings, or the search that serves every model. Default: what is faster."
+#: Values from one end of a range to the other, unless told otherwise; and how far an end may be, in the model's units.
+COUNT, LARGEST = 11, 1e6
 
 
 @dataclass(frozen=True)
-class Case:
-    """What a command is about.
+class Span:
+    """A parameter that varies, with what one of it is in the answer, and what it is called there; ends in radians, if given."""
+
+    typed: str
+    name: str
+    unit: float
+    title: str
+    ends: tuple[float, float] | None
+    count: int
+
+    @property
+    def between(self) -> dict[str, tuple[float, float]]:
+        """The ends as a search takes them, the smaller first."""
+        return {} if self.ends is None else {self.name: (min(self.ends), max(self.ends))}
+
+    @property
+    def values(self) -> FloatArray:
+        """Values from one end to the other."""
+        assert self.ends is not None  # asked for where it is needed
+        low, high = (self.unit * end for end in self.ends)
+        return np.linspace(low, high, self.count) / self.unit
+
+
+@dataclass(frozen=True)
+class Case(Units):
+    """What a command is about, and in what units it answers.
 
     ``values`` of its parameters are radians, None for those that were not given and have no base value; ``start`` is the initial
-    state, ``x0`` and the like, as the model takes it; ``ask`` goes with every question to the model.
+    state, ``x0`` and the like, as the model takes it; ``ask`` goes with every question to the model; ``spans`` vary.
     """
 
-    model: Model
-    values: dict[str, Any]
-    start: dict[str, Any]
-    units: Units
-    ask: dict[str, Any]
+    values: Mapping[str, Any] = field(default_factory=dict)
+    start: Mapping[str, Any] = field(default_factory=dict)
+    ask: Mapping[str, Any] = field(default_factory=dict)
+    spans: tuple[Span, ...] = ()
 
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
         """The parameters; those that vary need no value."""
@@ -68,29 +86,122 @@ class Case:
         """Whether the model brings a closed form for this, and it is not the search that is asked for."""
         return name in self.model.closed and self.ask.get("method") != "search"
 
-    def searching(self, between: dict[str, Any], within: dict[str, Any] | None) -> dict[str, Any]:
+    def between(self, *spans: Span) -> dict[str, tuple[float, float]]:
+        """Ranges of what varies, where they were given."""
+        return {name: ends for span in spans for name, ends in span.between.items()}
+
+    def searching(self, *spans: Span) -> dict[str, Any]:
         """How points are asked for: the method, and ranges of what varies and of coordinates where they were given."""
-        return {**self.ask, **({"between": between} if between else {}), **({"within": within} if within else {})}
+        between = self.between(*spans)
+        return {**self.ask, **({"between": between} if between else {})}
+
+    @property
+    def span(self) -> Span:
+        """The first that varies."""
+        return self.spans[0]
+
+    def require_ends(self) -> None:
+        """An error for a range that is missing."""
+        if not self.spans or self.span.ends is None:
+            typed = self.span.typed if self.spans else self.model.axes[-1]
+            raise click.UsageError(f"--vary {typed}: from where to where? Give it as {typed}=FROM:TO")
+
+    def of(self, name: str, end: str = "") -> tuple[str, float]:
+        """What a column is called, and what one of it is in the answer: of what varies too."""
+        for span in self.spans:
+            if span.name == name and name not in self.model.coordinates:
+                return span.title, span.unit
+        return super().of(name, end)
 
     def told(self) -> dict[str, Any]:
-        """The parameters in the units of the answer."""
-        titles = ((self.units.parameter(name), value) for name, value in self.values.items())
-        return {title: None if value is None else unit * value for (title, unit), value in titles}
+        """The parameters, angles in degrees."""
+        titles = ((*self.parameter(name), value) for name, value in self.values.items())
+        return {title: None if value is None else unit * value for title, unit, value in titles}
+
+    def parameter(self, name: str) -> tuple[str, float]:
+        """What a parameter is called, and what one of it is there."""
+        return (f"{name}_deg", math.degrees(1.0)) if name in self.model.about["angles"] else (name, 1.0)
+
+    def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[dict[str, Any]]:
+        """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
+        ends = ({name: tuple(map(float, pair)) for name, pair in zip(names, box, strict=True)} for box in boxes)
+        return [{**about, **self.row(box)} for box in ends]
+
+    def following(self, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
+        """A set of parameters that follows the state that ``--state`` chose, if it did."""
+        chosen = {}
+        for word in near:
+            name, _, value = word.partition("=")
+            try:
+                chosen[name] = float(value) / self.state(name) if name in self.model.coordinates else math.nan
+            except ValueError:
+                chosen[name] = math.nan
+            if not math.isfinite(chosen[name]):
+                known = ", ".join(self.model.coordinates)
+                raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {known}")
+        return p.following(**chosen) if chosen else p
+
+    def spanning(self, typed: o.Typed, values: bool, begins: bool) -> Span:
+        """What varies as it was typed; with ``values``, both ends are values themselves.
+
+        With a range it has no value besides, unless it ``begins`` there.
+        """
+        name, unit, title = self.varied(typed.name)
+        asked = typed.low is not None and not begins
+        if asked and click.get_current_context().get_parameter_source(name) == ParameterSource.COMMANDLINE:
+            flag = options_of(self.model.about, name)[0]
+            raise ParameterError(f"{flag} gives {name} a value, and --vary {typed.text} varies it; leave one of the two out")
+        allowed, count = self.model.Parameters.ranges[name], typed.count or COUNT
+        if typed.low is None or typed.high is None:
+            return Span(typed.name, name, unit, title, None, count)
+        angle = name in self.model.about["angles"]
+        for end in (typed.low, typed.high):
+            value = end / unit
+            if abs(value) > LARGEST and allowed.low <= value <= allowed.high:
+                raise ParameterError(
+                    f"--vary {typed.text}: {title} = {end:g} is too far; give at most {LARGEST * unit:g} in size"
+                )
+            if not (allowed.contains(value) if values else allowed.low <= value <= allowed.high):
+                own = "" if angle or unit == 1 else f" is {name} = {value:g}, which"
+                limits = _in_degrees(allowed) if angle else allowed
+                raise ParameterError(f"--vary {typed.text}: {title} = {end:g}{own} is not in {limits}")
+        return Span(typed.name, name, unit, title, (typed.low / unit, typed.high / unit), count)
+
+    def box(self, texts: Sequence[o.Typed]) -> dict[str, tuple[float, float]]:
+        """Ranges of coordinates by name."""
+        found = {}
+        for typed in texts:
+            if typed.low is None or typed.high is None:
+                raise ParameterError(f"--within {typed.text} is no range; give it as {self.model.coordinates[0]}=0:1")
+            unit = self.of(typed.name)[1] if typed.name in self.model.coordinates else 1.0
+            found[typed.name] = (typed.low / unit, typed.high / unit)
+        return found
 
 
-class OfModel(Command):
+def _in_degrees(allowed: Range) -> str:
+    low, high = (shown(math.degrees(end)) for end in (allowed.low, allowed.high))
+    return f"{'(' if allowed.open_low else '['}{low}, {high}{']' if allowed.closed_high else ')'}"
+
+
+class OfModel(o.Command):
     """A command whose options are its own and one for each parameter of a model; its work is given a :class:`Case`.
 
     Parameters are of the type ``kind``. With ``start`` each number of the initial state has an option too. ``statics`` of a brake
-    takes the friction that works at the speed of its belt. Texts of help may name ``{time}``, the unit of time, ``{axes}``, what
-    varies unless told otherwise, ``{last}`` of them, ``{coordinate}``, the first, and ``{state}``, all of the initial state.
+    takes the friction that works at the speed of its belt. ``--vary``, ``--within`` and ``--method`` come with the case; where
+    ``values`` are asked for, the ends of a range are values themselves; what ``begins`` at one may have another. Files of
+    ``--plot`` are looked at before anything is computed. The work gives what JSON says, and what prints the table.
+
+    Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told otherwise, ``{last}`` of them,
+    ``{coordinate}``, the first, and ``{state}``, all of the initial state. What ``--vary`` names there is its default.
     """
 
     def __init__(
-        self, *args: Any, kind: Callable[[Range], Any] = Number, start: bool = False, statics: bool = False, **more: Any
-    ) -> None:
+        self, *args: Any, kind: Callable[[Range], Any] = o.Number, start: bool = False, statics: bool = False,
+        values: bool = False, begins: bool = False, **more: Any,
+    ) -> None:  # fmt: skip
         super().__init__(*args, **more)
         self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
+        self.values, self.begins = values, begins
         self.text = inspect.cleandoc(self.help or "")
         self._be_about(load(USUAL))
 
@@ -101,60 +212,79 @@ class OfModel(Command):
             "last": "".join(model.axes[-1:]),
             "coordinate": model.coordinates[0], "state": ",".join((*model.coordinates, *model.rates)).upper(),
         }  # fmt: skip
-        asked = [click.Option(["--model"], metavar="NAME|DIR", expose_value=False, help=MODEL)]
-        asked.append(click.Option(["--data"], metavar="FILE", expose_value=False, help=DATA))
-        asked.append(click.Option(["--trust"], is_flag=True, expose_value=False, help=TRUST))
+        data = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
+        asked = [
+            click.Option(["--model"], metavar="NAME|DIR", help=f"{o.TEXT} Its parameters become options."),
+            click.Option(["--data"], metavar="FILE", help=data),
+            click.Option(["--trust"], is_flag=True, help=o.TRUST),
+        ]
+        for option in asked:
+            option.expose_value = False
         self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *asked]
         of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
         self.help = f"{self.text}{of}"
-
-    def of_model(self, model: Model) -> OfModel:
-        """The same command about another model."""
-        other = copy.copy(self)
-        other._be_about(model)
-        return other
 
     def make_context(
         self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
     ) -> click.Context:
         """With the options of the model that the arguments name."""
-        path, name = _value_of(args, "--data"), _value_of(args, "--model")
+        path, name, about = _value_of(args, "--data"), _value_of(args, "--model"), self
         if path is not None:
             study = study_of(path, name, "--trust" in args)
             name, extra = study.model, extra | {"default_map": self._defaults(study), "obj": study}
         name = USUAL if name is None else name
-        about = self if name == self.model.where else self.of_model(load(name))
+        if name != self.model.where:
+            about = copy.copy(self)
+            about._be_about(load(name))
         return super(OfModel, about).make_context(info_name, args, parent, **extra)
 
     def invoke(self, ctx: click.Context) -> Any:
         """Do the work, about the case that the parameters are."""
-        import numpy as np
+        return ctx.invoke(self._work, ctx)
 
-        angles = self.model.about["angles"]
-        values = {name: ctx.params.pop(name) for name in self.model.parameters}
-        radians = {name: np.radians(values[name]) for name in angles if values[name] is not None}
-        method, units = ctx.params.pop("method", None), Units(self.model, ctx.obj)
-        if ctx.obj is not None:
-            # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
-            for entry in self.model.about["parameters"]:
-                name, typed = entry["name"], ctx.get_parameter_source(entry["name"]) == ParameterSource.COMMANDLINE
-                if typed and name == entry["quantity"] and name not in angles:
-                    values[name] = values[name] / units.varied(name)[1]
-        start = {f"{name}0": ctx.params.pop(f"{name}0") / units.state(name) for name in self._state()}
-        case = Case(self.model, values | radians, start, units, {"method": method} if method else {})
+    def _work(self, ctx: click.Context) -> None:
+        given, units = ctx.params, Case(self.model, ctx.obj)
+        values = {name: given.pop(name) for name in self.model.parameters}
+        for entry in self.model.about["parameters"]:
+            name = entry["name"]
+            if name in self.model.about["angles"]:
+                values[name] = None if values[name] is None else np.radians(values[name])
+            elif ctx.obj and name == entry["quantity"] and ctx.get_parameter_source(name) == ParameterSource.COMMANDLINE:
+                # A quantity of the file that is typed by its own name is in the file's unit, as that of --vary is.
+                values[name] = values[name] / units.varied(name)[1]
+        start = {f"{name}0": given.pop(f"{name}0") / units.state(name) for name in self._state()}
+        ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
+        asked = given.pop("vary", None) or [o.Typed(name, name) for name in self._varies()]
+        typed = [asked] if isinstance(asked, o.Typed) else asked
+        # Folds are looked for at a value of the second, and cycles followed from one.
+        spans = tuple(units.spanning(one, self.values, self.begins or place > 0) for place, one in enumerate(typed))
+        case = Case(self.model, ctx.obj, values, start, {name: one for name, one in ask.items() if one}, spans)
+        json_output, plot = given.pop("json_output", False), given.get("plot")
         assert self.callback is not None  # each has its work
-        return ctx.invoke(partial(self.callback, case), **ctx.params)
+        takes_force = "force" in inspect.signature(self.callback).parameters
+        drawable(plot)
+        refuse([plot], given.get("force", False) if takes_force else given.pop("force", False))
+        done = self.callback(case, **given)
+        if done is not None:
+            told, tables = done
+            if json_output:
+                print_json({"model": self.model.name, **told})
+            else:
+                tables()
+
+    def _varies(self) -> tuple[str, ...]:
+        """What varies unless told otherwise, as the help of ``--vary`` says."""
+        text = next((str(getattr(option, "help", "")) for option in self.own if option.name == "vary"), "")
+        return self.model.axes if "{axes}" in text else self.model.axes[-1:] if "{last}" in text else ()
 
     def _parameters(self) -> list[click.Option]:
-        ranges, base = self.model.Parameters.ranges, self.model.base
         options = []
         for entry in self.model.about["parameters"]:
-            name, allowed, default = entry["name"], ranges[entry["name"]], base.get(entry["name"])
-            meaning = f"{entry['meaning'][0].upper()}{entry['meaning'][1:]}"
+            name, default = entry["name"], self.model.base.get(entry["name"])
+            allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][0].upper()}{entry['meaning'][1:]}"
             if name in self.model.about["angles"]:
-                remedy = f"give the {entry['meaning']} in degrees"
                 low, high = math.degrees(allowed.low), math.degrees(allowed.high)
-                allowed = Range(low, high, allowed.open_low, remedy, allowed.closed_high)
+                allowed = Range(low, high, allowed.open_low, f"give the {entry['meaning']} in degrees", allowed.closed_high)
                 meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
             exact = default is not None and float(f"{default:.7g}") == default
             # Click puts a default that is told in words into parentheses.
@@ -169,59 +299,26 @@ class OfModel(Command):
         return (*self.model.coordinates, *self.model.rates) if self.start else ()
 
     def _start(self) -> list[click.Option]:
-        angles = [entry["name"] for entry in self.model.about["coordinates"] if entry["unit"] == "rad"]
-        options = []
-        for name in self._state():
-            text = f"Initial {name}{', degrees' if name in angles else ''}."
-            kind = self.kind(Range(-math.inf))
-            options.append(click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, show_default=True, help=text))
-        return options
+        kind, si = self.kind(Range(-math.inf)), Units(self.model).si
+        texts = ((name, f"Initial {name}{', degrees' if si[name] == 'rad' else ''}.") for name in self._state())
+        return [
+            click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, show_default=True, help=text) for name, text in texts
+        ]
 
     def _defaults(self, study: Study) -> dict[str, str]:
-        """The values of a file, as options take them."""
-        from ..report.quantities import share
-
-        model, moves, p = study.kind.model, study.moves, study.kind.parameter_set(study.values)
-        if not self.statics and not moves:
+        """The values of a file, as options take them: of statics with the friction that works."""
+        kind, p = study.kind, study.at_work if self.statics and study.moves else study.dimensionless
+        if not self.statics and not study.moves:
             raise ParameterError(
                 f'--data {study.source}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
             )
-        if self.statics and moves and "mu0" in model.parameters:
-            p = p.replace(mu0=p.mu0 * share(model, p))
-        given = {name for quantity, name in study.kind.parameters.items() if quantity in study.quantities}
-        values = {name: float(getattr(p, name)) for name in given}
-        return {name: str(degrees(value) if name in model.about["angles"] else value) for name, value in values.items()}
+        values = {name: float(getattr(p, name)) for quantity, name in kind.parameters.items() if quantity in study.quantities}
+        return {name: str(degrees(value) if name in kind.about["angles"] else value) for name, value in values.items()}
 
 
 def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:
     """As ``click.command``, for a command about a model."""
-    return command(cls=OfModel, **options)
-
-
-def followed(function: F) -> F:
-    """``--state``."""
-    text = "Follow the stable state nearest to this coordinate, as x=1.6, in place of the reference state; may be repeated."
-    return click.option("--state", "near", metavar="NAME=VALUE", multiple=True, help=text)(function)
-
-
-def following(case: Case, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
-    """A set of parameters that follows the state that ``--state`` chose, if it did."""
-    chosen = {}
-    for word in near:
-        name, _, value = word.partition("=")
-        known = case.model.coordinates
-        try:
-            chosen[name] = float(value) / case.units.state(name) if name in known else math.nan
-        except ValueError:
-            chosen[name] = math.nan
-        if not math.isfinite(chosen[name]):
-            raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {', '.join(known)}")
-    return p.following(**chosen) if chosen else p
-
-
-def method(function: F) -> F:
-    """``--method``."""
-    return click.option("--method", type=click.Choice(["closed", "search"]), help=METHOD)(function)
+    return o.command(cls=OfModel, **options)
 
 
 def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:

@@ -1,21 +1,47 @@
-"""Options that commands share: one name, one meaning and one range everywhere."""
+"""What commands have in common: their help's names, and options with one name, one meaning and one range everywhere."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any, TypeVar
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeAlias
 
 import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers
+from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, shown
 
-F = TypeVar("F", bound=Callable[..., Any])
+#: What makes an option of a command.
+Decorator: TypeAlias = Callable[[Any], Any]
 
+HELP = {"help_option_names": ["-h", "--help"]}
 #: Numbers of an axis.
 MOST = 1_000_000
+
+
+class Command(click.Command):
+    """A command that refuses what is empty, and what is given twice, of which click takes the last."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        values, _, order = self.make_parser(ctx).parse_args(list(args))
+        for one in () if ctx.resilient_parsing else order:
+            given, times = values[one.name or ""], order.count(one)
+            if times > 1 and not getattr(one, "multiple", False) and (one.secondary_opts or not getattr(one, "is_flag", False)):
+                raise click.BadParameter(f"it is given {times} times; give it once", ctx, one)
+            if "" in (given if isinstance(given, list | tuple) else [given]):
+                raise click.BadParameter("it is empty; leave it out, or give a value", ctx, one)
+        return super().parse_args(ctx, args)
+
+
+#: As ``click.command``.
+command = partial(click.command, cls=Command, context_settings=HELP)
+
+TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
+TRUST = "Run the code of the folder that the file of --data names as its model."
 
 
 class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
@@ -26,7 +52,7 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generi
     def __init__(self, allowed: Range = FINITE) -> None:
         self.allowed = allowed
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         try:
             number = float(value)
         except ValueError:
@@ -34,19 +60,15 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generi
         return as_number(_flag(param), number, self.allowed)
 
 
-class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
+class Axis(Number):
     """Numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in a range."""
 
     name = "numbers"
 
-    def __init__(self, allowed: Range = FINITE) -> None:
-        self.allowed = allowed
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> FloatArray:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if re.fullmatch(r"\s*[+-]?(0,\d+|\d+,0\d+)\s*", str(value)):
-            self.fail(
-                f"{value!r} may be one number or two; write {value.replace(',', '.')}, or {value.replace(',', '.0,')}", param, ctx
-            )
+            one, two = value.replace(",", "."), value.replace(",", ".0,")
+            self.fail(f"{value!r} may be one number or two; write {one}, or {two}", param, ctx)
         try:
             numbers = self._numbers(str(value))
         except ValueError:
@@ -68,24 +90,43 @@ class Numbers(Number):
     """A number, or numbers as :class:`Axis` takes them."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        if isinstance(value, str) and ("," in value or ":" in value):
-            return Axis(self.allowed).convert(value, param, ctx)
-        return super().convert(value, param, ctx)
+        many = isinstance(value, str) and ("," in value or ":" in value)
+        return Axis(self.allowed).convert(value, param, ctx) if many else super().convert(value, param, ctx)
 
 
-class Workers(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
-    """A number of processes, or -1 for one per core."""
+@dataclass(frozen=True)
+class Typed:
+    """A range as it was typed; numbers that were left out are None."""
 
-    name = "integer"
+    text: str
+    name: str
+    low: float | None = None
+    high: float | None = None
+    count: int | None = None
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+
+class Vary(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
+    """``NAME``, ``NAME=FROM:TO`` or ``NAME=FROM:TO:COUNT``."""
+
+    name = "range"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Typed:
+        if isinstance(value, Typed):
+            return value
+        name, sign, rest = value.partition("=")
+        numbers = rest.split(":")
         try:
-            count = int(value)
+            if sign and len(numbers) not in (2, 3):
+                raise ValueError
+            low, high = map(float, numbers[:2]) if sign else (None, None)
+            count = int(numbers[2]) if len(numbers) == 3 else None
         except ValueError:
-            self.fail(f"{value!r} is not a number of processes", param, ctx)
-        if count < 1 and count != -1:
-            raise ParameterError(f"{_flag(param)} {count} is not a number of processes; give 1 or more, or -1 for one a core")
-        return count
+            self.fail(f"{value!r} is neither a name nor a range; give it as mu0=0:1, or with values as mu0=0:1:11", param, ctx)
+        if count is not None and not 2 <= count <= 100_000:
+            self.fail(f"{value!r}: values with both ends are 2 to 100000", param, ctx)
+        if low is not None and low == high:
+            self.fail(f"{value!r}: both ends are {shown(low)}; give two values", param, ctx)
+        return Typed(value, name, low, high, count)
 
 
 def _flag(param: click.Parameter | None) -> str:
@@ -93,26 +134,74 @@ def _flag(param: click.Parameter | None) -> str:
     return "value" if param is None else max(param.opts, key=len)
 
 
-def window(function: F) -> F:
-    """``--t-end --transient``: until when a motion is integrated, and from when on it is measured."""
-    text = "What to leave out of RMS, largest displacement and period. Default: three quarters of --t-end."
-    function = click.option("--transient", type=Number(NOT_NEGATIVE), help=text)(function)
-    text = "Until when, in {time}; with --data in seconds, as --transient."
-    return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, help=text)(function)
+def vary(text: str, several: bool = False) -> Decorator:
+    """``--vary``, of one parameter or of several."""
+    return click.option("--vary", type=Vary(), metavar="NAME[=FROM:TO]", multiple=several, help=text)
 
 
-def integrator(*names: str) -> Callable[[F], F]:
+within: Decorator = click.option(
+    "--within", type=Vary(), multiple=True, metavar="NAME=FROM:TO",
+    help="Range of a coordinate to search, as {coordinate}=-5:5, in place of the model's own; angles in degrees. Repeatable.",
+)  # fmt: skip
+followed: Decorator = click.option(
+    "--state", "near", metavar="NAME=VALUE", multiple=True,
+    help="Follow the stable state nearest to this coordinate, as x=1.6, in place of the reference state; may be repeated.",
+)  # fmt: skip
+method: Decorator = click.option(
+    "--method", type=click.Choice(["closed", "search"]),
+    help="Closed forms that a model brings, or the search that serves every model. Default: what is faster.",
+)  # fmt: skip
+undamped: Decorator = click.option(
+    "--undamped", is_flag=True, help="Onsets by (27), without dampers and the slope of the friction law: where two modes meet."
+)
+rtol: Decorator = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
+t_end: Decorator = click.option(
+    "--t-end", type=Number(POSITIVE), default=2000.0, show_default=True,
+    help="Until when, in {time}; with --data in seconds, as --transient.",
+)  # fmt: skip
+transient: Decorator = click.option(
+    "--transient", type=Number(NOT_NEGATIVE),
+    help="What to leave out of RMS, largest displacement and period. Default: three quarters of --t-end.",
+)  # fmt: skip
+quiet: Decorator = click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
+trust: Decorator = click.option("--trust", is_flag=True, help=TRUST)
+force: Decorator = click.option("--force", is_flag=True, help="Overwrite files that are in the way.")
+as_json: Decorator = click.option("--json", "json_output", is_flag=True, help="Print JSON instead of a table.")
+
+
+def file(*flags: str, folder: bool = False, exists: bool = False, **more: Any) -> Decorator:
+    """A path; of a file, unless it may be a folder."""
+    return click.option(*flags, type=click.Path(dir_okay=folder, exists=exists, path_type=Path), **more)
+
+
+def folder(text: str) -> Decorator:
+    """``--out``, where several files are written."""
+    return click.option("--out", "-o", type=click.Path(file_okay=False, path_type=Path), required=True, help=text)
+
+
+def plot(what: str) -> Decorator:
+    """``--plot``."""
+    return file("--plot", metavar="FILE", help=f"Draw {what} (pdf, png, svg).")
+
+
+def lines(default: int, text: str) -> Decorator:
+    """``--n``."""
+    return click.option("--n", type=click.IntRange(2, 2000), default=default, show_default=True, help=text)
+
+
+def backend(*names: str) -> Decorator:
     """``--backend``: of those that a command can use, the first that is there."""
     text = f"Integrator. Default: the first of {', '.join(names)} that is installed."
     return click.option("--backend", type=click.Choice(names), help=text)
 
 
-def workers(default: int) -> Callable[[F], F]:
+def _processes(_: click.Context, option: click.Parameter, count: int) -> int:
+    if count < 1 and count != -1:
+        raise ParameterError(f"{_flag(option)} {count} is not a number of processes; give 1 or more, or -1 for one a core")
+    return count
+
+
+def workers(default: int) -> Decorator:
     """``-j --workers``."""
     text = "Processes; -1 for one a core."
-    return click.option("--workers", "-j", type=Workers(), default=default, show_default=True, help=text)
-
-
-def as_json(function: F) -> F:
-    """``--json``."""
-    return click.option("--json", "json_output", is_flag=True, help="Print JSON instead of a table.")(function)
+    return click.option("--workers", "-j", type=int, callback=_processes, default=default, show_default=True, help=text)

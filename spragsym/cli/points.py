@@ -1,4 +1,4 @@
-"""Folds, cusps and onsets as rows of a table and of JSON, and where it is not known whether there are more."""
+"""States, folds, cusps and onsets as rows of a table and of JSON, and where it is not known whether there are more."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .spans import Span
-from .states import boxes_of, placed, summed, unless_room
-from .tables import print_table
+from .output import print_rows
 
 if TYPE_CHECKING:
     from .of_model import Case
@@ -19,56 +17,47 @@ if TYPE_CHECKING:
 BESIDE = ("lyapunov", "lyapunov_error", "crossing", "why")
 
 
-def points_of(case: Case, found: Any, along: Sequence[Span]) -> dict[str, Any]:
+def points_of(case: Case, found: Any) -> dict[str, Any]:
     """A row for each point, whether these are all, what was searched, and the boxes that are not decided."""
     names = (*case.model.coordinates, *found.vary)
-    (region,) = boxes_of(case, [found.region], names)
-    undecided = boxes_of(case, found.undecided, names)
-    for one in (region, *undecided):
-        for name, span in zip(found.vary, along, strict=True):
-            title, unit = case.units.varied(name)[::-1][:2]
-            one[span.title] = [span.unit / unit * end for end in one.pop(title)]
+    searched, *undecided = case.boxes([found.region, *found.undecided], names)
     return {
-        "points": [_row(case, found, row, along) for row in range(len(found))],
-        "complete": bool(found.complete), "searched": region, "undecided": undecided, "remarks": case.units.said(found.remarks),
+        "points": [_row(case, found, row) for row in range(len(found))], "complete": bool(found.complete),
+        "searched": searched, "undecided": undecided, "remarks": case.said(found.remarks),
     }  # fmt: skip
 
 
-def _row(case: Case, found: Any, row: int, along: Sequence[Span]) -> dict[str, Any]:
-    at = {span.title: span.unit * float(getattr(found, span.name)[row]) for span in along}
-    places = placed(case.units, found.columns, lambda name: getattr(found, name)[row])
-    told: dict[str, Any] = {**at, "kind": str(found.kind[row]), **places}
+def _row(case: Case, found: Any, row: int) -> dict[str, Any]:
+    def at(*names: str) -> dict[str, Any]:
+        return {name: getattr(found, name)[row] for name in names}
+
+    told = case.row(at(*found.vary, "kind", *found.columns))
     if hasattr(found, "criticality"):
-        omega, per = case.units.rate("omega")
-        told |= {omega: per * float(found.omega[row]), "criticality": str(found.criticality[row]), "when": str(found.when[row])}
-        told |= {name: getattr(found, name)[row] for name in BESIDE}
-    elif len(along) == 1:
-        told |= {"ends": str(found.ends[row]), "when": str(found.when[row])}
-        told |= placed(case.units, found.columns, lambda name: found.after[name][row], "_after")
-    return {name: value.item() if hasattr(value, "item") else value for name, value in told.items()} | {
-        "error": float(found.error[row])
-    }
+        told |= case.row(at("omega", "criticality", "when", *BESIDE))
+    elif len(found.vary) == 1:
+        told |= case.row(at("ends", "when")) | case.row({name: found.after[name][row] for name in found.columns}, "_after")
+    return told | {"error": float(found.error[row])}
 
 
-def print_points(title: str, told: dict[str, Any], along: Sequence[Span]) -> None:
+def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> None:
     """A table of points, and where it is not known whether there are more."""
-    rows, where = told["points"], " and ".join(span.title for span in along)
+    rows = told["points"]
     if rows or told["complete"]:
-        header = [name for name in (rows[0] if rows else ()) if name not in BESIDE]
-        after = [name for name in header if "_after" in name]
-        room = [
-            *unless_room(after)[:-1],
-            *unless_room(header),
-            *(name for name in after if name.startswith("theta")),
-            *after[::-1],
-        ]
-        print_table(
-            f"{title} along {where}", header, [[row[name] for name in header] for row in rows], optional=list(dict.fromkeys(room))
-        )
-    nowhere = [f"{row[along[0].title]:.6g}" for row in rows if row.get("ends") in ("lower", "upper") and _lost(row)]
-    if nowhere:
+        shown = [{name: value for name, value in row.items() if name not in BESIDE} for row in rows]
+        after = [name for name in (shown[0] if shown else ()) if "_after" in name]
+        angles = (name for name in after if name.startswith("theta"))
+        room = [*lengths(after), *lengths(shown[0] if shown else ()), "error", *angles, *after[::-1]]
+        print_rows(f"{title} along {' and '.join(where)}", shown, list(dict.fromkeys(room)))
+    lost = [row for row in rows if row.get("ends") in ("lower", "upper") and _is_lost(row)]
+    if lost:
         known = "is left" if told["complete"] else "was found"
-        click.echo(f"{title}: nothing stable in contact {known} to jump to at {where} = {', '.join(nowhere)}")
+        nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in lost)
+        click.echo(f"{title}: nothing stable in contact {known} to jump to at {' and '.join(where)} = {nowhere}")
+    print_open(title, told)
+
+
+def print_open(title: str, told: Mapping[str, Any]) -> None:
+    """Whether these are all, and what is known of the rest."""
     if told["undecided"]:
         click.echo(f"{title}: not complete, {summed(told['undecided'])}")
     elif not told["complete"]:
@@ -77,5 +66,19 @@ def print_points(title: str, told: dict[str, Any], along: Sequence[Span]) -> Non
         click.echo(f"{title}: {remark}")
 
 
-def _lost(row: Mapping[str, Any]) -> bool:
+def _is_lost(row: Mapping[str, Any]) -> bool:
     return any(math.isnan(value) for name, value in row.items() if "_after" in name)
+
+
+def lengths(columns: Sequence[str] | Mapping[str, Any]) -> list[str]:
+    """Columns that a table without room for them leaves out: lengths of springs, which follow from coordinates."""
+    return [name for name in columns if name == "L" or name.startswith("L_")]
+
+
+def summed(boxes: Sequence[dict[str, Any]]) -> str:
+    """How many boxes are undecided, and what holds them all; ``--json`` lists each."""
+    titles = [title for title, ends in boxes[0].items() if isinstance(ends, list)]
+    hull = ", ".join(
+        f"{title} in [{min(box[title][0] for box in boxes):.8g}, {max(box[title][1] for box in boxes):.8g}]" for title in titles
+    )
+    return f"{'1 box is' if len(boxes) == 1 else f'{len(boxes)} boxes are'} undecided, within {hull}"

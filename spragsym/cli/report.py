@@ -3,32 +3,26 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from ..errors import ParameterError
 from ..progress import show_progress
-from .commands import command
-from .options import as_json
-from .tables import print_json
-from .targets import force, refuse
-
-if TYPE_CHECKING:
-    from ..report import Report
+from . import options as o
+from .output import print_json, refuse
 
 
-@command()
+@o.command()
 @click.argument("file", type=click.Path(path_type=Path), required=False)
 @click.option("--example", is_flag=True, help="Print a file to begin with.")
 @click.option("--model", metavar="NAME|DIR", help="Model of the example; or the folder that FILE names, whose code may run.")
 @click.option("--trust", is_flag=True, help="Run the code of the folder that FILE names as its model.")
-@click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")
+@o.file("--html", metavar="PATH", help="Write one page with pictures.")
 @click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
 @click.option("--redesign/--no-redesign", default=True, show_default=True, help="Say what to change where it jumps.")
 @click.option("--safety", type=float, default=1.2, show_default=True, help="Factor on the largest friction, for what to change.")
-@force
-@as_json
+@o.force
+@o.as_json
 def report(
     file: Path | None, example: bool, model: str | None, trust: bool, html: Path | None, oscillation: bool, redesign: bool,
     safety: float, force: bool, json_output: bool,
@@ -46,8 +40,7 @@ def report(
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     if example:
-        from ..models import load
-        from ..models.load import USUAL
+        from ..models.load import USUAL, load
         from ..report.brake_files import example as text_of
 
         click.echo(text_of(load(model or USUAL)), nl=False)
@@ -67,12 +60,8 @@ def report(
     with show_progress(f"computing the report{less}"):
         found = study.report(oscillation=oscillation, redesign=redesign, safety=safety)
     if html is not None:
-        study.to_html(html, found)
+        found.to_html(html)
         click.echo(f"wrote {html}", err=True)
-    _print(found, json_output)
-
-
-def _print(found: Report, json_output: bool) -> None:
     if json_output:
         print_json(found.to_dict())
     else:

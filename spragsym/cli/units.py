@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 from ..errors import ParameterError
 from ..names import hint
@@ -17,10 +18,9 @@ if TYPE_CHECKING:
     from ..models import Model
     from ..report import Study
 
-#: Of a motion what is measured in the unit of its first component, and what is a force.
-MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error"), ("spring_force", "contact_force")
-
-
+#: What is measured of a motion in the unit of its first component; forces; and rates.
+MEASURED = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error")
+FORCES, RATES = ("spring_force", "contact_force"), ("growth", "omega", "eigenvalues", "damped_eigenvalues")
 #: A number in a remark.
 NUMBER = re.compile(r"-?(?:\d+\.?\d*(?:e[-+]?\d+)?|inf)")
 
@@ -32,29 +32,46 @@ class Units:
     model: Model
     study: Study | None = None
 
-    def place(self, name: str, end: str = "") -> tuple[str, float]:
-        """What a coordinate, a direction or a length of a spring is called, and what one of it is there."""
-        known = {entry["name"]: entry["unit"] for entry in self.model.about["coordinates"]}
-        return self._of(name + end, known.get(name, "rad" if name.partition("_")[0] == "theta" else "m"))
+    @property
+    def si(self) -> dict[str, str]:
+        """SI units of coordinates and their rates."""
+        entries = self.model.about["coordinates"]
+        rates = {entry["rate"]: "1/s" if entry["unit"] == "rad" else "m/s" for entry in entries}
+        return {entry["name"]: entry["unit"] for entry in entries} | rates
 
-    def rate(self, name: str) -> tuple[str, float]:
-        """The same of a rate of growth, and of a frequency."""
-        return (name, 1.0) if self.study is None else (f"{name}_per_s", 1.0 / self.study.scales.time)
+    @property
+    def time(self) -> float:
+        """What one of a time is in the answer: seconds, with a file."""
+        return 1.0 if self.study is None else self.study.scales.time
+
+    def of(self, name: str, end: str = "") -> tuple[str, float]:
+        """What a column of states or a measure of motions is called, and what one of it is in the answer."""
+        coordinate = self.si.get(name)
+        if coordinate is None and self.study is not None and name in (*RATES, "period"):
+            return (f"{name}_s", self.time) if name == "period" else (f"{name}_per_s", 1.0 / self.time)
+        si = "N" if name in FORCES else self.si[self.model.coordinates[0]] if name in MEASURED else coordinate or "1"
+        if coordinate is None and re.fullmatch(r"(theta|L)(_.*)?", name):  # of a spring
+            si = "rad" if name.startswith("theta") else "m"
+        return self._titled(name + end, si)
+
+    def row(self, values: Mapping[str, Any], end: str = "") -> dict[str, Any]:
+        """Columns of a state, or what is measured of a motion, each under the name that says its unit."""
+        titles = ((self.of(name, end), value) for name, value in values.items())
+        return {title: _scaled(value, size) for (title, size), value in titles}
 
     def varied(self, name: str) -> tuple[str, float, str]:
         """Of a parameter, or with a file of a quantity: the parameter, what one of it is there, and what it is called."""
         entries = self.model.about["parameters"]
         for entry in entries:
             if name == entry["name"] and (self.study is None or name != entry["quantity"] or entry["quantity_unit"] == "1"):
-                title, unit = self._of(name, entry["unit"])
+                title, unit = self._titled(name, entry["unit"])
                 return name, unit, title
         for entry in entries:
             if name == entry["quantity"]:
                 if self.study is None:
-                    raise ParameterError(
-                        f"--vary {name}: without --data the parameters have no units; give --vary {entry['name']}"
-                    )
-                title, unit = self._of(name, entry["quantity_unit"], name)
+                    cure = f"without --data the parameters have no units; give --vary {entry['name']}"
+                    raise ParameterError(f"--vary {name}: {cure}")
+                title, unit = self._titled(name, entry["quantity_unit"], name)
                 return entry["name"], unit, title
         if any(name == entry["name"] for entry in self.model.about["units"]):
             raise ParameterError(
@@ -78,31 +95,17 @@ class Units:
         unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity if name in entries else "")
         return f"{before}${symbol(quantity)}${f' ({unit})' if unit else ''}{after}", size
 
-    def of_time(self, title: str) -> tuple[str, float] | None:
-        """The same of a time."""
-        return None if self.study is None else (f"{title} (s)", self.time)
-
     def state(self, name: str) -> float:
         """What one of a coordinate or of its rate is where a state is typed: angles are degrees, their rates are not."""
-        rates = {entry["rate"]: entry["unit"] for entry in self.model.about["coordinates"]}
-        if name not in rates:
-            return self.place(name)[1]
-        return 1.0 if self.study is None else self.study.unit_of("1/s" if rates[name] == "rad" else "m/s")[1]
-
-    @property
-    def time(self) -> float:
-        """What one of a time is in the answer: seconds, with a file."""
-        return 1.0 if self.study is None else self.study.scales.time
-
-    def parameter(self, name: str) -> tuple[str, float]:
-        """What a parameter is called, and what one of it is there."""
-        return (f"{name}_deg", math.degrees(1.0)) if name in self.model.about["angles"] else (name, 1.0)
+        if name in self.model.rates:
+            return 1.0 if self.study is None else self.study.unit_of(self.si[name])[1]
+        return self.of(name)[1]
 
     def said(self, remarks: Iterable[str]) -> list[str]:
         """Remarks with what they say of parameters and coordinates, ``x = 1`` or ``x in [0, 1]``, in the units of the file."""
         if self.study is None:
             return list(remarks)
-        told = {entry["name"]: self.place(entry["name"]) for entry in self.model.about["coordinates"]}
+        told = {name: self.of(name) for name in self.model.coordinates}
         for entry in self.model.about["parameters"]:
             _, unit, title = self.varied(entry["quantity"])
             told[entry["name"]] = title, unit
@@ -116,25 +119,7 @@ class Units:
         place = re.compile(rf"(?<![\w.])({names})(?:( = {NUMBER.pattern}| in \[{NUMBER.pattern}, {NUMBER.pattern}\])(?: rad)?)")
         return [place.sub(in_units, text) for text in remarks]
 
-    def measured(self, summary: dict[str, Any]) -> dict[str, Any]:
-        """What is measured of a motion, each under a name that says its unit."""
-        found = {}
-        for name, value in summary.items():
-            key, unit = self._measure(name)
-            scaled = [unit * one for one in value] if isinstance(value, list) and key != name else value
-            found[key] = value * unit if key != name and isinstance(value, float) else scaled
-        return found
-
-    def _measure(self, name: str) -> tuple[str, float]:
-        if name in MEASURED:
-            return self._of(name, self.model.about["coordinates"][0]["unit"])
-        if name in FORCES and self.study is not None:
-            return self._of(name, "N")
-        if name == "period" and self.study is not None:
-            return "period_s", self.study.scales.time
-        return name, 1.0
-
-    def _of(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
+    def _titled(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
         """A title with its unit, and what one of the model's own units is there."""
         if si == "rad":
             return f"{title}_deg", math.degrees(1.0)
@@ -142,3 +127,13 @@ class Units:
             return title, 1.0
         unit, size = self.study.unit_of(si, quantity)
         return f"{title}_{unit}", size
+
+
+def _scaled(value: Any, size: float) -> Any:
+    """A value, or all of several, in a unit; a complex number as its two parts."""
+    if isinstance(value, np.ndarray | list | tuple):
+        return [_scaled(one, size) for one in value]
+    if isinstance(value, complex):
+        return [size * float(value.real), size * float(value.imag)]
+    value = value.item() if isinstance(value, np.generic) else value
+    return size * value if isinstance(value, float) else value

@@ -13,6 +13,7 @@ from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..progress import doing
 from ..questions import Method, question
+from ..remarks import Remark
 from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
 from ..statics.mechanics.balance import Balance
@@ -119,7 +120,7 @@ def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator
     for kind, points in known:
         for text in points.remarks:
             said.setdefault(text, {})[_WHERE[kind]] = None
-    yield from (f"{', '.join(kinds)}: {text}" for text, kinds in said.items() if text not in cut)
+    yield from (Remark("{}: {}", ", ".join(kinds), text) for text, kinds in said.items() if text not in cut)
 
 
 @dataclass(frozen=True)
@@ -177,7 +178,7 @@ def on_lines(
     curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
     joined = curves.joined([states[:, places] for places in _chains(curves, states, near)], [lines[name] for name in vary])
     chains = [curves.smooth(chain) for chain in joined]
-    return OnLines(curves, chains, lines, undecided, whole, tuple(f"on lines: {text}" for text in remarks))
+    return OnLines(curves, chains, lines, undecided, whole, tuple(Remark("on lines: {}", text) for text in remarks))
 
 
 def _on_each(

@@ -13,6 +13,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import FloatArray, ParameterSet
 from ..progress import doing
 from ..questions import Method, question
+from ..remarks import At, Remark
 from ..results.critical_values import value_at
 from ..results.equilibria import Stability
 from ..results.lowest_ends import LowestEnd
@@ -117,7 +118,8 @@ def critical_friction(
         low = search_of.spans[1, 0]
         return LowestEnd(vary, over, float(low), math.nan, "undecided", math.nan, False, (str(error),))
     if found.value > open_from:
-        why = f"candidates from {vary} = {open_from:.6g} on are not all decided: the state may end there"
+        at = At(vary, (open_from,), ".6g")
+        why = Remark("candidates from {} on are not all decided: the state may end there", at)
         found, remarks = _Candidate(open_from, math.nan, "undecided", math.nan), (*remarks, why)
     cut = [name for name in unsaid if name == over or not math.isfinite(found.value)]
     remarks += of_ranges(tuple(cut), search_of.spans[[(over, vary).index(name) for name in cut]]) if cut else ()
@@ -287,7 +289,8 @@ class _Search:
             with doing("whether the state ends at the {} at {} = {:.6g}", one.kind, self.vary, one.value):
                 outcome = self.ends_at(one, limit)
             if outcome is None:
-                why = f"whether the state ends at the {one.kind} at {self.over} = {one.where:.6g} is not decided"
+                at = At(self.over, (one.where,), ".6g")
+                why = Remark(f"whether the state ends at the {one.kind} at {{}} is not decided", at)
                 return _Candidate(one.value, one.where, "undecided", one.error), open_from, (*remarks, why)
             if outcome:
                 return one, open_from, remarks

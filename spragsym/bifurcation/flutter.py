@@ -15,6 +15,7 @@ from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import Jet, gradient
 from ..questions import Method, question
+from ..remarks import At, Remark
 from ..results.points import Points
 from ..statics import stability
 from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
@@ -257,7 +258,8 @@ def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, l
         why = ""
         if is_conservative(balance, given, np.array([[end, end]])):
             why = ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
-        remarks += [f"{here} of {left.shape[2]} undecided boxes hold the end {vary} = {end:g} of the range{why}"] if here else []
+        text = f"{here} of {left.shape[2]} undecided boxes hold the end {{}} of the range{why}"
+        remarks += [Remark(text, At(vary, (float(end),), "g"))] if here else []
     return tuple(remarks)
 
 

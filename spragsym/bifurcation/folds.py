@@ -9,6 +9,7 @@ import numpy as np
 
 from ..models.parameters import FloatArray, ParameterSet
 from ..questions import Method, question
+from ..remarks import At, Remark
 from ..results.points import Points
 
 if TYPE_CHECKING:
@@ -105,8 +106,7 @@ def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, f
     for end in span if left.shape[2] else ():
         here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
         if here.shape[2] and vanishes(system, given, float(end), here).any():
-            remarks.append(
-                f"at {vary} = {end:g} det K is 0 in every state: equilibria there form curves, or there are none; "
-                f"for folds beside it give between with another end for {vary}"
-            )
+            why = "det K is 0 in every state: equilibria there form curves, or there are none"
+            cure = f"for folds beside it give between with another end for {vary}"
+            remarks.append(Remark(f"at {{}} {why}; {cure}", At(vary, (float(end),), "g")))
     return tuple(remarks)

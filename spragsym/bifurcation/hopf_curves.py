@@ -16,6 +16,7 @@ from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.polynomials import Undecided
 from ..questions import model_of
+from ..remarks import Remark
 from ..results.named_columns import Columns
 from ..results.points import Points
 from ..results.result import Result
@@ -190,7 +191,7 @@ def onset_curves(
     names = (*vary, *balance.coordinates, "error")
     rows = np.array(changes).reshape(-1, len(names)).T
     complete = points.complete and whole and not len(undecided)
-    remarks = (*said, *_undamped(balance, vary, given, undecided), *(f"of points: {it}" for it in points.remarks))
+    remarks = (*said, *_undamped(balance, vary, given, undecided), *(Remark("of points: {}", it) for it in points.remarks))
     return OnsetCurves(
         tuple(vary), True, ranged, tuple(curves), points, dict(zip(names, rows, strict=True)), found.lines, complete, undecided,
         remarks,

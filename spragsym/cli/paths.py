@@ -15,6 +15,7 @@ from ..bifurcation.paths import first_end
 from ..bifurcation.points import ranges
 from ..errors import ParameterError, SpragsymError
 from ..progress import show_progress
+from ..remarks import At, Remark
 from ..results.equilibria import Stability
 from . import options as o
 from .of_model import Case, Span, of_model
@@ -184,12 +185,13 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     def jump() -> float:
         value = float(ss.jump_value(p, "mu0"))
         if math.isnan(value) and not case.has_closed("first_ends"):
-            remarks.append(f"mu0_jump: followed up to mu0 = {ranges(model, ('mu0',), {})[0, 1]:g}; beyond that it is not known")
+            end = At("mu0", (float(ranges(model, ("mu0",), {})[0, 1]),), "g")
+            remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))
         return value
 
     def fold() -> Any:
         found = ss.critical_friction(p, **case.ask)
-        remarks.extend(f"mu0_lowest: {text}" for text in found.remarks)
+        remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
         return found if found.complete else None
 
     lowest = told("mu0_lowest", fold, "theta0", "mu0")

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..names import hint
+from ..remarks import Remark
 
 if TYPE_CHECKING:
     from ..models import Model
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
 #: What is measured of a motion in the unit of its first component; forces; and rates.
 MEASURED = ("rms", "rms_about_mean", "mean", "amplitude", "largest", "error")
 FORCES, RATES = ("spring_force", "contact_force"), ("growth", "omega", "eigenvalues", "damped_eigenvalues")
-#: A number in a remark.
-NUMBER = re.compile(r"-?(?:\d+\.?\d*(?:e[-+]?\d+)?|inf)")
 
 
 @dataclass(frozen=True)
@@ -102,22 +101,13 @@ class Units:
         return self.of(name)[1]
 
     def said(self, remarks: Iterable[str]) -> list[str]:
-        """Remarks with what they say of parameters and coordinates, ``x = 1`` or ``x in [0, 1]``, in the units of the file."""
-        if self.study is None:
-            return list(remarks)
-        told = {name: self.of(name) for name in self.model.coordinates}
-        for entry in self.model.about["parameters"]:
-            _, unit, title = self.varied(entry["quantity"])
-            told[entry["name"]] = title, unit
+        """Remarks with what they say of parameters and coordinates in the units of the file."""
+        return [text.told(self._named) if self.study is not None and isinstance(text, Remark) else str(text) for text in remarks]
 
-        def in_units(found: re.Match[str]) -> str:
-            title, unit = told[found[1]]
-            numbers = NUMBER.sub(lambda number: f"{unit * float(number[0]):.8g}", found[2])
-            return title + numbers
-
-        names = "|".join(map(re.escape, sorted(told, key=len, reverse=True)))
-        place = re.compile(rf"(?<![\w.])({names})(?:( = {NUMBER.pattern}| in \[{NUMBER.pattern}, {NUMBER.pattern}\])(?: rad)?)")
-        return [place.sub(in_units, text) for text in remarks]
+    def _named(self, name: str) -> tuple[str, float]:
+        """A parameter, by its quantity, or a coordinate."""
+        quantities = {entry["name"]: entry["quantity"] for entry in self.model.about["parameters"]}
+        return self.varied(quantities[name])[:0:-1] if name in quantities else self.of(name)
 
     def _titled(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
         """A title with its unit, and what one of the model's own units is there."""

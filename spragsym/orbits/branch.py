@@ -14,6 +14,7 @@ from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_numbe
 from ..motion.flows import carrier, flow
 from ..motion.shooting import Loop, extent, rate
 from ..progress import doing
+from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
@@ -489,5 +490,5 @@ def stillest(loop: Loop, backend: str) -> tuple[float, FloatArray]:
 def _rests(loop: Loop, backend: str) -> str:
     """Where an orbit of a very long period hardly moves, without the sign of a zero."""
     names, place = loop.field.coordinates, np.round(stillest(loop, backend)[1], 6) + 0.0
-    told = (f"{name} = {value:g}{' rad' * loop.field.is_angle(name)}" for name, value in zip(names, place, strict=False))
-    return f"it comes to rest near {', '.join(told)}"
+    told = [At(name, (float(value),), "g", " rad" * loop.field.is_angle(name)) for name, value in zip(names, place, strict=False)]
+    return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)

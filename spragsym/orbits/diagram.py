@@ -22,6 +22,7 @@ from ..errors import ConvergenceError, ParameterError, SpragsymError
 from ..models.field import GAP, Field, Mode, apart
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
 from ..questions import model_of
+from ..remarks import At, Remark
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
@@ -186,8 +187,8 @@ def diagram(
             try:
                 branches.append(cycle_branch(born, vary, (low, high), points=points))
             except SpragsymError as error:
-                at = f"{vary} = {born.parameters[vary]:.10g}"
-                remarks.append(f"the cycle of period {born.period:.6g} at {at} was not followed: {error}")
+                at = At(vary, (float(born.parameters[vary]),), ".10g")
+                remarks.append(Remark(f"the cycle of period {born.period:.6g} at {{}} was not followed: {{}}", at, error))
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*_of_equilibria(motion, p, vary, rests), *_of_cycles(branches)]
     remarks += _left_alone(vary, labels, onsets)
@@ -218,7 +219,8 @@ def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str
     known = np.empty(0) if onsets is None else np.asarray(getattr(onsets, vary))
     for value in (label.value for label in labels if label.label == "H"):
         if not (np.abs(known - value) < LOCATED * (1 + abs(value))).any():
-            yield f"no cycles were followed from the Hopf point {vary} = {value:.10g}: it is the motion's, not the statics'"
+            at = At(vary, (float(value),), ".10g")
+            yield Remark("no cycles were followed from the Hopf point {}: it is the motion's, not the statics'", at)
 
 
 # -------------------------------------------------------------------------------------------------------------- equilibria
@@ -444,7 +446,8 @@ def _cycles(
         try:
             yield cycle(onset=onsets, index=i)
         except SpragsymError as error:
-            remarks.append(f"no cycle was found at the Hopf point {vary} = {value:.10g}: {error}")
+            at = At(vary, (float(value),), ".10g")
+            remarks.append(Remark("no cycle was found at the Hopf point {}: {}", at, error))
     for start in starts:
         try:
             yield start if isinstance(start, Cycle) else cycle_near(motion, p.scalars(*model.parameters), start)
@@ -482,7 +485,8 @@ def _doubled(
                     if to[0] <= doubled.parameters[vary] <= to[1]:
                         branches.append(cycle_branch(doubled, vary, to, points=points))
                 except SpragsymError as error:
-                    remarks.append(f"the doubled cycle at {vary} = {event.value:.10g} was not found: {error}")
+                    at = At(vary, (float(event.value),), ".10g")
+                    remarks.append(Remark("the doubled cycle at {} was not found: {}", at, error))
 
 
 def _ends_at(branch: CycleBranch, event: CycleEvent) -> bool:

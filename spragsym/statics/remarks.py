@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..remarks import At, Remark
 from .mechanics.balance import NOTHING, Balance
 
 #: A box no wider than this, over the size of its coordinates, is one place to floats.
@@ -86,19 +87,16 @@ def of_region(balance: Balance, region: FloatArray, whole: NDArray[np.bool_]) ->
     open_ = np.flatnonzero(~whole)
     hull = region[:, :, open_].max(axis=2)
     where = f" at {open_.size} of {whole.size} points" if whole.size > 1 else ""
-    return (f"searched within {spans(balance, -hull[0], hull[1])}{where}; there may be others beyond it",)
+    units = {entry["name"]: " rad" if entry["unit"] == "rad" else "" for entry in balance.model.about["coordinates"]}
+    ends = zip(balance.coordinates, -hull[0], hull[1], strict=True)
+    places = [At(name, (float(low), float(high)), unit=units[name]) for name, low, high in ends]
+    within = ", ".join(["{}"] * len(places))
+    return (Remark(f"searched within {within}{where}; there may be others beyond it", *places),)
 
 
 def of_ranges(names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
     """Said of parameters whose range has no end and was cut; ends of shape (number, 2)."""
     return tuple(
-        f"searched {name} in [{low:.8g}, {high:.8g}], a part of its range, which has no end; there may be others beyond it"
+        Remark("searched {}, a part of its range, which has no end; there may be others beyond it", At(name, (low, high)))
         for name, (low, high) in zip(names, ends.tolist(), strict=True)
     )
-
-
-def spans(balance: Balance, low: Sequence[float], high: Sequence[float]) -> str:
-    """A box of coordinates in words; angles are in radians, which is said."""
-    units = {entry["name"]: " rad" if entry["unit"] == "rad" else "" for entry in balance.model.about["coordinates"]}
-    ends = zip(balance.coordinates, low, high, strict=True)
-    return ", ".join(f"{name} in [{a + 0.0:.8g}, {b + 0.0:.8g}]{units[name]}" for name, a, b in ends)

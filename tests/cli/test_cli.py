@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import pickle
 import re
 import shlex
 import subprocess
@@ -22,6 +23,7 @@ from hypothesis import strategies as st
 import spragsym as ss
 from spragsym import cli as command_line
 from spragsym.cli import main
+from spragsym.remarks import At, Remark
 from tests.conftest import Run
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT, few, needs_posix
 
@@ -281,3 +283,10 @@ def end_as_documented(arguments: list[str]) -> None:
 @example("bifurcation", [("--sigma", "1e-300")], [])
 def test_any_arguments_end_as_documented(command: str, options: list[tuple[str, str]], rest: list[str]) -> None:
     end_as_documented([command, *(word for pair in options for word in pair), *rest])
+
+
+def test_remarks_are_told_in_other_units() -> None:
+    remark = Remark("on lines: {}", Remark("searched {}, a part of its range", At("x", (0.0, 1.0), unit=" rad")))
+    assert remark == "on lines: searched x in [0, 1] rad, a part of its range"
+    assert remark.told(lambda name: (f"{name}_mm", 38.0)) == "on lines: searched x_mm in [0, 38], a part of its range"
+    assert pickle.loads(pickle.dumps(remark)).told(lambda name: (name, 2.0)).endswith("x in [0, 2], a part of its range")  # noqa: S301

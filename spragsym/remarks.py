@@ -1,0 +1,49 @@
+"""Remarks on what is not known: sentences whose numbers know what they are of, so that they can be told in other units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+#: What a parameter or a coordinate is called, and what one of it is there.
+Units: TypeAlias = Callable[[str], tuple[str, float]]
+
+
+@dataclass(frozen=True)
+class At:
+    """The value of a parameter or a coordinate, or both ends of a range of it, and its unit where the model measures it."""
+
+    name: str
+    ends: tuple[float, ...]
+    digits: str = ".8g"
+    unit: str = ""
+
+    def told(self, units: Units) -> str:
+        """It in other units."""
+        title, one = units(self.name)
+        low, *high = (f"{one * (end + 0.0):{self.digits}}" for end in self.ends)
+        return f"{title} in [{low}, {high[0]}]" if high else f"{title} = {low}"
+
+    def __str__(self) -> str:
+        return self.told(lambda name: (name, 1.0)) + self.unit
+
+
+class Remark(str):
+    """A sentence from a template and its parts, among them places and other remarks."""
+
+    template: str
+    parts: tuple[Any, ...]
+
+    def __new__(cls, template: str, *parts: Any) -> Remark:
+        made = super().__new__(cls, template.format(*parts) if parts else template)
+        made.template, made.parts = template, parts
+        return made
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        return (self.template, *self.parts)
+
+    def told(self, units: Units) -> str:
+        """The sentence in other units."""
+        parts = (part.told(units) if isinstance(part, At | Remark) else part for part in self.parts)
+        return self.template.format(*parts) if self.parts else self.template

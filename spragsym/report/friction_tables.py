@@ -79,37 +79,28 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     ParameterError
         For a file that is missing, has no such head, may be read in two ways, or has a line that is no measurement.
     """
-    text = text_of(path, MEASURED, "a text file with sliding speed and coefficient")
-    lines = [
-        (number, line.strip(" \r\n"))
-        for number, line in enumerate(text.splitlines(), 1)
-        if line.strip() and not line.strip().startswith(_COMMENT)
-    ]
+    text = text_of(path, MEASURED, "a text file with sliding speed and coefficient").splitlines()
+    stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
+    lines = [(number, line) for number, line in stripped if line.strip() and not line.strip().startswith(_COMMENT)]
     if len(lines) > _LINES:
         raise ParameterError(f"{path} has {len(lines)} lines, and at most {_LINES} are read; give every tenth or so")
-    found: dict[tuple[tuple[float, float], ...], str] = {}
-    failures: list[_RefusedError] = []
+    found, failures = set[tuple[tuple[float, float], ...]](), list[_RefusedError]()
     said = re.fullmatch(r"sep=(.)", lines[0][1]) if lines else None  # as spreadsheets write it
     for between in (said[1],) if said else _BETWEEN:
         try:
-            found[tuple(_rows(lines[1:] if said else lines, between))] = between
+            found.add(tuple(_rows(lines[1:] if said else lines, between)))
         except _RefusedError as error:
             failures.append(error)
     if len(found) > 1:
         raise ParameterError(f"{path} may be read in two ways; put semicolons between the columns, and nowhere else")
     if not found:
         worst = max(failures, key=lambda one: one.progress)
-        where = f"{path}, line {worst.line}" if worst.line else f"{path}"
-        raise ParameterError(f"{where}: {worst.reason}")
-    return _checked(path, next(iter(found)))
-
-
-def _checked(path: Path, rows: Sequence[tuple[float, float]]) -> tuple[FloatArray, FloatArray]:
-    speed, friction = np.abs(np.array([row[0] for row in rows])), np.array([row[1] for row in rows])
+        raise ParameterError(f"{path}{f', line {worst.line}' if worst.line else ''}: {worst.reason}")
+    (rows,) = found
+    speed, friction = np.abs([row[0] for row in rows]), np.array([row[1] for row in rows])
     if len(set(speed[speed > 0].tolist())) < 2:
-        raise ParameterError(
-            f"{path} has {len(rows)} measurements; at least two at different sliding speeds are needed to fit mu0 and d"
-        )
+        few = f"{path} has {len(rows)} measurements"
+        raise ParameterError(f"{few}; at least two at different sliding speeds are needed to fit mu0 and d")
     if not ((speed == 0) | ((speed > _SLOWEST) & (speed < 1 / _SLOWEST))).all():
         ends = f"{speed.min():g} to {speed.max():g} m/s"
         raise ParameterError(f"{path}: no sliding speeds are from {ends}; look at the unit in the head")
@@ -122,25 +113,40 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[tuple[floa
     """Speed in m/s and coefficient of every line, if columns stand between these characters."""
     if not lines:
         raise _RefusedError(f"the file is empty; begin with a line of names and units such as {EXAMPLE}")
-    cells = [(number, _cells(line, between)) for number, line in lines]
+    cells, texts = [(number, _cells(line, between)) for number, line in lines], dict(lines)
     # Above the head may stand what a test rig says of itself.
     words = [{_word(name) for name in row} for _, row in cells[:_ABOVE]]
     begin = next((at for at, row in enumerate(words) if row & SPEED and row & FRICTION), 0)
-    lines, cells = lines[begin:], cells[begin:]
-    names = cells[0][1]
+    (number, names), *data = cells[begin:]
     if any(_NUMBER.fullmatch(name) for name in names):
         said = "this is no head: it does not say which column is which, and in what unit"
-        raise _RefusedError(f"{said}; put a line such as {EXAMPLE} above it", lines[0][0], 3)
-    data, units = cells[1:], [""] * len(names)
+        raise _RefusedError(f"{said}; put a line such as {EXAMPLE} above it", number, 3)
+    units = [""] * len(names)
     if data and len(data[0][1]) == len(names) and not any(_NUMBER.match(cell) for cell in data[0][1] if cell not in ("1", "")):
         units, data = [cell.strip("[]()") for cell in data[0][1]], data[1:]
-    speed = _column(names, units, SPEED, "m/s", lines[0])
-    friction = _column(names, units, FRICTION, "1", lines[0])
+    speed, friction = _column(names, units, SPEED, "m/s", number), _column(names, units, FRICTION, "1", number)
+    used = []
     for number, row in data:
         if len(row) < len(names) or any(row[len(names) :]):
-            said = f"{dict(lines)[number]!r} has {len(row)} columns, and the head has {len(names)}"
+            said = f"{texts[number]!r} has {len(row)} columns, and the head has {len(names)}"
             raise _RefusedError(f"{said}; give every column a name, and put semicolons between them", number, 3)
-    yield from _numbers([(number, row[speed[0]], row[friction[0]]) for number, row in data], speed[1], friction[1], dict(lines))
+        used += [row[speed[0]], row[friction[0]]]
+        for cell in used[-2:]:
+            if not _NUMBER.fullmatch(cell) or not math.isfinite(float(cell.replace(",", "."))):
+                said = f"{texts[number]!r} is not a sliding speed and a coefficient"
+                raise _RefusedError(f"{said}, such as 0.5;0.41 or 0,5;0,41", number, 4)
+    marks = {mark for mark in ".," for cell in used if mark in cell}
+    if len(marks) > 1 or any(all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks):
+        said = "points and commas may stand before decimals or thousands; write all numbers with a decimal point"
+        raise _RefusedError(f"{said}, such as 1500 and 1.50", data[0][0], 5)
+    for number, row in data:
+        at, value = (one[1] * float(row[one[0]].replace(",", ".")) for one in (speed, friction))
+        if value < 0:
+            raise _RefusedError(f"{texts[number]!r}: the coefficient {value:g} is negative; give its size", number, 6)
+        if value > _LARGEST:
+            cure = "write mu [%] in the head if it is in percent"
+            raise _RefusedError(f"{texts[number]!r}: the coefficient {value:g} is more than any brake has; {cure}", number, 6)
+        yield at, value
 
 
 def _cells(line: str, between: str) -> list[str]:
@@ -170,59 +176,25 @@ def _number(cell: str) -> str:
     return re.sub(r"^([+-]?[\d.,]+)[dD]([+-]?\d+)$", r"\1e\2", text)
 
 
-def _column(
-    names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, head: tuple[int, str]
-) -> tuple[int, float]:
+def _column(names: Sequence[str], units: Sequence[str], known: frozenset[str], si: str, line: int) -> tuple[int, float]:
     """Which column has one of these names, and what its unit is in SI."""
-    what = "the sliding speed" if si == "m/s" else "the friction coefficient"
-    found = []
-    for i, (name, below) in enumerate(zip(names, units, strict=True)):
-        parts = _HEAD.fullmatch(" ".join(name.split()))
-        if _word(name) in known:
-            given = next((part for part in parts.group("a", "b", "c", "d", "e") if part is not None), "") if parts else ""
-            if given and below:
-                raise _RefusedError(f"{name!r} has a unit, and the line below gives {below!r}; give one of them", head[0], 2)
-            found.append((i, name, (given or below).strip()))
+    what, write = ("the sliding speed", "v [m/s]") if si == "m/s" else ("the friction coefficient", "mu")
+    found = [i for i, name in enumerate(names) if _word(name) in known]
     if len(found) != 1:
         several = f"is named {len(found)} times" if found else "is not among the names"
-        raise _RefusedError(
-            f"{what} {several}; name one column {'v [m/s]' if si == 'm/s' else 'mu'}, as in {EXAMPLE}", head[0], 1
-        )
-    i, name, unit = found[0]
+        raise _RefusedError(f"{what} {several}; name one column {write}, as in {EXAMPLE}", line, 1)
+    (i,), name, below = found, names[found[0]], units[found[0]]
+    parts = _HEAD.fullmatch(" ".join(name.split()))
+    given = next((part for part in parts.group("a", "b", "c", "d", "e") if part is not None), "") if parts else ""
+    if given and below:
+        raise _RefusedError(f"{name!r} has a unit, and the line below gives {below!r}; give one of them", line, 2)
+    unit = (given or below).strip()
     if not unit and si == "m/s":
-        raise _RefusedError(f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v [mm/s]", head[0], 2)
+        raise _RefusedError(f"{name!r} has no unit; write it in brackets behind the name, as in v [m/s] or v [mm/s]", line, 2)
     try:
         return i, factor("" if si == "1" and unit in ("-", "–", "1") else unit, si)
     except ParameterError as error:
-        raise _RefusedError(f"{name!r}: {error}; write {'v [m/s]' if si == 'm/s' else 'mu or mu [%]'}", head[0], 2) from error
-
-
-def _numbers(
-    rows: Sequence[tuple[int, str, str]], speed: float, friction: float, lines: dict[int, str]
-) -> Iterator[tuple[float, float]]:
-    used = [cell for _, *cells in rows for cell in cells]
-    for number, *cells in rows:
-        for cell in cells:
-            if not _NUMBER.fullmatch(cell) or not math.isfinite(float(cell.replace(",", "."))):
-                raise _RefusedError(
-                    f"{lines[number]!r} is not a sliding speed and a coefficient, such as 0.5;0.41 or 0,5;0,41", number, 4
-                )
-    marks = {mark for mark in ".," for cell in used if mark in cell}
-    if len(marks) > 1 or any(all(_THOUSANDS.fullmatch(cell) for cell in used if mark in cell) for mark in marks):
-        raise _RefusedError(
-            "points and commas may stand before decimals or thousands; write all numbers with a decimal point, such as 1500 "
-            "and 1.50", rows[0][0], 5,
-        )  # fmt: skip
-    for number, one, other in rows:
-        value = friction * float(other.replace(",", "."))
-        if value < 0:
-            raise _RefusedError(f"{lines[number]!r}: the coefficient {value:g} is negative; give its size", number, 6)
-        if value > _LARGEST:
-            raise _RefusedError(
-                f"{lines[number]!r}: the coefficient {value:g} is more than any brake has; write mu [%] in the head if it is in "
-                "percent", number, 6,
-            )  # fmt: skip
-        yield speed * float(one.replace(",", ".")), value
+        raise _RefusedError(f"{name!r}: {error}; write {'v [m/s]' if si == 'm/s' else 'mu or mu [%]'}", line, 2) from error
 
 
 # ----------------------------------------------------------------------------------------------------------- the fit
@@ -269,29 +241,24 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     def shape(d: float) -> FloatArray:
         return np.asarray(laws.friction(0.0, 1.0, speed, d))
 
-    def best(d: float) -> float:
-        rise = shape(d)
-        return float(rise @ friction / (rise @ rise))
-
-    def left(log_d: float) -> float:
-        d = math.exp(log_d)
-        return float(((friction - best(d) * shape(d)) ** 2).sum())
+    def best(log_d: float) -> tuple[float, float]:
+        """μ₀, and the sum of squares that it leaves."""
+        rise = shape(math.exp(log_d))
+        mu0 = float(rise @ friction / (rise @ rise))
+        return mu0, float(((friction - mu0 * rise) ** 2).sum())
 
     # Beyond these the law is a straight line in v, or a constant, at every speed that was measured.
-    ends = math.log(1e-4 / moving.max()), math.log(40.0 / moving.min())
-    grid = np.linspace(*ends, 400)
-    k = int(np.argmin([left(value) for value in grid]))
-    bracket = grid[max(k - 1, 0)], grid[min(k + 1, grid.size - 1)]
-    found = minimize_scalar(left, bounds=bracket, method="bounded", options={"xatol": 1e-12})
-    d = math.exp(float(found.x))
-    mu0 = best(d)
+    grid = np.linspace(math.log(1e-4 / moving.max()), math.log(40.0 / moving.min()), 400)
+    k = int(np.argmin([best(value)[1] for value in grid]))
+    ends = grid[max(k - 1, 0)], grid[min(k + 1, grid.size - 1)]
+    found = minimize_scalar(lambda log_d: best(log_d)[1], bounds=ends, method="bounded", options={"xatol": 1e-12})
+    d, (mu0, left) = math.exp(float(found.x)), best(float(found.x))
+    spread = math.sqrt(left / max(speed.size - 2, 1))
     slopes = np.stack([shape(d), mu0 * speed * np.exp(-d * speed)], axis=1)
-    rest = max(speed.size - 2, 1)
-    spread = math.sqrt(left(math.log(d)) / rest)
     covariance = np.linalg.pinv(slopes.T @ slopes)
     sizes = np.sqrt(np.abs(np.diag(covariance)))
-    errors = spread * sizes
-    together = float(np.clip(covariance[0, 1] / max(sizes.prod(), 1e-300), -1.0, 1.0))
     return FrictionFit(
-        mu0, d, float(errors[0]), float(errors[1]), together, spread, speed.size, float(moving.min()), float(speed.max())
-    )
+        mu0=mu0, d=d, mu0_error=float(spread * sizes[0]), d_error=float(spread * sizes[1]),
+        correlation=float(np.clip(covariance[0, 1] / max(sizes.prod(), 1e-300), -1.0, 1.0)), rms=spread, points=speed.size,
+        slowest=float(moving.min()), fastest=float(speed.max()),
+    )  # fmt: skip

@@ -99,24 +99,17 @@ class PhysicalParameters(Values):
 
     def dimensionless(self) -> Parameters:
         """The same system as :class:`Parameters`; without V and d if these were not given."""
-        kappa, alpha, sigma, beta, V, d = self._groups()
-        belt = {name: None if getattr(self, name) is None else value for name, value in (("V", V), ("d", d))}
-        return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta, **belt)
+        V, d = (0.0 if value is None else value for value in (self.V, self.d))  # they enter their own groups only
+        *groups, V, d = _scales.dimensionless_groups(self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y, V, d)
+        return Parameters(self.theta0, self.mu0, *groups, None if self.V is None else V, None if self.d is None else d)
 
     def belt(self) -> dict[str, Any]:
         """Dimensionless ``V`` and ``d``, as :func:`spragsym.simulate` takes them; an error if one was not given."""
         for name in ("V", "d"):
             if getattr(self, name) is None:
                 raise ParameterError(f"{name} is missing from the physical parameters, and the motion in time needs it")
-        V, d = self._groups()[4:6]
-        return {"V": _as_given(V), "d": _as_given(d)}
-
-    def _groups(self) -> tuple[Any, ...]:
-        absent = 0.0  # V and d enter their own groups only
-        return tuple(_scales.dimensionless_groups(
-            self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y,
-            absent if self.V is None else self.V, absent if self.d is None else self.d,
-        ))  # fmt: skip
+        p = self.dimensionless()
+        return {"V": _as_given(p.V), "d": _as_given(p.d)}
 
 
 def physical_ranges() -> dict[str, Range]:

@@ -100,8 +100,11 @@ class PhysicalParameters(Values):
     def dimensionless(self) -> Parameters:
         """The same system as :class:`Parameters`; without V and d if these were not given."""
         V, d = (0.0 if value is None else value for value in (self.V, self.d))  # they enter their own groups only
-        *groups, V, d = _scales.dimensionless_groups(self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y, V, d)
-        return Parameters(self.theta0, self.mu0, *groups, None if self.V is None else V, None if self.d is None else d)
+        kappa, alpha, sigma, beta, V, d = _scales.dimensionless_groups(
+            self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y, V, d
+        )
+        belt = {name: value for name, value in (("V", V), ("d", d)) if getattr(self, name) is not None}
+        return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta, **({"V": None, "d": None} | belt))
 
     def belt(self) -> dict[str, Any]:
         """Dimensionless ``V`` and ``d``, as :func:`spragsym.simulate` takes them; an error if one was not given."""

@@ -13,9 +13,10 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.models.parameters import NAMES
-from tests.oracles import creeping_states, flutter_map, lowest_fold
+from tests.oracles import creeping_states, lowest_fold
 from tests.oracles.count_map import count_map_mismatches
 from tests.oracles.families import random_fixed, random_fluttering
+from validation import flutter_map
 
 CASES = 400
 

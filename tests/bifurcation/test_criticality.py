@@ -47,7 +47,7 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
     assert stick_slip.when.tolist() == ["up", "down"]  # it swings at speeds between the two
 
 
-@pytest.mark.by_hand("trolley")
+@pytest.mark.by_hand("trolley", "mode_coupling", "inclined_belt", "damped")
 @pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "vary", "values"),

@@ -13,7 +13,7 @@ from spragsym.bifurcation.paths import first_end
 from spragsym.bifurcation.points import given_column
 from spragsym.bifurcation.tubes.tubes import carried
 from spragsym.statics.mechanics.balance import Balance
-from tests.support import few, lowest_sets
+from tests.support import lowest_sets
 
 SEARCH = ss.load("kang_nam").search
 #: A set whose lowest fold lies 1 % below the cusp that its curve leaves.
@@ -52,8 +52,8 @@ def test_it_is_the_closed_form_or_undecided_at_random() -> None:
     assert np.mean(outcomes) > 0.6
 
 
-@pytest.mark.by_hand("inclined", "cubic")
-@pytest.mark.parametrize("name", few(["inclined_belt", "cubic_contact", "two_springs"]))
+@pytest.mark.validate
+@pytest.mark.parametrize("name", ["inclined_belt", "cubic_contact", "two_springs"])
 def test_no_state_ends_below_it(name: str) -> None:
     """Followed one by one over a grid; beside it one ends hardly above it."""
     model = ss.load(name)

@@ -59,7 +59,7 @@ def test_stick_slip_in_closed_form() -> None:
     assert found.changes["error"].max() < 1e-6
 
 
-@pytest.mark.by_hand("0")
+@pytest.mark.by_hand("1")
 @pytest.mark.thorough
 def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> None:
     """On a map of eigenvalues, a pair crosses the axis between two frictions where an onset lies between them, and only there."""
@@ -76,6 +76,7 @@ def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> 
     assert len(curves) > 0
 
 
+@pytest.mark.by_hand("0")
 @pytest.mark.thorough
 def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[Any, Any]) -> None:
     p, curves = found

@@ -14,7 +14,7 @@ import spragsym as ss
 from spragsym.files import storage
 from spragsym.models.parameter_class import options_of
 from tests.conformance import models
-from tests.conformance.models import MODELS, MOVING, load, moved
+from tests.conformance.models import ALIKE, MODELS, MOVING, load, moved
 from tests.conftest import Run
 from tests.support import few
 
@@ -29,7 +29,8 @@ def a_set(name: str) -> Any:
     return models.a_set(name, 20.0)
 
 
-@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "mode_coupling", "inclined_belt", "pressed"))
+@pytest.mark.by_hand(*ALIKE)
+@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "pressed"))
 def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     told = json.loads(run("equilibria", *of(name), "--json"))
     assert list(told) == ["model", "parameters", "equilibria", "complete", "undecided", "remarks"]
@@ -54,7 +55,8 @@ def _states(p: Any) -> list[tuple[str, Any]]:
     return [(state, ss.equilibria(p, contact=contact)) for contact, state in p.model.regimes.items()]
 
 
-@pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "kang_nam", "pressed"))
+@pytest.mark.by_hand(*ALIKE)
+@pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "kang_nam"))
 def test_equilibria_of_every_model_along_a_range(name: str, run: Run) -> None:
     """By --vary, and by a list in the option itself: the same table."""
     vary, base = moved(name, "mu0")
@@ -91,7 +93,7 @@ def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, run: Run) -> None:
 # ----------------------------------------------------------------------------------------------- points and paths
 
 
-@pytest.mark.by_hand("soft_brake", "trolley")
+@pytest.mark.by_hand("soft_brake", *ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "kang_nam"))
 def test_folds_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     told = json.loads(run("folds", *of(name), "--json"))
@@ -117,7 +119,7 @@ def _degrees(model: ss.Model, name: str, values: Any) -> list[float]:
     return [math.degrees(value) if name in model.about["angles"] else value for value in values.tolist()]
 
 
-@pytest.mark.by_hand("trolley", "pad_on_disc", "soft_brake", "two_springs", "inclined_belt")
+@pytest.mark.by_hand("soft_brake", "two_springs", *ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "kang_nam"))
 def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
     told = json.loads(run("bifurcation", *of(name), "--vary", load(name).axes[0], "--json"))
@@ -132,7 +134,7 @@ def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
 PLANES = [name for name in MODELS if len(load(name).axes) == 2]
 
 
-@pytest.mark.by_hand("soft_brake", "trolley", "pad_on_disc")
+@pytest.mark.by_hand("soft_brake", "two_springs", *ALIKE)
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
 def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
@@ -150,17 +152,7 @@ def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
 CRITICAL = [name for name in MODELS if name != "soft_brake"]
 
 
-@pytest.mark.by_hand(
-    "hertz_contact",
-    "two_springs",
-    "cubic_contact",
-    "trolley",
-    "damped",
-    "inclined_belt",
-    "pad_on_disc",
-    "soft_brake",
-    "sprag_rod",
-)
+@pytest.mark.by_hand("two_springs", "sprag_rod", *ALIKE)
 @pytest.mark.parametrize("name", few(CRITICAL, "kang_nam", "stick_slip"))
 def test_critical_values_have_the_same_keys(name: str, run: Run) -> None:
     model = load(name)
@@ -177,8 +169,8 @@ def test_critical_values_have_the_same_keys(name: str, run: Run) -> None:
     )
 
 
-@pytest.mark.by_hand("soft_brake", "sprag_rod")
-@pytest.mark.parametrize("name", few(MODELS, "stick_slip", "mode_coupling", "kang_nam"))
+@pytest.mark.by_hand("soft_brake", "sprag_rod", *ALIKE)
+@pytest.mark.parametrize("name", few(MODELS, "stick_slip", "kang_nam"))
 def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     model = load(name)
     vary, base = moved(name, "mu0", "V")
@@ -200,7 +192,8 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
 # -------------------------------------------------------------------------------------------------------- motions
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.by_hand(*ALIKE)
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip", "sprag_rod"))
 def test_motions_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:
     model = load(name)
     first, *_ = model.coordinates
@@ -216,7 +209,7 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, run: Run)
     assert told["rms" + "_deg" * angle] == pytest.approx(unit * tr.rms(22.5), rel=1e-9)
 
 
-@pytest.mark.by_hand("sprag_rod", "hertz_contact", "mode_coupling", "cubic_contact", "inclined_belt", "pad_on_disc")
+@pytest.mark.by_hand("sprag_rod", "mode_coupling", "two_springs", *ALIKE)
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(MOVING, "stick_slip"))
 def test_maps_of_fates_of_every_model_say_what_python_says_of_one_motion(name: str, tmp_path: Path, run: Run) -> None:

@@ -13,7 +13,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli.explore import page as page_of
-from tests.conformance.models import MODELS, load, place
+from tests.conformance.models import ALIKE, MODELS, load, place
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
 from tests.support import few
 
@@ -66,6 +66,7 @@ def compare_states(explorer: Explorer, model: ss.Model, point: dict[str, float],
     return total
 
 
+@pytest.mark.by_hand(*ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "kang_nam"))
 def test_every_page_has_the_same_parts_and_the_states_of_python(name: str, browser: Any, tmp_path: Path) -> None:
     model = load(name)
@@ -97,6 +98,7 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(name: str, brows
     page.close()
 
 
+@pytest.mark.by_hand(*ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "kang_nam"))
 def test_every_motion_is_pythons(name: str, browser: Any, tmp_path: Path) -> None:
     """From rest, over lift-offs and overtakings, by steps that are cut at kinks; errors of order h^4."""

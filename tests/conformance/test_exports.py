@@ -21,7 +21,7 @@ pytest.importorskip("sympy")
 
 from spragsym.cli import main
 from spragsym.cli.export import languages
-from tests.conformance.models import MODELS, MOVING, a_set, load, place
+from tests.conformance.models import ALIKE, MODELS, MOVING, a_set, load, place
 from tests.oracles.emission import arguments, flat, functions, results_of_c, with_angles
 from tests.oracles.languages import NODE, OCTAVE, octave
 from tests.support import few
@@ -120,6 +120,7 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
 # ------------------------------------------------------------------------------------------------ what C has more
 
 
+@pytest.mark.by_hand(*ALIKE)
 @pytest.mark.thorough
 @pytest.mark.skipif(CC is None or shutil.which("make") is None, reason="there is no C compiler, or no make")
 @pytest.mark.parametrize("name", few(MOVING, "pressed"))

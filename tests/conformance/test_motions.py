@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.conformance.models import MOVING, a_set
+from tests.conformance.models import ALIKE, MOVING, a_set
+from tests.support import few
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip", "sprag_rod", "trolley"))
 def test_a_motion_of_every_model_has_everything(name: str) -> None:
     p = a_set(name)
     tr = ss.simulate(p, t_end=30.0, rtol=1e-8, backend="scipy", estimate_error=True)
@@ -32,7 +33,8 @@ def test_a_motion_of_every_model_has_everything(name: str) -> None:
     assert again.model.name == name
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.by_hand(*ALIKE)
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
 def test_a_sweep_says_what_the_motion_says(name: str) -> None:
     p = a_set(name)
     sweep = ss.rms_sweep(p, t_end=30.0, rtol=1e-8, backend="scipy")

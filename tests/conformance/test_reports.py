@@ -15,7 +15,7 @@ import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.cli.report import report
 from spragsym.report.quantities import quantities
-from tests.conformance.models import MODELS, a_set, load, place
+from tests.conformance.models import ALIKE, MODELS, a_set, load, place
 from tests.support import few
 
 #: What one of each unit of the models is in the files.
@@ -47,17 +47,7 @@ def keys_of_the_article() -> list[str]:
         return list(ss.Study.from_file(a_brake("kang_nam", Path(folder))[0]).report(**LESS).to_dict())
 
 
-@pytest.mark.by_hand(
-    "hertz_contact",
-    "soft_brake",
-    "two_springs",
-    "damped",
-    "trolley",
-    "cubic_contact",
-    "inclined_belt",
-    "pad_on_disc",
-    "sprag_rod",
-)
+@pytest.mark.by_hand("soft_brake", "two_springs", "sprag_rod", *ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "stick_slip", "mode_coupling"))
 def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path: Path) -> None:
     file, p, length = a_brake(name, tmp_path)
@@ -78,7 +68,8 @@ def test_reports_have_the_same_keys_and_say_what_python_says(name: str, tmp_path
         assert state[key] == pytest.approx(unit * float(getattr(eq, coordinate["name"])[slot]), rel=1e-9)
 
 
-@pytest.mark.parametrize("name", few(MODELS, "mode_coupling", "stick_slip", "kang_nam"))
+@pytest.mark.by_hand(*ALIKE)
+@pytest.mark.parametrize("name", few(MODELS, "stick_slip", "kang_nam"))
 def test_every_model_has_a_file_to_begin_with(name: str, tmp_path: Path) -> None:
     model, file = load(name), tmp_path / "brake.toml"
     done = CliRunner().invoke(report, ["--example", "--model", place(name)])

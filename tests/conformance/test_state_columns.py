@@ -7,9 +7,10 @@ import pytest
 
 import spragsym as ss
 from tests.conformance.models import MODELS, a_set
+from tests.support import few
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", few(MODELS, "two_springs", "stick_slip", "mode_coupling", "hertz_contact", "soft_brake"))
 def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None:
     p = a_set(name)
     about = p.model.about
@@ -35,7 +36,7 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
             assert (force[there] == 0).all()
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", few(MODELS, "two_springs", "stick_slip", "mode_coupling", "hertz_contact", "soft_brake"))
 def test_the_region_holds_every_state(name: str) -> None:
     eq = ss.equilibria(a_set(name), method="search")
     for i, column in enumerate(eq.coordinates.values()):

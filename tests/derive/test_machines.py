@@ -38,7 +38,7 @@ def expected(tmp_path_factory: pytest.TempPathFactory) -> str:
     return found
 
 
-@pytest.mark.by_hand("x86_64, gcc with extensions")
+@pytest.mark.by_hand("x86_64, gcc with extensions", "x86_64, as C++")
 @pytest.mark.thorough
 @pytest.mark.parametrize("machine", MACHINES[1:], ids=lambda machine: machine.name)
 def test_the_same_bits(machine: Machine, expected: str, tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from pathlib import Path
 import pytest
 
 import spragsym
-from tests.support import NO_ENVIRONMENT, ROOT, few
+from tests.support import NO_ENVIRONMENT, ROOT, few, needs_posix
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
@@ -152,9 +152,13 @@ def wheel_by(compiler: str, sdist: Path, out: Path) -> Path:
 
 
 @pytest.mark.thorough
+@needs_posix
 @needs_compiler
 def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_path: Path) -> None:
-    wheel = wheel_by(str(COMPILER), archives[1], tmp_path)
+    hasty = tmp_path / "hasty"  # the last -O counts
+    hasty.write_text(f'#!/bin/sh\nexec {COMPILER} "$@" -O0\n', encoding="utf-8")
+    hasty.chmod(0o755)
+    wheel = wheel_by(str(hasty), archives[1], tmp_path)
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     assert sorted(extensions(wheel)) == [f"spragsym/{name}{suffix}" for name in ("kang_nam/quartic/_compiled", "motion/_carried")]
     assert not wheel.name.endswith("-none-any.whl")

@@ -448,7 +448,7 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
         attractors.followed_cycle(begun.field, begun, values, begun.backend)
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_chaos_is_proved_by_exponents() -> None:
     found = ss.fate(ss.Parameters.article(theta0=0.76), V=0.25, d=20.0, t_end=60_000.0)
     assert found.kind == "chaotic", found.why

@@ -87,9 +87,9 @@ def _algebra(model: Model, header: str, shared: Shared | None) -> str:
         if own:
             sections += [f"# {part.summary}\n{own[0]}", *own[1:]]
     beside = "._broadcast" if shared is None else "..._broadcast"
-    imports = [f"import numpy\n\nfrom {beside} import broadcasting"]
+    imports = [f"from {beside} import broadcasting"]
     imports += [algebra.listed(f"from ..{home}.algebra import (", sorted(names), ")") for home, names in sorted(borrowed.items())]
-    return "\n\n\n".join([algebra.head(whole, meanings(model.mechanics), header, "\n".join(imports)), *sections]) + "\n"
+    return algebra.whole(whole, meanings(model.mechanics), header, imports, sections)
 
 
 def meanings(model: Mechanics) -> Mapping[str, str]:

@@ -35,12 +35,12 @@ def module(model: Mechanics) -> Module:
         "Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.",
         (
             Function("mass_matrix", "M of the kinetic energy.", "the page", (*model.coordinates, *model.arguments),
-                     nested(model.mass), "((M_11, …), …)", transcendental=True),
+                     nested(model.mass), "((M_11, …), …)"),
             Function("damping", "C: dampers, and the slope of the friction law at steady sliding.", "the page", (*state, PUSHING),
-                     nested(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}, transcendental=True),
+                     nested(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}),
             Function("friction_slope", "Slope of the friction law at steady sliding, by the sliding speed.", "the page",
-                     model.arguments, laws.slope_at_rest(model), "dμ/dv", transcendental=True),
+                     model.arguments, laws.slope_at_rest(model), "dμ/dv"),
             Function("friction_slope_by_sizes", "The slope as a sum of c exp(a), over each of its exponentials.", "the page",
-                     model.arguments, laws.slope_by_sizes(model), "(((c, a), …), …)", transcendental=True),
+                     model.arguments, laws.slope_by_sizes(model), "(((c, a), …), …)"),
         ),
     )  # fmt: skip

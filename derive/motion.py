@@ -228,11 +228,11 @@ def module(model: Mechanics) -> Module:
     layers = laws.layers(model)
 
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
-        return Function(name, summary, "the page", taken, results, returns, shorthands, transcendental=True)
+        return Function(name, summary, "the page", taken, results, returns, shorthands)
 
     def smooth(name: str, summary: str, results: Results, returns: str) -> Function:
         continued = {**shorthands, **{torsion.phi: torsion.continued for torsion in model.torsions}}
-        return Function(name, summary, "the page", (*regime, *ways), results, returns, continued, transcendental=True)
+        return Function(name, summary, "the page", (*regime, *ways), results, returns, continued)
 
     below, overlap = sp.symbols("_below _overlap", real=True)
     everywhere = {
@@ -251,7 +251,7 @@ def module(model: Mechanics) -> Module:
         "The equations of motion: everywhere, and in each regime in which they are smooth.",
         (
             Function("rhs", "Accelerations, kinked where a border is zero.", "the page", moving, motion.accelerations, "(q_1″, …)",
-                     kinked, transcendental=True),
+                     kinked),
             smooth("regime_rhs", "Accelerations in a smooth regime, continued beyond its borders.", motion.accelerations,
                    "(q_1″, …)"),
             smooth("regime_jacobian", "Derivatives of regime_rhs by the coordinates and the rates.", jacobian,

@@ -12,7 +12,7 @@ RESULTS = frozenset((
     "criticality", "crossing", "crossing_error", "cycle", "damped_eigenvalues", "cycle_mean", "cycle_rms", "data", "decided",
     "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "growth", "held_in", "jumps", "kind", "largest",
     "lyapunov", "lyapunov_error", "marginal", "mean", "measured", "model", "mu", "normal_forms", "offered", "omega", "parameters", "period", "places", "plot",
-    "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability",
+    "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "save", "select", "side", "slip_reversed", "spread", "stability",
     "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "table_varied",
     "to_dataframe", "to_xarray", "told", "undecided", "values", "vary", "when", "whole", "why",
 ))  # fmt: skip

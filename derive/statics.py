@@ -70,7 +70,7 @@ def module(model: Mechanics) -> Module:
     mirror = symmetry.mirror(model)
 
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
-        return Function(name, summary, "the page", taken, results, returns, shorthands, transcendental=True)
+        return Function(name, summary, "the page", taken, results, returns, shorthands)
 
     T = balance_rows.sums(model)
     apart = () if T.is_Identity else (

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
+from types import FunctionType
 from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
@@ -17,17 +18,23 @@ _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
 
-def broadcasting(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Give every result the common shape of the arguments, constants included.
+def broadcasting(module: dict[str, Any]) -> list[str]:
+    """Give every result of a module's functions the common shape of the arguments, constants included; the names of the functions.
 
-    The undecorated algebra is ``function.__wrapped__``, for compilers.
+    The algebra alone is ``function.__wrapped__``, for compilers.
     """
+    functions = {name: it for name, it in module.items() if isinstance(it, FunctionType) and it is not broadcasting}
+    module |= {name: _shaped(it) for name, it in functions.items() if it.__module__ == module["__name__"]}
+    return list(functions)
 
+
+def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:
     @wraps(function)
     def shaped(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+        numbers = [*args, *(value for name, value in kwargs.items() if name != "xp")]
+        if not function.__kwdefaults__:  # it needs no namespace
+            kwargs.pop("xp", None)
         result: Any = function(*args, **kwargs)
-        numbers = [value for name, value in kwargs.items() if name != "xp"]
-        numbers += args
         arrays = [value for value in numbers if isinstance(value, np.ndarray)]
         if arrays:
             shape = np.broadcast_shapes(*(value.shape for value in arrays))

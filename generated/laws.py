@@ -16,12 +16,7 @@ import numpy
 
 from ._broadcast import broadcasting
 
-__all__ = [
-    "spring_length", "friction",
-]
 
-
-@broadcasting
 def spring_length(x, y, cos0, sin0, *, xp=numpy):
     """Length of the inclined spring. Returns L. Source: (6) corrected. Operations: 7."""
     base0 = cos0 - x
@@ -29,8 +24,10 @@ def spring_length(x, y, cos0, sin0, *, xp=numpy):
     return xp.sqrt(base0*base0 + base2*base2)
 
 
-@broadcasting
 def friction(vx, mu0, V, d, *, xp=numpy):
     """The friction coefficient at the speed x' of the mass. Returns mu. Source: (10). Operations: 9."""
     w0 = V - vx
     return mu0*(1 - xp.exp(-d*abs(w0)))*xp.sign(w0)
+
+
+__all__ = broadcasting(globals())

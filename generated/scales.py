@@ -17,19 +17,16 @@ import numpy
 
 from ._broadcast import broadcasting
 
-__all__ = [
-    "scales", "dimensionless_groups",
-]
 
-
-@broadcasting
 def scales(m, k_c, L_0, *, xp=numpy):
     """Scales of length, time and force. Returns length, time, force. Source: text after (9). Operations: 6."""
     return (L_0, xp.sqrt(m)/xp.sqrt(k_c), L_0*k_c)
 
 
-@broadcasting
 def dimensionless_groups(m, k_c, L_0, F_L, k_x, k, k_y, V_dim, d_dim, *, xp=numpy):
     """The dimensionless parameters of dimensional data. Returns kappa, alpha, sigma, beta, V, d. Source: text after (9).
     Operations: 19."""
     return (F_L/(L_0*k_c), k_x/k_c, k/k_c, k_y/k_c, V_dim*xp.sqrt(m)/(L_0*xp.sqrt(k_c)), L_0*d_dim*xp.sqrt(k_c)/xp.sqrt(m))
+
+
+__all__ = broadcasting(globals())

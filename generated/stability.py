@@ -27,13 +27,7 @@ import numpy
 
 from ._broadcast import broadcasting
 
-__all__ = [
-    "stiffness", "invariants", "damping", "characteristic", "reference_lines", "flutter_quadratic", "flutter_elimination",
-    "flutter_without_alpha", "flutter_crossing", "flutter_cubic", "flutter_friction",
-]
 
-
-@broadcasting
 def stiffness(cos, sin, L, mu0, alpha, sigma, beta, nbar):
     """K, the Jacobian of (F_x, F_y). Returns ((K11, K12), (K21, K22)). Source: (28). Operations: 14."""
     p = alpha + sigma
@@ -45,7 +39,6 @@ def stiffness(cos, sin, L, mu0, alpha, sigma, beta, nbar):
     return ((p - (sin*sin)*w0, M + w1), (w1, -(cos*cos)*w0 + q))
 
 
-@broadcasting
 def invariants(K11, K12, K21, K22):
     """Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K. Returns trace, determinant,
     discriminant. Source: (27). Operations: 8."""
@@ -54,20 +47,17 @@ def invariants(K11, K12, K21, K22):
     return (K11 + K22, K11*K22 - w0, base0*base0 + 4*w0)
 
 
-@broadcasting
 def damping(y, mu0, V, d, nbar, *, xp=numpy):
     """∂F_x/∂x' at steady sliding. Returns C11. Source: (8), (10) linearized. Operations: 7."""
     return -d*mu0*nbar*y*xp.exp(-V*d)
 
 
-@broadcasting
 def characteristic(K11, K12, K21, K22, C11):
     """Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27). Returns e4, e3, e2, e1, e0. Source: (27)
     with damping. Operations: 5."""
     return (1, C11, K11 + K22, C11*K22, K11*K22 - K12*K21)
 
 
-@broadcasting
 def reference_lines(cos, sin, mu0, kappa, alpha, sigma, beta):
     """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀. Returns u1, w1, u2, w2.
     Source: (14), (15). Operations: 18."""
@@ -80,7 +70,6 @@ def reference_lines(cos, sin, mu0, kappa, alpha, sigma, beta):
     return (-w0*w2, q*sin*w0, mu0*w0*w2 - cos*sigma, -mu0*w0*w1 + cos*p)
 
 
-@broadcasting
 def flutter_quadratic(cos, sin, mu0, alpha, sigma, beta):
     """Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact. Returns e0, e1, e2. Source:
     (27). Operations: 14."""
@@ -89,7 +78,6 @@ def flutter_quadratic(cos, sin, mu0, alpha, sigma, beta):
     return (sigma*sigma, 2*sigma*(2*mu0*cos*sin + w0*(cos*cos - (sin*sin))), w0*w0)
 
 
-@broadcasting
 def flutter_elimination(cos, sin, mu0, kappa, alpha, sigma, beta):
     """X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length. Returns X, Y, Z. Source: (27),
     (14), (15). Operations: 56."""
@@ -112,7 +100,6 @@ def flutter_elimination(cos, sin, mu0, kappa, alpha, sigma, beta):
     return ((sigma*sigma)*w6 - (w5*w5)*w7, -e1*w6 + (w5*w5)*w8, -(sigma*sigma)*w8 + e1*w7)
 
 
-@broadcasting
 def flutter_without_alpha(cos, sin, mu0, kappa, sigma, beta):
     """The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2. Returns condition. Source: (27), (14),
     (15). Operations: 32."""
@@ -125,7 +112,6 @@ def flutter_without_alpha(cos, sin, mu0, kappa, sigma, beta):
     return (sigma*sigma)*(w2*w2) - e1*u2*w2 + (B*B)*(u2*u2)
 
 
-@broadcasting
 def flutter_crossing(cos, sin, L, cos0, sin0, mu0, alpha, sigma, beta):
     """N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact. Returns N, J. Source: (27),
     (14), (15). Operations: 60."""
@@ -147,7 +133,6 @@ def flutter_crossing(cos, sin, L, cos0, sin0, mu0, alpha, sigma, beta):
     return (d_L*(a_theta*b_theta0 - a_theta0*b_theta) + d_theta*(-a_L*b_theta0 + a_theta0*b_L), a_L*b_theta - a_theta*b_L)
 
 
-@broadcasting
 def flutter_cubic(cos, sin, kappa, alpha, sigma, beta):
     """Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀. Returns g0, g1, k0,
     k1, k2, k3. Source: (27), (14), (15). Operations: 59."""
@@ -179,9 +164,11 @@ def flutter_cubic(cos, sin, kappa, alpha, sigma, beta):
     return (l0*w6, l1*w6, l0*(m1 + w7) + w9*y0, l1*(m1 + 2*w7) + w10*y0 + w9*y1, l1_2*m2 + w10*y1 + w11*y0, w11*y1)
 
 
-@broadcasting
 def flutter_friction(cos, sin, L, alpha, sigma, beta):
     """μ₀ at a flutter onset with spring length L in direction θ, in contact. Returns mu0. Source: (27). Operations: 21."""
     B = beta + 1
     w0 = -B + alpha
     return (-2*L*sigma*w0*(cos*cos - (sin*sin)) - (L*L)*(w0*w0) - (sigma*sigma))/(4*L*cos*sigma*sin)
+
+
+__all__ = broadcasting(globals())

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..models.model_field import undecorated
 from ..numerics.ball_functions import XP
 from ..numerics.complex_numbers import Complex, as_complex
 from ..numerics.elimination import solved
@@ -31,7 +32,6 @@ from ..numerics.jets import Jet, constant
 from ..numerics.krawczyk import ball
 from ..numerics.polynomials import Undecided
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.forces import undecorated
 from ..statics.mechanics.precise_balance import PreciseBalance
 
 if TYPE_CHECKING:

@@ -23,6 +23,12 @@ if TYPE_CHECKING:
     from .model import Model
 
 
+def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The algebra of a generated function, without the common shape of results; it takes a namespace even where it needs none."""
+    algebra: Callable[..., Any] = inspect.unwrap(function)
+    return algebra if algebra.__kwdefaults__ else lambda *given, xp=None: algebra(*given)
+
+
 @cache
 def field_of(model: Model, reach: float) -> Field:
     """The field whose exponentials are left out where they are below exp(−reach)."""
@@ -78,7 +84,7 @@ def exact_field(where: str) -> Field:
 
 
 def _in_mode(model: Model, name: str) -> Callable[..., Any]:
-    plain = inspect.unwrap(getattr(model.algebra, name))
+    plain = undecorated(getattr(model.algebra, name))
     rooted = not model.about["contact"]["polynomial"]
     turn = 2 + model.about["layers"]
     after = turn + _turns(model)
@@ -116,7 +122,7 @@ class _Rooted:
 
 def _borders(model: Model, row: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """Level and rate of one of the generated borders: the gap, or the sliding speed."""
-    level, rate = (inspect.unwrap(function) for function in (model.algebra.borders, model.algebra.border_rates))
+    level, rate = map(undecorated, (model.algebra.borders, model.algebra.border_rates))
 
     def level_of(state: Any, constants: Any, mode: Any) -> Any:
         return level(*state, *constants, xp=_namespace(state))[row]
@@ -154,7 +160,7 @@ def _slip(model: Model) -> Border:
 
 def _layer(model: Model, number: int, reach: float) -> Border:
     """Where one of the exponentials of the sliding speed is about to be felt."""
-    level, rate = (inspect.unwrap(function) for function in (model.algebra.layers, model.algebra.layer_rates))
+    level, rate = map(undecorated, (model.algebra.layers, model.algebra.layer_rates))
     place = 2 + number
 
     def level_of(state: Any, constants: Any, mode: Any) -> Any:
@@ -196,7 +202,7 @@ def _way(model: Model, number: int, torsions: int) -> Border:
 
     Each way is smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
     """
-    level, rate = (inspect.unwrap(getattr(model.algebra, name)) for name in ("turning_borders", "turning_rates"))
+    level, rate = map(undecorated, (model.algebra.turning_borders, model.algebra.turning_rates))
     first = 2 + model.about["layers"] + _turns(model)
     place = first + number
 
@@ -220,7 +226,7 @@ def _turned(model: Model, state: Sequence[float], constants: Sequence[float]) ->
     count = len(model.about.get("torsions", ()))
     if not count:
         return []
-    level = inspect.unwrap(model.algebra.turning_borders)
+    level = undecorated(model.algebra.turning_borders)
     forward, backward = (level(*state, *constants, *(way,) * count) for way in (1, -1))
     return [((one - other) / 4, (one + other) / 2 - 1) for one, other in zip(forward, backward, strict=True)]
 
@@ -235,7 +241,7 @@ def _namespace(state: Any) -> Any:
 
 
 def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
-    borders, layers = (inspect.unwrap(function) for function in (model.algebra.borders, model.algebra.layers))
+    borders, layers = map(undecorated, (model.algebra.borders, model.algebra.layers))
     lifts, turns = model.about["contact"]["unilateral"], _turns(model)
     fallen = len(model.coordinates) + model.coordinates.index(model.about["contact"]["gap"]) if turns else 0
     # A law that is no polynomial begins without contact on the border itself.

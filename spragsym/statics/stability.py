@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..models.model_field import undecorated
 from ..numerics.interval_arrays import FloatArray
 from ..results.equilibria import Equilibria, Stability
 from . import spectrum
 from .mechanics.balance import Balance
-from .mechanics.forces import undecorated
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9

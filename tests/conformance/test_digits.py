@@ -12,8 +12,8 @@ import pytest
 
 import spragsym as ss
 from spragsym import precise
+from spragsym.models.model_field import undecorated
 from spragsym.numerics.decimals import exactly
-from spragsym.statics.mechanics.forces import undecorated
 from tests.conformance import models
 from tests.conformance.models import MODELS, load
 from tests.support import few

@@ -109,25 +109,20 @@ class AlgebraPrinter(StrPrinter):
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
     """Source text of one generated module: its symbols with meanings and units once, then its functions."""
-    imports = ["from ._broadcast import broadcasting"]
-    if any(function.transcendental for function in module.functions):
+    meanings = {name: _meaning(quantity) for name, quantity in quantities.items()}
+    return whole(module, meanings, header, ["from ._broadcast import broadcasting"], map(definition, module.functions))
+
+
+def whole(module: Module, meanings: Mapping[str, str], header: str, imports: list[str], definitions: Iterable[str]) -> str:
+    """A module: what it is, what its symbols are, imports and functions; at its foot these get the shape of their results."""
+    body = list(definitions)
+    if any("xp=numpy" in text for text in body):
         imports = ["import numpy", "", *imports]
-    return "\n\n\n".join([
-        head(module, {name: _meaning(quantity) for name, quantity in quantities.items()}, header, "\n".join(imports)),
-        *(definition(function) for function in module.functions),
-    ]) + "\n"  # fmt: skip
-
-
-def head(module: Module, meanings: Mapping[str, str], header: str, imports: str) -> str:
-    """All above the functions: what the module is, what its symbols are, imports and names."""
     symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
     table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ") for name in symbols)
     summary, table = (text.replace("\\", r"\\").replace('""', r'"\"') for text in (module.summary, table))
-    return "\n\n".join([
-        f'"""{summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""',
-        imports,
-        listed("__all__ = [", [f'"{function.name}"' for function in module.functions], "]"),
-    ])  # fmt: skip
+    said = f'"""{summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""\n\n'
+    return said + "\n\n\n".join(["\n".join(imports), *body, "__all__ = broadcasting(globals())"]) + "\n"
 
 
 def listed(opening: str, items: Iterable[str], closing: str) -> str:
@@ -143,19 +138,14 @@ def _meaning(quantity: Quantity) -> str:
 def definition(function: Function) -> str:
     """One function: its signature, what it is with its equations and operations, and its body."""
     body = straight_line(function)
+    statements = _statements(function, body)
     arguments = [*map(str, function.arguments), *(f"{symbol}=0" for symbol in function.further)]
-    if function.transcendental:
+    if any("xp." in line for line in statements):
         arguments += ["*", "xp=numpy"]
     signature = f"def {function.name}({', '.join(arguments)}):"
     if len(signature) > _WIDTH:
         signature = listed(f"def {function.name}(", arguments, "):")
-    lines = [
-        "@broadcasting",
-        signature,
-        textwrap.indent(_docstring(function, body.operations), "    "),
-        *_statements(function, body),
-    ]
-    return "\n".join(lines)
+    return "\n".join([signature, textwrap.indent(_docstring(function, body.operations), "    "), *statements])
 
 
 def _statements(function: Function, body: Body) -> list[str]:

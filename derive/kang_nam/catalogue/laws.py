@@ -16,8 +16,8 @@ def module() -> Module:
         "The length of the inclined spring, and the friction law.",
         (
             Function("spring_length", "Length of the inclined spring.", "(6) corrected", (nm.x, nm.y, *ANGLE0), length, "L",
-                     transcendental=True, further=further((nm.x, nm.y), length)),
+                     further=further((nm.x, nm.y), length)),
             Function("friction", "The friction coefficient at the speed x' of the mass.", "(10)", speeds, friction, "mu",
-                     transcendental=True, further=further(speeds, friction)),
+                     further=further(speeds, friction)),
         ),
     )  # fmt: skip

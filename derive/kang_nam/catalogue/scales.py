@@ -19,13 +19,13 @@ def module() -> Module:
         (
             Function(
                 "scales", "Scales of length, time and force.", "text after (9)", (nm.m_mass, nm.k_c, nm.L_0),
-                (scales["length"], scales["time"], scales["force"]), "length, time, force", transcendental=True, share=False,
+                (scales["length"], scales["time"], scales["force"]), "length, time, force", share=False,
             ),
             Function(
                 "dimensionless_groups", "The dimensionless parameters of dimensional data.", "text after (9)",
                 (nm.m_mass, nm.k_c, nm.L_0, *dimensional),
                 tuple(groups[symbol][0] / groups[symbol][1] for symbol in dimensionless),
-                ", ".join(str(symbol) for symbol in dimensionless), transcendental=True, share=False, further=brought_in,
+                ", ".join(str(symbol) for symbol in dimensionless), share=False, further=brought_in,
             ),
         ),
     )  # fmt: skip

@@ -41,7 +41,7 @@ def module() -> Module:
                      "trace, determinant, discriminant"),
             Function("damping", "∂F_x/∂x' at steady sliding.", "(8), (10) linearized",
                      tuple(symbol for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar) if C[0, 0].has(symbol)),
-                     C[0, 0], "C11", transcendental=True, further=further((), C[0, 0])),
+                     C[0, 0], "C11", further=further((), C[0, 0])),
             Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
                      "(27) with damping", (*entries, nm.C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
             Function("reference_lines", "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.",

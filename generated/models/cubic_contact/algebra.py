@@ -31,63 +31,47 @@ import numpy
 
 from ..._broadcast import broadcasting
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
-def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma, *, xp=numpy):
+def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 2."""
     return ((cos0 - x, sin0 - y, 1),)
 
 
-@broadcasting
-def squared_lengths(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma, *, xp=numpy):
+def squared_lengths(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma):
     """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 10."""
     return (-2*cos0*x - 2*sin0*y + x*x + y*y + 1,)
 
 
-@broadcasting
-def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma, *, xp=numpy):
+def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y
 
 
-@broadcasting
-def mirror(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma, *, xp=numpy):
+def mirror(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 2."""
     return (2*cos0 - x, y)
 
 
-@broadcasting
-def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
 
-@broadcasting
 def friction_at_speed(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 5."""
     return mu0*(1 - xp.exp(-V*d))
 
 
-@broadcasting
-def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0, 0, 0, 0, 0, 0, 0)
 
 
-@broadcasting
-def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing, *, xp=numpy):
+def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 24."""
     w0 = mu*pushing
     w1 = gamma*(y*(y*y))
@@ -97,13 +81,11 @@ def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, p
     )
 
 
-@broadcasting
-def stiffnesses(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma, *, xp=numpy):
+def stiffnesses(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return (sigma,)
 
 
-@broadcasting
 def spring_forces(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma, *, xp=numpy):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 9."""
     base0 = cos0 - x
@@ -112,14 +94,12 @@ def spring_forces(x, y, cos0, sin0, kappa, alpha, sigma, beta, gamma, *, xp=nump
     return (sigma*(l1 - 1),)
 
 
-@broadcasting
-def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, *, xp=numpy):
+def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing):
     """The normal force of the contact. Returns N. Source: the page. Operations: 6."""
     return pushing*(-gamma*(y*(y*y)) - y)
 
 
-@broadcasting
-def forces_apart(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing, *, xp=numpy):
+def forces_apart(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 14."""
     w0 = mu*pushing
@@ -127,8 +107,7 @@ def forces_apart(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma,
     return (alpha*x + w0*w1 + w0*y, kappa + pushing*w1 + y*(beta + pushing))
 
 
-@broadcasting
-def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing, *, xp=numpy):
+def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 24."""
     w0 = 1/l1
@@ -138,8 +117,7 @@ def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gam
     return ((alpha + sigma*(-(s1*s1)*w0 + 1), w1*w2 + w1 + w3), (w3, beta + pushing*w2 + pushing + sigma*(-(c1*c1)*w0 + 1)))
 
 
-@broadcasting
-def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing, *, xp=numpy):
+def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, gamma, mu, pushing):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 27."""
     w0 = 1/l1
@@ -156,34 +134,29 @@ def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def mass_matrix(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1, 0), (0, 1))
 
 
-@broadcasting
 def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     11."""
     return ((-d*mu0*pushing*y*(gamma*(y*y) + 1)*xp.exp(-V*d), 0), (0, 0))
 
 
-@broadcasting
 def friction_slope(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 4."""
     return d*mu0*xp.exp(-V*d)
 
 
-@broadcasting
-def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     1."""
     return (((d*mu0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 46."""
     w1 = cos0 - x
@@ -206,7 +179,6 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *
     )
 
 
-@broadcasting
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 42."""
     w1 = cos0 - x
@@ -224,7 +196,6 @@ def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, 
     )
 
 
-@broadcasting
 def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
     page. Operations: 49."""
@@ -246,7 +217,6 @@ def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, ga
     )
 
 
-@broadcasting
 def regime_by_parameters(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy,
 ):
@@ -281,35 +251,30 @@ def regime_by_parameters(
     )
 
 
-@broadcasting
-def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
     return (y, V - vx)
 
 
-@broadcasting
-def border_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def border_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
     return (vy, -ax)
 
 
-@broadcasting
-def layers(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, side, *, xp=numpy):
+def layers(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, side):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 3."""
     return (d*side*(V - vx),)
 
 
-@broadcasting
-def layer_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, side, *, xp=numpy):
+def layer_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, side):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
 
 
-@broadcasting
 def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 33."""
     base0 = cos0 - x
@@ -323,7 +288,6 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d
     )
 
 
-@broadcasting
 def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 25."""
@@ -336,20 +300,20 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d,
     return alpha*(x*x)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*(gamma*(y_2*y_2)/4 + w0)
 
 
-@broadcasting
 def friction_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, pushing, side, near1, *, xp=numpy):
     """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 16."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
     return mu*pushing*vx*(-gamma*(y*(y*y)) - y)
 
 
-@broadcasting
-def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 0."""
     return 0
 
 
-@broadcasting
-def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d, *, xp=numpy):
+def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, gamma, V, d):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

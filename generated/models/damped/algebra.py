@@ -37,49 +37,35 @@ from ..kang_nam.algebra import (
     squared_lengths, stiffnesses,
 )
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
-def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
+def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
 
-@broadcasting
 def friction_at_speed(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 5."""
     return mu0*(1 - xp.exp(-V*d))
 
 
-@broadcasting
-def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
+def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0)
 
 
-@broadcasting
-def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, *, xp=numpy):
+def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing):
     """The normal force of the contact. Returns N. Source: the page. Operations: 2."""
     return -pushing*y
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
+def mass_matrix(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1, 0), (0, 1))
 
 
-@broadcasting
 def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     15."""
@@ -87,21 +73,18 @@ def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x
     return (((c1*c1)*zeta_s - d*mu0*pushing*y*xp.exp(-V*d) + zeta_x, w0), (w0, (s1*s1)*zeta_s + zeta_y))
 
 
-@broadcasting
 def friction_slope(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 4."""
     return d*mu0*xp.exp(-V*d)
 
 
-@broadcasting
-def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
+def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     1."""
     return (((d*mu0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 56."""
     w1 = cos0 - x
@@ -125,7 +108,6 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y
     )
 
 
-@broadcasting
 def regime_rhs(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -147,7 +129,6 @@ def regime_rhs(
     )
 
 
-@broadcasting
 def regime_jacobian(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -186,7 +167,6 @@ def regime_jacobian(
     )
 
 
-@broadcasting
 def regime_by_parameters(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -237,37 +217,30 @@ def regime_by_parameters(
     )
 
 
-@broadcasting
-def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
+def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
     return (y, V - vx)
 
 
-@broadcasting
-def border_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
+def border_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
     return (vy, -ax)
 
 
-@broadcasting
-def layers(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, side, *, xp=numpy):
+def layers(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, side):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 3."""
     return (d*side*(V - vx),)
 
 
-@broadcasting
-def layer_rates(
-    x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, side, *, xp=numpy,
-):
+def layer_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, side):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
 
 
-@broadcasting
 def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 29."""
     base0 = cos0 - x
@@ -278,7 +251,6 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zet
     return alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*w0 + kappa*y + pushing*w0 + (vx*vx)/2 + (vy*vy)/2
 
 
-@broadcasting
 def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 21."""
@@ -290,7 +262,6 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta
     return alpha*(x*x)/2 + (base6*base6)*sigma/2 + beta*w0 + pushing*w0
 
 
-@broadcasting
 def friction_power(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -300,7 +271,6 @@ def friction_power(
     return -mu*pushing*vx*y
 
 
-@broadcasting
 def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 30."""
     w1 = cos0 - x
@@ -314,7 +284,9 @@ def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_
     return -2*c1*s1*vx*vy*zeta_s - (c1*c1)*vx_2*zeta_s - (s1*s1)*vy_2*zeta_s - vx_2*zeta_x - vy_2*zeta_y
 
 
-@broadcasting
-def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d, *, xp=numpy):
+def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, zeta_x, zeta_y, zeta_s, V, d):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

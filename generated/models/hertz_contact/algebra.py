@@ -35,17 +35,8 @@ from ..kang_nam.algebra import (
     spring_forces, squared_lengths, stiffnesses,
 )
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
 def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 25."""
     base0 = 1 - pushing
@@ -55,7 +46,6 @@ def forces(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing,
     return (c1*sigma - cos0*sigma - mu*w0 + x*(alpha + sigma), kappa + s1*sigma - sigma*sin0 - w0 + y*(beta + sigma))
 
 
-@broadcasting
 def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """The normal force of the contact. Returns N. Source: the page. Operations: 9."""
     base0 = 1 - pushing
@@ -64,7 +54,6 @@ def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushin
     return _depth*pushing*root2
 
 
-@broadcasting
 def forces_apart(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 15."""
@@ -75,7 +64,6 @@ def forces_apart(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pu
     return (alpha*x - mu*w0, beta*y + kappa - w0)
 
 
-@broadcasting
 def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 27."""
@@ -87,7 +75,6 @@ def forces_jacobian(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu,
     return ((alpha + sigma*(-(s1*s1)*w0 + 1), mu*w1 + w2), (w2, beta + sigma*(-(c1*c1)*w0 + 1) + w1))
 
 
-@broadcasting
 def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 29."""
@@ -106,7 +93,6 @@ def forces_by_parameters(x, y, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
 def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     14."""
@@ -117,7 +103,6 @@ def damping(x, y, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, 
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 47."""
     _overlap = -y + abs(y)
@@ -141,7 +126,6 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, *, xp=nu
     )
 
 
-@broadcasting
 def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 45."""
     base0 = 1 - pushing
@@ -160,7 +144,6 @@ def regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, p
     )
 
 
-@broadcasting
 def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
     page. Operations: 52."""
@@ -183,7 +166,6 @@ def regime_jacobian(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V,
     )
 
 
-@broadcasting
 def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
     Operations: 58."""
@@ -213,7 +195,6 @@ def regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, bet
     )
 
 
-@broadcasting
 def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 40."""
     base0 = 1 - pushing
@@ -229,7 +210,6 @@ def energy(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushi
     )
 
 
-@broadcasting
 def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 32."""
@@ -243,7 +223,6 @@ def strain_energy(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushin
     return 2*(_depth*_depth)*pushing*root10/5 + alpha*(x*x)/2 + (base8*base8)*sigma/2 + beta*(y*y)/2
 
 
-@broadcasting
 def friction_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 19."""
     base0 = 1 - pushing
@@ -251,3 +230,6 @@ def friction_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, 
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
     root2 = xp.sqrt(_depth)
     return _depth*mu*pushing*root2*vx
+
+
+__all__ = broadcasting(globals())

@@ -24,96 +24,75 @@ import numpy
 
 from ..._broadcast import broadcasting
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
-def geometry(x, y, alpha, sigma, beta, *, xp=numpy):
+def geometry(x, y, alpha, sigma, beta):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def squared_lengths(x, y, alpha, sigma, beta, *, xp=numpy):
+def squared_lengths(x, y, alpha, sigma, beta):
     """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def contact_gap(x, y, alpha, sigma, beta, *, xp=numpy):
+def contact_gap(x, y, alpha, sigma, beta):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y
 
 
-@broadcasting
-def mirror(x, y, alpha, sigma, beta, *, xp=numpy):
+def mirror(x, y, alpha, sigma, beta):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 0."""
     return (x, y)
 
 
-@broadcasting
-def friction_at_rest(mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def friction_at_rest(mu0, alpha, sigma, beta, V, d):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
 
-@broadcasting
 def friction_at_speed(mu0, alpha, sigma, beta, V, d, *, xp=numpy):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 5."""
     return mu0*(1 - xp.exp(-V*d))
 
 
-@broadcasting
-def friction_by_parameters(mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def friction_by_parameters(mu0, alpha, sigma, beta, V, d):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (1, 0, 0, 0, 0, 0)
 
 
-@broadcasting
-def forces(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
+def forces(x, y, alpha, sigma, beta, mu, pushing):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 12."""
     w0 = sigma/2
     return (x*(alpha + w0) + y*(mu - w0), -w0*x + y*(beta + w0 + 1) + 1)
 
 
-@broadcasting
-def stiffnesses(x, y, alpha, sigma, beta, *, xp=numpy):
+def stiffnesses(x, y, alpha, sigma, beta):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def spring_forces(x, y, alpha, sigma, beta, *, xp=numpy):
+def spring_forces(x, y, alpha, sigma, beta):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def contact_force(x, y, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
+def contact_force(x, y, mu0, alpha, sigma, beta, V, d, pushing):
     """The normal force of the contact. Returns N. Source: the page. Operations: 1."""
     return -y
 
 
-@broadcasting
-def forces_apart(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
+def forces_apart(x, y, alpha, sigma, beta, mu, pushing):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 12."""
     w0 = sigma/2
     return (x*(alpha + w0) + y*(mu - w0), -w0*x + y*(beta + w0 + 1) + 1)
 
 
-@broadcasting
-def forces_jacobian(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
+def forces_jacobian(x, y, alpha, sigma, beta, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 6."""
     w0 = sigma/2
@@ -121,8 +100,7 @@ def forces_jacobian(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
     return ((alpha + w0, mu + w1), (w1, beta + w0 + 1))
 
 
-@broadcasting
-def forces_by_parameters(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
+def forces_by_parameters(x, y, alpha, sigma, beta, mu, pushing):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 4."""
     w0 = x/2 - y/2
@@ -130,34 +108,29 @@ def forces_by_parameters(x, y, alpha, sigma, beta, mu, pushing, *, xp=numpy):
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(x, y, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def mass_matrix(x, y, mu0, alpha, sigma, beta, V, d):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1, 0), (0, 1))
 
 
-@broadcasting
 def damping(x, y, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     6."""
     return ((-d*mu0*y*xp.exp(-V*d), 0), (0, 0))
 
 
-@broadcasting
 def friction_slope(mu0, alpha, sigma, beta, V, d, *, xp=numpy):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 4."""
     return d*mu0*xp.exp(-V*d)
 
 
-@broadcasting
-def friction_slope_by_sizes(mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def friction_slope_by_sizes(mu0, alpha, sigma, beta, V, d):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     1."""
     return (((d*mu0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 23."""
     near1 = 1
@@ -168,7 +141,6 @@ def rhs(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
     return (-x*(alpha + w1) - y*(mu - w1), sigma*x/2 - y*(beta + w1 + 1) - 1)
 
 
-@broadcasting
 def regime_rhs(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 22."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
@@ -176,7 +148,6 @@ def regime_rhs(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1
     return (-x*(alpha + w0) - y*(mu - w0), sigma*x/2 - y*(beta + w0 + 1) - 1)
 
 
-@broadcasting
 def regime_jacobian(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
     page. Operations: 18."""
@@ -186,7 +157,6 @@ def regime_jacobian(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, 
     return ((-alpha - w1, -mu + w1, d*mu0*w0*y, 0), (w1, -beta - w1 - 1, 0, 0))
 
 
-@broadcasting
 def regime_by_parameters(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
     Operations: 20."""
@@ -197,36 +167,31 @@ def regime_by_parameters(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, s
     return ((side*y*(w1 - 1), -x, -w2, 0, -d*w3, -w0*w3), (0, 0, w2, -y, 0, 0))
 
 
-@broadcasting
-def borders(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def borders(x, y, vx, vy, mu0, alpha, sigma, beta, V, d):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
     return (1, V - vx)
 
 
-@broadcasting
-def border_rates(x, y, vx, vy, ax, ay, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def border_rates(x, y, vx, vy, ax, ay, mu0, alpha, sigma, beta, V, d):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
     return (0, -ax)
 
 
-@broadcasting
-def layers(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, side, *, xp=numpy):
+def layers(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, side):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 3."""
     return (d*side*(V - vx),)
 
 
-@broadcasting
-def layer_rates(x, y, vx, vy, ax, ay, mu0, alpha, sigma, beta, V, d, side, *, xp=numpy):
+def layer_rates(x, y, vx, vy, ax, ay, mu0, alpha, sigma, beta, V, d, side):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
 
 
-@broadcasting
-def energy(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
+def energy(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 24."""
     y_2 = y*y
     w0 = y_2/2
@@ -235,8 +200,7 @@ def energy(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + (vx*vx)/2 + (vy*vy)/2 + w0 + w1*x_2 + w1*y_2 + y
 
 
-@broadcasting
-def strain_energy(x, y, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
+def strain_energy(x, y, mu0, alpha, sigma, beta, V, d, pushing):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 17."""
     y_2 = y*y
@@ -246,20 +210,20 @@ def strain_energy(x, y, mu0, alpha, sigma, beta, V, d, pushing, *, xp=numpy):
     return alpha*x_2/2 + beta*w0 - sigma*x*y/2 + w0 + w1*x_2 + w1*y_2
 
 
-@broadcasting
 def friction_power(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, pushing, side, near1, *, xp=numpy):
     """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 11."""
     mu = mu0*side*(-near1*xp.exp(-d*side*(V - vx)) + 1)
     return -mu*vx*y
 
 
-@broadcasting
-def damper_power(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def damper_power(x, y, vx, vy, mu0, alpha, sigma, beta, V, d):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 0."""
     return 0
 
 
-@broadcasting
-def applied_power(x, y, vx, vy, mu0, alpha, sigma, beta, V, d, *, xp=numpy):
+def applied_power(x, y, vx, vy, mu0, alpha, sigma, beta, V, d):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

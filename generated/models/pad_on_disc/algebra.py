@@ -40,63 +40,47 @@ import numpy
 
 from ..._broadcast import broadcasting
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
-def geometry(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, *, xp=numpy):
+def geometry(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 2."""
     return ((cos0 - x, sin0 - y, 1),)
 
 
-@broadcasting
-def squared_lengths(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, *, xp=numpy):
+def squared_lengths(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
     """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 10."""
     return (-2*cos0*x - 2*sin0*y + x*x + y*y + 1,)
 
 
-@broadcasting
-def contact_gap(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, *, xp=numpy):
+def contact_gap(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 1."""
     return -w + y
 
 
-@broadcasting
-def mirror(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, *, xp=numpy):
+def mirror(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 0."""
     return (x, y, w, z)
 
 
-@broadcasting
-def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *, xp=numpy):
+def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
 
-@broadcasting
 def friction_at_speed(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *, xp=numpy):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 5."""
     return mu0*(1 - xp.exp(-V*d))
 
 
-@broadcasting
-def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *, xp=numpy):
+def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
 
 
-@broadcasting
-def forces(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing, *, xp=numpy):
+def forces(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 28."""
     w0 = pushing*y
     w1 = pushing*w
@@ -109,13 +93,11 @@ def forces(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sig
     )
 
 
-@broadcasting
-def stiffnesses(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, *, xp=numpy):
+def stiffnesses(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return (sigma,)
 
 
-@broadcasting
 def spring_forces(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, *, xp=numpy):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 9."""
     base0 = cos0 - x
@@ -124,16 +106,12 @@ def spring_forces(x, y, w, z, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w,
     return (sigma*(l1 - 1),)
 
 
-@broadcasting
-def contact_force(
-    x, y, w, z, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing, *, xp=numpy,
-):
+def contact_force(x, y, w, z, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing):
     """The normal force of the contact. Returns N. Source: the page. Operations: 2."""
     return pushing*(w - y)
 
 
-@broadcasting
-def forces_apart(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing, *, xp=numpy):
+def forces_apart(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 18."""
     w0 = pushing*y
@@ -142,8 +120,7 @@ def forces_apart(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_
     return (alpha*x + mu*w0 - mu*w1, -w1 - w2 + y*(pushing + sigma_p), w*(pushing + sigma_w) - w0, kappa - sigma_p*y + w2)
 
 
-@broadcasting
-def forces_jacobian(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing, *, xp=numpy):
+def forces_jacobian(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 21."""
     w0 = 1/l1
@@ -159,8 +136,7 @@ def forces_jacobian(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sig
     )
 
 
-@broadcasting
-def forces_by_parameters(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing, *, xp=numpy):
+def forces_by_parameters(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, sigma_p, sigma_w, mu, pushing):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 23."""
     w0 = 1/l1
@@ -178,13 +154,11 @@ def forces_by_parameters(x, y, w, z, c1, s1, l1, cos0, sin0, kappa, alpha, sigma
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(x, y, w, z, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *, xp=numpy):
+def mass_matrix(x, y, w, z, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, nu_w, 0), (0, 0, 0, nu_z))
 
 
-@broadcasting
 def damping(
     x, y, w, z, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing, *,
     xp=numpy,
@@ -194,21 +168,18 @@ def damping(
     return ((d*mu0*pushing*(w - y)*xp.exp(-V*d), 0, 0, 0), (0, 0, 0, 0), (0, 0, zeta_w, 0), (0, 0, 0, 0))
 
 
-@broadcasting
 def friction_slope(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *, xp=numpy):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 4."""
     return d*mu0*xp.exp(-V*d)
 
 
-@broadcasting
-def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *, xp=numpy):
+def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     1."""
     return (((d*mu0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *,
     xp=numpy,
@@ -236,7 +207,6 @@ def rhs(
     )
 
 
-@broadcasting
 def regime_rhs(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing,
     side, near1, *, xp=numpy,
@@ -258,7 +228,6 @@ def regime_rhs(
     )
 
 
-@broadcasting
 def regime_jacobian(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing,
     side, near1, *, xp=numpy,
@@ -286,7 +255,6 @@ def regime_jacobian(
     )
 
 
-@broadcasting
 def regime_by_parameters(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing,
     side, near1, *, xp=numpy,
@@ -325,47 +293,38 @@ def regime_by_parameters(
     )
 
 
-@broadcasting
-def borders(
-    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *,
-    xp=numpy,
-):
+def borders(x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 2."""
     return (-w + y, V - vx)
 
 
-@broadcasting
 def border_rates(
     x, y, w, z, vx, vy, vw, vz, ax, ay, aw, az, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w,
-    V, d, *, xp=numpy,
+    V, d,
 ):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 2."""
     return (-vw + vy, -ax)
 
 
-@broadcasting
 def layers(
-    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, side, *,
-    xp=numpy,
+    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, side,
 ):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 3."""
     return (d*side*(V - vx),)
 
 
-@broadcasting
 def layer_rates(
     x, y, w, z, vx, vy, vw, vz, ax, ay, aw, az, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w,
-    V, d, side, *, xp=numpy,
+    V, d, side,
 ):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
 
 
-@broadcasting
 def energy(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing,
     *, xp=numpy,
@@ -383,7 +342,6 @@ def energy(
     )
 
 
-@broadcasting
 def strain_energy(
     x, y, w, z, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing, *, xp=numpy,
 ):
@@ -401,7 +359,6 @@ def strain_energy(
     )
 
 
-@broadcasting
 def friction_power(
     x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, pushing,
     side, near1, *, xp=numpy,
@@ -411,19 +368,18 @@ def friction_power(
     return mu*pushing*vx*(w - y)
 
 
-@broadcasting
 def damper_power(
-    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *,
-    xp=numpy,
+    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d,
 ):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
     return -(vw*vw)*zeta_w
 
 
-@broadcasting
 def applied_power(
-    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d, *,
-    xp=numpy,
+    x, y, w, z, vx, vy, vw, vz, cos0, sin0, mu0, kappa, alpha, sigma, sigma_p, sigma_w, nu_z, nu_w, zeta_w, V, d,
 ):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

@@ -29,64 +29,47 @@ import numpy
 
 from ..._broadcast import broadcasting
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "turnings", "torsions", "forces", "stiffnesses", "spring_forces", "contact_force",
-    "forces_apart", "forces_jacobian", "forces_by_parameters", "mass_matrix", "damping", "friction_slope",
-    "friction_slope_by_sizes", "rhs", "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates",
-    "layers", "layer_rates", "turning_borders", "turning_rates", "energy", "strain_energy", "friction_power",
-    "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
 def geometry(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 2."""
     return ((xp.sin(phi), xp.cos(phi), 0),)
 
 
-@broadcasting
-def squared_lengths(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
+def squared_lengths(phi, cos0, sin0, kappa, cos_psi, sin_psi):
     """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 0."""
     return (1,)
 
 
-@broadcasting
 def contact_gap(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 2."""
     return cos0 - xp.cos(phi)
 
 
-@broadcasting
-def mirror(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
+def mirror(phi, cos0, sin0, kappa, cos_psi, sin_psi):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 0."""
     return (phi,)
 
 
-@broadcasting
-def friction_at_rest(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
+def friction_at_rest(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
 
-@broadcasting
 def friction_at_speed(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 5."""
     return mu0*(1 - xp.exp(-V*d))
 
 
-@broadcasting
-def friction_by_parameters(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
+def friction_by_parameters(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0, 0, 0, 0, 0)
 
 
-@broadcasting
-def turnings(phi, c1, s1, l1, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
+def turnings(phi, c1, s1, l1, cos0, sin0, kappa, cos_psi, sin_psi):
     """Cosine and sine of the turning φ of every torsion spring: φ in (−π, π]. Returns ((cos φ_1, sin φ_1), …). Source: the
     page. Operations: 12."""
     w0 = cos0*cos_psi + sin0*sin_psi
@@ -94,13 +77,11 @@ def turnings(phi, c1, s1, l1, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
     return ((c1*w1 + s1*w0, -c1*w0 + s1*w1),)
 
 
-@broadcasting
-def torsions(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
+def torsions(phi, cos0, sin0, kappa, cos_psi, sin_psi):
     """The stiffness of every torsion spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return (kappa,)
 
 
-@broadcasting
 def forces(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 23."""
     w0 = xp.cos(phi)
@@ -109,25 +90,21 @@ def forces(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushi
     return (-c1*w1*w2 - cos0*mu*pushing*w0 + cos0*pushing*w1 + mu*pushing*(w0*w0) - pushing*w0*w1 - s1*w0*w2,)
 
 
-@broadcasting
-def stiffnesses(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
+def stiffnesses(phi, cos0, sin0, kappa, cos_psi, sin_psi):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return (0,)
 
 
-@broadcasting
-def spring_forces(phi, cos0, sin0, kappa, cos_psi, sin_psi, *, xp=numpy):
+def spring_forces(phi, cos0, sin0, kappa, cos_psi, sin_psi):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 0."""
     return (0,)
 
 
-@broadcasting
 def contact_force(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
     """The normal force of the contact. Returns N. Source: the page. Operations: 3."""
     return pushing*(-cos0 + xp.cos(phi))
 
 
-@broadcasting
 def forces_apart(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). A torsion spring adds k φ (c ∂dy − s
     ∂dx)/l. Returns (F_1, …). Source: the page. Operations: 13."""
@@ -137,7 +114,6 @@ def forces_apart(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu,
     return (-cos0*w0*w1 + cos0*w2 - w0*w2 + (w0*w0)*w1,)
 
 
-@broadcasting
 def forces_jacobian(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 51."""
@@ -167,7 +143,6 @@ def forces_jacobian(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, 
     )
 
 
-@broadcasting
 def forces_by_parameters(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_psi, mu, pushing, *, xp=numpy):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 24."""
@@ -182,14 +157,12 @@ def forces_by_parameters(phi, c1, s1, l1, phi1, cos0, sin0, kappa, cos_psi, sin_
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
+def mass_matrix(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 1."""
     _one = 0*(phi + cos0 + sin0 + mu0 + kappa + cos_psi + sin_psi + zeta + V + d) + 1
     return (((1*_one/3),),)
 
 
-@broadcasting
 def damping(phi, c1, s1, l1, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     16."""
@@ -199,21 +172,18 @@ def damping(phi, c1, s1, l1, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, 
     return ((mu0*(-base0_2*cos0*d*pushing*w0 + (base0*base0_2)*d*pushing*w0) + zeta,),)
 
 
-@broadcasting
 def friction_slope(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 4."""
     return d*mu0*xp.exp(-V*d)
 
 
-@broadcasting
-def friction_slope_by_sizes(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
+def friction_slope_by_sizes(cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     1."""
     return (((d*mu0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 59."""
     w0 = xp.sin(phi)
@@ -239,7 +209,6 @@ def rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=n
     return (w2*w11*w2 - cos0*w10 + cos0*w3*w9 + w5*w11*w5 - 3*vphi*zeta + w10*w3 - w3_2*w9,)
 
 
-@broadcasting
 def regime_rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, way1, *, xp=numpy):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 58."""
     w0 = xp.sin(phi)
@@ -260,7 +229,6 @@ def regime_rhs(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, 
     return (w2*w10*w2 + cos0*w3*w8 - cos0*w9 + w4*w10*w4 - 3*vphi*zeta + w3*w9 - w3_2*w8,)
 
 
-@broadcasting
 def regime_jacobian(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, way1, *, xp=numpy):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
     page. Operations: 119."""
@@ -299,7 +267,6 @@ def regime_jacobian(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V
     )
 
 
-@broadcasting
 def regime_by_parameters(
     phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, way1, *, xp=numpy,
 ):
@@ -333,7 +300,6 @@ def regime_by_parameters(
     )
 
 
-@broadcasting
 def borders(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 4."""
@@ -341,7 +307,6 @@ def borders(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, 
     return (cos0 - w0, V + vphi*w0)
 
 
-@broadcasting
 def border_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 7."""
@@ -349,14 +314,12 @@ def border_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta
     return (vphi*w0, aphi*xp.cos(phi) - (vphi*vphi)*w0)
 
 
-@broadcasting
 def layers(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, side, *, xp=numpy):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 5."""
     return (d*side*(V + vphi*xp.cos(phi)),)
 
 
-@broadcasting
 def layer_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, side, *, xp=numpy):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     9."""
@@ -364,7 +327,6 @@ def layer_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta,
     return (aphi*w0*xp.cos(phi) - (vphi*vphi)*w0*xp.sin(phi),)
 
 
-@broadcasting
 def turning_borders(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, way1, *, xp=numpy):
     """Positive where a turning is counted on its way, from −0.93 to π times it. Returns (b_1, …). Source: the page.
     Operations: 26."""
@@ -379,7 +341,6 @@ def turning_borders(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V
     return (c1*w4 + s1*w3 + 2*way1*(-c1*w3 + s1*w4) + 1,)
 
 
-@broadcasting
 def turning_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, way1, *, xp=numpy):
     """How they change along a motion. Returns rates of (b_1, …). Source: the page. Operations: 34."""
     w0 = xp.sin(phi)
@@ -395,7 +356,6 @@ def turning_rates(phi, vphi, aphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zet
     return (vphi*(-c1*w1*w6*(w4*(cos_psi*sin0 - w3) + w5) + s1*w1*w6*(cos_psi*sin0 - w3 - w4*w5)),)
 
 
-@broadcasting
 def energy(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 37."""
     w0 = xp.sin(phi)
@@ -411,7 +371,6 @@ def energy(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, push
     return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + (cos0*cos0)/2 + w2_2/2) + (vphi*vphi)/6
 
 
-@broadcasting
 def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 34."""
@@ -428,7 +387,6 @@ def strain_energy(phi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pus
     return kappa*(phi1*phi1)/2 + pushing*(-cos0*w2 + (cos0*cos0)/2 + w2_2/2)
 
 
-@broadcasting
 def friction_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, pushing, side, near1, *, xp=numpy):
     """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 15."""
     w0 = xp.cos(phi)
@@ -437,13 +395,14 @@ def friction_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V,
     return -mu*pushing*w1*(-cos0 + w0)
 
 
-@broadcasting
-def damper_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
+def damper_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
     return -(vphi*vphi)*zeta
 
 
-@broadcasting
-def applied_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d, *, xp=numpy):
+def applied_power(phi, vphi, cos0, sin0, mu0, kappa, cos_psi, sin_psi, zeta, V, d):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

@@ -18,57 +18,42 @@ import numpy
 
 from ..._broadcast import broadcasting
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
-def geometry(x, *, xp=numpy):
+def geometry(x):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def squared_lengths(x, *, xp=numpy):
+def squared_lengths(x):
     """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def contact_gap(x, *, xp=numpy):
+def contact_gap(x):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return 0
 
 
-@broadcasting
-def mirror(x, *, xp=numpy):
+def mirror(x):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 1."""
     return (-x,)
 
 
-@broadcasting
-def friction_at_rest(mu_s, v_s, zeta, V, *, xp=numpy):
+def friction_at_rest(mu_s, v_s, zeta, V):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 7."""
     return 2*V*mu_s*v_s/(V*V + v_s*v_s)
 
 
-@broadcasting
-def friction_at_speed(mu_s, v_s, zeta, V, *, xp=numpy):
+def friction_at_speed(mu_s, v_s, zeta, V):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 7."""
     return 2*V*mu_s*v_s/(V*V + v_s*v_s)
 
 
-@broadcasting
-def friction_by_parameters(mu_s, v_s, zeta, V, *, xp=numpy):
+def friction_by_parameters(mu_s, v_s, zeta, V):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 15."""
     V_2 = V*V
     v_s_2 = v_s*v_s
@@ -77,60 +62,51 @@ def friction_by_parameters(mu_s, v_s, zeta, V, *, xp=numpy):
     return (v_s*w1, mu_s*w1*(-v_s_2*w0 + 1), 0, mu_s*v_s*w0*(-V_2*w0 + 1))
 
 
-@broadcasting
-def forces(x, mu, pushing, *, xp=numpy):
+def forces(x, mu, pushing):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 1."""
     return (-mu + x,)
 
 
-@broadcasting
-def stiffnesses(x, *, xp=numpy):
+def stiffnesses(x):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def spring_forces(x, *, xp=numpy):
+def spring_forces(x):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def contact_force(x, mu_s, v_s, zeta, V, pushing, *, xp=numpy):
+def contact_force(x, mu_s, v_s, zeta, V, pushing):
     """The normal force of the contact. Returns N. Source: the page. Operations: 0."""
     return 1
 
 
-@broadcasting
-def forces_apart(x, mu, pushing, *, xp=numpy):
+def forces_apart(x, mu, pushing):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 1."""
     return (-mu + x,)
 
 
-@broadcasting
-def forces_jacobian(x, mu, pushing, *, xp=numpy):
+def forces_jacobian(x, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 0."""
     return ((1,),)
 
 
-@broadcasting
-def forces_by_parameters(x, mu, pushing, *, xp=numpy):
+def forces_by_parameters(x, mu, pushing):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 1."""
     return ((-1,),)
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(x, mu_s, v_s, zeta, V, *, xp=numpy):
+def mass_matrix(x, mu_s, v_s, zeta, V):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1,),)
 
 
-@broadcasting
-def damping(x, mu_s, v_s, zeta, V, pushing, *, xp=numpy):
+def damping(x, mu_s, v_s, zeta, V, pushing):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     12."""
     V_2 = V*V
@@ -138,16 +114,14 @@ def damping(x, mu_s, v_s, zeta, V, pushing, *, xp=numpy):
     return ((mu_s*(-4*V_2*v_s/(w0*w0) + 2*v_s/w0) + zeta,),)
 
 
-@broadcasting
-def friction_slope(mu_s, v_s, zeta, V, *, xp=numpy):
+def friction_slope(mu_s, v_s, zeta, V):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 9."""
     V_2 = V*V
     w0 = 2/(V_2 + v_s*v_s)
     return mu_s*v_s*w0*(-V_2*w0 + 1)
 
 
-@broadcasting
-def friction_slope_by_sizes(mu_s, v_s, zeta, V, *, xp=numpy):
+def friction_slope_by_sizes(mu_s, v_s, zeta, V):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     15."""
     V_2 = V*V
@@ -157,7 +131,6 @@ def friction_slope_by_sizes(mu_s, v_s, zeta, V, *, xp=numpy):
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(x, vx, mu_s, v_s, zeta, V, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 15."""
     w0 = V - vx
@@ -167,8 +140,7 @@ def rhs(x, vx, mu_s, v_s, zeta, V, *, xp=numpy):
     return (mu - vx*zeta - x,)
 
 
-@broadcasting
-def regime_rhs(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
+def regime_rhs(x, vx, mu_s, v_s, zeta, V, pushing, side):
     """Accelerations in a smooth regime, continued beyond its borders. Returns (q_1″, …). Source: the page. Operations: 14."""
     side_2 = side*side
     w0 = V - vx
@@ -176,8 +148,7 @@ def regime_rhs(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
     return (mu - vx*zeta - x,)
 
 
-@broadcasting
-def regime_jacobian(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
+def regime_jacobian(x, vx, mu_s, v_s, zeta, V, pushing, side):
     """Derivatives of regime_rhs by the coordinates and the rates. Returns ((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …). Source: the
     page. Operations: 26."""
     base1 = V - vx
@@ -186,8 +157,7 @@ def regime_jacobian(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
     return ((-1, mu_s*(-8*V*v_s*vx*w1 + 4*(V*V)*v_s*w1 + 4*v_s*(vx*vx)*w1 - 2*v_s/w0) - zeta),)
 
 
-@broadcasting
-def regime_by_parameters(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
+def regime_by_parameters(x, vx, mu_s, v_s, zeta, V, pushing, side):
     """Derivatives of regime_rhs by all parameters, an angle as the angle. Returns ((∂q_1″/∂p_1, …), …). Source: the page.
     Operations: 29."""
     w0 = -vx
@@ -199,49 +169,42 @@ def regime_by_parameters(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
     return ((w1*w4, mu_s*w3*(v_s_2*(-V*w3 + 2*vx*w2) + w1), w0, mu_s*w4*(4*V*vx*w2 - (V*V)*w3 - (vx*vx)*w3 + 1)),)
 
 
-@broadcasting
-def borders(x, vx, mu_s, v_s, zeta, V, *, xp=numpy):
+def borders(x, vx, mu_s, v_s, zeta, V):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
     return (1, V - vx)
 
 
-@broadcasting
-def border_rates(x, vx, ax, mu_s, v_s, zeta, V, *, xp=numpy):
+def border_rates(x, vx, ax, mu_s, v_s, zeta, V):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
     return (0, -ax)
 
 
-@broadcasting
-def layers(x, vx, mu_s, v_s, zeta, V, side, *, xp=numpy):
+def layers(x, vx, mu_s, v_s, zeta, V, side):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 0."""
     return ()
 
 
-@broadcasting
-def layer_rates(x, vx, ax, mu_s, v_s, zeta, V, side, *, xp=numpy):
+def layer_rates(x, vx, ax, mu_s, v_s, zeta, V, side):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     0."""
     return ()
 
 
-@broadcasting
-def energy(x, vx, mu_s, v_s, zeta, V, pushing, *, xp=numpy):
+def energy(x, vx, mu_s, v_s, zeta, V, pushing):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 5."""
     return (vx*vx)/2 + (x*x)/2
 
 
-@broadcasting
-def strain_energy(x, mu_s, v_s, zeta, V, pushing, *, xp=numpy):
+def strain_energy(x, mu_s, v_s, zeta, V, pushing):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 2."""
     return (x*x)/2
 
 
-@broadcasting
-def friction_power(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
+def friction_power(x, vx, mu_s, v_s, zeta, V, pushing, side):
     """Rate at which friction changes that energy. Returns power. Source: the page. Operations: 12."""
     side_2 = side*side
     w0 = V - vx
@@ -249,13 +212,14 @@ def friction_power(x, vx, mu_s, v_s, zeta, V, pushing, side, *, xp=numpy):
     return mu*vx
 
 
-@broadcasting
-def damper_power(x, vx, mu_s, v_s, zeta, V, *, xp=numpy):
+def damper_power(x, vx, mu_s, v_s, zeta, V):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 3."""
     return -(vx*vx)*zeta
 
 
-@broadcasting
-def applied_power(x, vx, mu_s, v_s, zeta, V, *, xp=numpy):
+def applied_power(x, vx, mu_s, v_s, zeta, V):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

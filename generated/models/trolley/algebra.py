@@ -35,64 +35,48 @@ import numpy
 
 from ..._broadcast import broadcasting
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "balance", "balance_jacobian", "mass_matrix", "damping", "friction_slope",
-    "friction_slope_by_sizes", "rhs", "regime_rhs", "regime_jacobian", "regime_by_parameters", "borders", "border_rates",
-    "layers", "layer_rates", "energy", "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
-def geometry(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, *, xp=numpy):
+def geometry(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 3."""
     return ((cos0 - x + x_a, sin0 - y, 1),)
 
 
-@broadcasting
-def squared_lengths(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, *, xp=numpy):
+def squared_lengths(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
     """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 17."""
     w0 = 2*x
     return (-cos0*w0 + 2*cos0*x_a - 2*sin0*y - w0*x_a + x*x + x_a*x_a + y*y + 1,)
 
 
-@broadcasting
-def contact_gap(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, *, xp=numpy):
+def contact_gap(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y
 
 
-@broadcasting
-def mirror(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, *, xp=numpy):
+def mirror(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 3."""
     return (2*cos0 - x, y, -x_a)
 
 
-@broadcasting
-def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
+def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
 
-@broadcasting
 def friction_at_speed(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 5."""
     return mu0*(1 - xp.exp(-V*d))
 
 
-@broadcasting
-def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
+def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0, 0, 0, 0, 0, 0, 0, 0)
 
 
-@broadcasting
-def forces(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing, *, xp=numpy):
+def forces(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 24."""
     w0 = c1*sigma - cos0*sigma
     return (
@@ -102,13 +86,11 @@ def forces(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a
     )
 
 
-@broadcasting
-def stiffnesses(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, *, xp=numpy):
+def stiffnesses(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return (sigma,)
 
 
-@broadcasting
 def spring_forces(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, *, xp=numpy):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 10."""
     base0 = sin0 - y
@@ -117,21 +99,18 @@ def spring_forces(x, y, x_a, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, *, 
     return (sigma*(l1 - 1),)
 
 
-@broadcasting
-def contact_force(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, *, xp=numpy):
+def contact_force(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing):
     """The normal force of the contact. Returns N. Source: the page. Operations: 2."""
     return -pushing*y
 
 
-@broadcasting
-def forces_apart(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing, *, xp=numpy):
+def forces_apart(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 8."""
     return (alpha*x + mu*pushing*y, kappa + y*(beta + pushing), alpha_a*x_a)
 
 
-@broadcasting
-def forces_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing, *, xp=numpy):
+def forces_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 21."""
     w0 = 1/l1
@@ -143,8 +122,7 @@ def forces_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta
     return ((alpha + w2, mu*pushing + w3, w4), (w3, beta + pushing + sigma*(-(c1*c1)*w0 + 1), w5), (w4, w5, alpha_a + w2))
 
 
-@broadcasting
-def forces_by_parameters(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing, *, xp=numpy):
+def forces_by_parameters(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 24."""
     w0 = 1/l1
@@ -161,8 +139,7 @@ def forces_by_parameters(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma,
     )
 
 
-@broadcasting
-def balance(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing, *, xp=numpy):
+def balance(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """Sums of the forces, in which those of springs between coordinates cancel. Returns (F_1, …). Source: the page.
     Operations: 23."""
     w0 = pushing*y
@@ -174,8 +151,7 @@ def balance(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_
     )
 
 
-@broadcasting
-def balance_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing, *, xp=numpy):
+def balance_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, beta, alpha_a, mu, pushing):
     """Their derivatives by the coordinates: the same sums of the rows of K. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 20."""
     w0 = 1/l1
@@ -186,34 +162,29 @@ def balance_jacobian(x, y, x_a, c1, s1, l1, cos0, sin0, kappa, alpha, sigma, bet
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
+def mass_matrix(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1, 0, 0), (0, 1, 0), (0, 0, nu_a))
 
 
-@broadcasting
 def damping(x, y, x_a, c1, s1, l1, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, *, xp=numpy):
     """C: dampers, and the slope of the friction law at steady sliding. Returns ((C_11, …), …). Source: the page. Operations:
     7."""
     return ((-d*mu0*pushing*y*xp.exp(-V*d), 0, 0), (0, 0, 0), (0, 0, 0))
 
 
-@broadcasting
 def friction_slope(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 4."""
     return d*mu0*xp.exp(-V*d)
 
 
-@broadcasting
-def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
+def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     1."""
     return (((d*mu0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 48."""
     w1 = cos0 - x + x_a
@@ -236,7 +207,6 @@ def rhs(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alp
     )
 
 
-@broadcasting
 def regime_rhs(
     x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -257,7 +227,6 @@ def regime_rhs(
     )
 
 
-@broadcasting
 def regime_jacobian(
     x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -284,7 +253,6 @@ def regime_jacobian(
     )
 
 
-@broadcasting
 def regime_by_parameters(
     x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -319,40 +287,30 @@ def regime_by_parameters(
     )
 
 
-@broadcasting
-def borders(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
+def borders(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
     return (y, V - vx)
 
 
-@broadcasting
-def border_rates(
-    x, y, x_a, vx, vy, vx_a, ax, ay, ax_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy,
-):
+def border_rates(x, y, x_a, vx, vy, vx_a, ax, ay, ax_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
     return (vy, -ax)
 
 
-@broadcasting
-def layers(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, side, *, xp=numpy):
+def layers(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, side):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 3."""
     return (d*side*(V - vx),)
 
 
-@broadcasting
-def layer_rates(
-    x, y, x_a, vx, vy, vx_a, ax, ay, ax_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, side, *,
-    xp=numpy,
-):
+def layer_rates(x, y, x_a, vx, vy, vx_a, ax, ay, ax_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, side):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
 
 
-@broadcasting
 def energy(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, *, xp=numpy):
     """Kinetic and stored energy, applied forces and contact included. Returns energy. Source: the page. Operations: 38."""
     base0 = sin0 - y
@@ -366,7 +324,6 @@ def energy(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, 
     )
 
 
-@broadcasting
 def strain_energy(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, *, xp=numpy):
     """Energy stored in springs, contact and potentials, without the applied forces. Returns energy. Source: the page.
     Operations: 26."""
@@ -378,7 +335,6 @@ def strain_energy(x, y, x_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a
     return alpha*(x*x)/2 + alpha_a*(x_a*x_a)/2 + (base7*base7)*sigma/2 + beta*w0 + pushing*w0
 
 
-@broadcasting
 def friction_power(
     x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, pushing, side, near1, *,
     xp=numpy,
@@ -388,13 +344,14 @@ def friction_power(
     return -mu*pushing*vx*y
 
 
-@broadcasting
-def damper_power(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
+def damper_power(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 0."""
     return 0
 
 
-@broadcasting
-def applied_power(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d, *, xp=numpy):
+def applied_power(x, y, x_a, vx, vy, vx_a, cos0, sin0, mu0, kappa, alpha, sigma, beta, alpha_a, nu_a, V, d):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

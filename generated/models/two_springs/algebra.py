@@ -37,18 +37,9 @@ import numpy
 
 from ..._broadcast import broadcasting
 
-__all__ = [
-    "geometry", "squared_lengths", "contact_gap", "mirror", "friction_at_rest", "friction_at_speed",
-    "friction_by_parameters", "forces", "stiffnesses", "spring_forces", "contact_force", "forces_apart", "forces_jacobian",
-    "forces_by_parameters", "mass_matrix", "damping", "friction_slope", "friction_slope_by_sizes", "rhs", "regime_rhs",
-    "regime_jacobian", "regime_by_parameters", "borders", "border_rates", "layers", "layer_rates", "energy",
-    "strain_energy", "friction_power", "damper_power", "applied_power",
-]
-
 
 # The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).
-@broadcasting
-def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, *, xp=numpy):
+def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
     """The vector from the mass's end of every spring to its anchor, and its undeformed length. Returns ((dx, dy, rest), …).
     Source: the page. Operations: 8."""
     w0 = -x
@@ -56,8 +47,7 @@ def geometry(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_
     return ((cos0 + w0, sin0 + w1, 1), (cos0_2*lambda_2 + w0, lambda_2*sin0_2 + w1, lambda_2))
 
 
-@broadcasting
-def squared_lengths(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, *, xp=numpy):
+def squared_lengths(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
     """The squared length of every spring. Returns (l_1², …). Source: the page. Operations: 18."""
     w0 = 2*x
     w1 = 2*y
@@ -65,42 +55,35 @@ def squared_lengths(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2,
     return (-cos0*w0 - sin0*w1 + w2 + 1, -cos0_2*lambda_2*w0 - lambda_2*sin0_2*w1 + lambda_2*lambda_2 + w2)
 
 
-@broadcasting
-def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, *, xp=numpy):
+def contact_gap(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
     """The gap: contact where it is not positive. Returns gap. Source: the page. Operations: 0."""
     return y
 
 
-@broadcasting
-def mirror(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, *, xp=numpy):
+def mirror(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
     """The image of a state in the model's mirror, if it has one: see "mirror" in model.json. Returns image. Source: the page.
     Operations: 2."""
     return (2*cos0 - x, y)
 
 
-@broadcasting
-def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
+def friction_at_rest(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """The friction coefficient at steady sliding. Returns mu. Source: the page. Operations: 0."""
     return mu0
 
 
-@broadcasting
 def friction_at_speed(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
     """The friction coefficient at the belt's speed: of a motion that has come to rest. Returns mu. Source: the page.
     Operations: 5."""
     return mu0*(1 - xp.exp(-V*d))
 
 
-@broadcasting
-def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
+def friction_by_parameters(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """Its derivatives by all parameters, an angle as the angle. Returns (∂mu/∂p_1, …). Source: the page. Operations: 0."""
     return (0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0)
 
 
-@broadcasting
 def forces(
-    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing, *,
-    xp=numpy,
+    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing,
 ):
     """Minus the sum of forces along each coordinate. Returns (F_1, …). Source: the page. Operations: 27."""
     w0 = lambda_2*sigma_2
@@ -111,13 +94,11 @@ def forces(
     )
 
 
-@broadcasting
-def stiffnesses(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, *, xp=numpy):
+def stiffnesses(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2):
     """The stiffness of every spring. Returns (k_1, …). Source: the page. Operations: 0."""
     return (sigma, sigma_2)
 
 
-@broadcasting
 def spring_forces(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, *, xp=numpy):
     """The tension of every spring, negative where it pushes. Returns (T_1, …). Source: the page. Operations: 22."""
     w0 = -x
@@ -131,28 +112,21 @@ def spring_forces(x, y, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, s
     return (sigma*(l1 - 1), sigma_2*(l2 - lambda_2))
 
 
-@broadcasting
-def contact_force(
-    x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, *, xp=numpy,
-):
+def contact_force(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing):
     """The normal force of the contact. Returns N. Source: the page. Operations: 2."""
     return -pushing*y
 
 
-@broadcasting
 def forces_apart(
-    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing, *,
-    xp=numpy,
+    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing,
 ):
     """The forces without those springs; each adds its tension times (c ∂dx + s ∂dy). Returns (F_1, …). Source: the page.
     Operations: 7."""
     return (alpha*x + mu*pushing*y, kappa + y*(beta + pushing))
 
 
-@broadcasting
 def forces_jacobian(
-    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing, *,
-    xp=numpy,
+    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing,
 ):
     """K: derivatives of the forces by the coordinates, directions following. Returns ((∂F_1/∂q_1, …), …). Source: the page.
     Operations: 32."""
@@ -165,10 +139,8 @@ def forces_jacobian(
     )
 
 
-@broadcasting
 def forces_by_parameters(
-    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing, *,
-    xp=numpy,
+    x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, mu, pushing,
 ):
     """Derivatives of the forces by the parameters, an angle as the angle, and by mu. Returns ((∂F_1/∂p_1, …, ∂F_1/∂mu), …).
     Source: the page. Operations: 58."""
@@ -198,13 +170,11 @@ def forces_by_parameters(
 
 
 # Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.
-@broadcasting
-def mass_matrix(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
+def mass_matrix(x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """M of the kinetic energy. Returns ((M_11, …), …). Source: the page. Operations: 0."""
     return ((1, 0), (0, 1))
 
 
-@broadcasting
 def damping(
     x, y, c1, s1, l1, c2, s2, l2, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d,
     pushing, *, xp=numpy,
@@ -214,21 +184,18 @@ def damping(
     return ((-d*mu0*pushing*y*xp.exp(-V*d), 0), (0, 0))
 
 
-@broadcasting
 def friction_slope(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
     """Slope of the friction law at steady sliding, by the sliding speed. Returns dμ/dv. Source: the page. Operations: 4."""
     return d*mu0*xp.exp(-V*d)
 
 
-@broadcasting
-def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
+def friction_slope_by_sizes(cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """The slope as a sum of c exp(a), over each of its exponentials. Returns (((c, a), …), …). Source: the page. Operations:
     1."""
     return (((d*mu0, 0),),)
 
 
 # The equations of motion: everywhere, and in each regime in which they are smooth.
-@broadcasting
 def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
     """Accelerations, kinked where a border is zero. Returns (q_1″, …). Source: the page. Operations: 65."""
     w1 = -x
@@ -259,7 +226,6 @@ def rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2
     )
 
 
-@broadcasting
 def regime_rhs(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, side, near1,
     *, xp=numpy,
@@ -288,7 +254,6 @@ def regime_rhs(
     )
 
 
-@broadcasting
 def regime_jacobian(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, side, near1,
     *, xp=numpy,
@@ -319,7 +284,6 @@ def regime_jacobian(
     )
 
 
-@broadcasting
 def regime_by_parameters(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, side, near1,
     *, xp=numpy,
@@ -368,42 +332,32 @@ def regime_by_parameters(
     )
 
 
-@broadcasting
-def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy):
+def borders(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Returns gap, slip. Source: the
     page. Operations: 1."""
     return (y, V - vx)
 
 
-@broadcasting
-def border_rates(
-    x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy,
-):
+def border_rates(x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """How the borders change along a motion with the given accelerations. Returns rates of gap, slip. Source: the page.
     Operations: 1."""
     return (vy, -ax)
 
 
-@broadcasting
-def layers(
-    x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, side, *, xp=numpy,
-):
+def layers(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, side):
     """Minus the exponents of the sliding speed in the friction law: large where they are not felt. Returns (z_1, …). Source:
     the page. Operations: 3."""
     return (d*side*(V - vx),)
 
 
-@broadcasting
 def layer_rates(
-    x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, side, *,
-    xp=numpy,
+    x, y, vx, vy, ax, ay, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, side,
 ):
     """How they change along a motion with the given accelerations. Returns rates of (z_1, …). Source: the page. Operations:
     3."""
     return (-ax*d*side,)
 
 
-@broadcasting
 def energy(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, *, xp=numpy,
 ):
@@ -425,7 +379,6 @@ def energy(
     )
 
 
-@broadcasting
 def strain_energy(
     x, y, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, *, xp=numpy,
 ):
@@ -445,7 +398,6 @@ def strain_energy(
     return alpha*(x*x)/2 + (base10*base10)*sigma_2/2 + (base12*base12)*sigma/2 + beta*w2 + pushing*w2
 
 
-@broadcasting
 def friction_power(
     x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, pushing, side, near1,
     *, xp=numpy,
@@ -455,17 +407,14 @@ def friction_power(
     return -mu*pushing*vx*y
 
 
-@broadcasting
-def damper_power(
-    x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy,
-):
+def damper_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """Rate at which dampers change it, never positive. Returns power. Source: the page. Operations: 0."""
     return 0
 
 
-@broadcasting
-def applied_power(
-    x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d, *, xp=numpy,
-):
+def applied_power(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, cos0_2, sin0_2, sigma_2, lambda_2, V, d):
     """Rate at which applied forces without a potential change it. Returns power. Source: the page. Operations: 0."""
     return 0
+
+
+__all__ = broadcasting(globals())

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...models.model_field import undecorated
 from ...numerics import jets
 from ...numerics.interval_arrays import Intervals, stacked
 from .directions import direction, turning
@@ -27,12 +28,6 @@ class Model(Protocol):
     @property
     def algebra(self) -> Any:
         """Of the balance of forces, and of small motions about it."""
-
-
-def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The algebra of a generated function, without the common shape given to results."""
-    algebra: Callable[..., Any] = getattr(function, "__wrapped__", function)
-    return algebra
 
 
 class Forces:

@@ -96,7 +96,7 @@ def c_library(once: Once) -> ctypes.CDLL:
     return c_target.load(once("c_target", lambda: c_target.compiled(compiler, ("-O0", "-ffp-contract=off"))))
 
 
-@pytest.fixture(params=["integers", "Arb"])
+@pytest.fixture(params=["integers", pytest.param("Arb", marks=pytest.mark.thorough)])
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics: the package's and Arb's."""
     return Balls() if request.param == "integers" else pytest.importorskip("tests.oracles.arb").Arb()

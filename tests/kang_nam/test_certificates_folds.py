@@ -12,6 +12,7 @@ from spragsym.generated import catastrophe as generated
 from spragsym.kang_nam.folds import fold_curves, fold_events, fold_proofs
 from spragsym.kang_nam.folds.fixed_parameters import Fixed
 from spragsym.numerics import intervals
+from tests.support import few
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
 SETS = list(map(Fixed._make, [
@@ -24,7 +25,7 @@ SETS = list(map(Fixed._make, [
 pytestmark = pytest.mark.usefixtures("silent")
 
 
-@pytest.fixture(scope="module", params=SETS, ids=str)
+@pytest.fixture(scope="module", params=few(SETS, *SETS[:3], SETS[7]), ids=lambda fixed: str(tuple(fixed)))
 def fixed(request: pytest.FixtureRequest) -> Fixed:
     return request.param
 

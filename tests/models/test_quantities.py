@@ -10,13 +10,13 @@ from spragsym.generated import scales
 from spragsym.generated.quantities import QUANTITIES
 
 
-@pytest.mark.parametrize("name", ["x", "y", "L", "vx", "vy", "V", "d", "tau"])
-def test_units_are_the_scales_of_the_model(name: str) -> None:
+def test_units_are_the_scales_of_the_model() -> None:
     """What a unit says, computed, is the product of the scales of length and time that were derived."""
     m, k_c, L_0 = 0.3, 7.0e5, 0.05
     length, time, _ = scales.scales(m, k_c, L_0)
     derived = {"x": length, "y": length, "L": length, "vx": length / time, "vy": length / time, "V": length / time,
-               "d": time / length, "tau": time}[name]  # fmt: skip
-    said = QUANTITIES[name].unit.replace("L_0 sqrt", "L_0 * sqrt")
-    value = eval(said, {"L_0": L_0, "m": m, "k_c": k_c, "sqrt": math.sqrt})  # noqa: S307  # our own table
-    assert value == pytest.approx(derived, rel=1e-15)
+               "d": time / length, "tau": time}  # fmt: skip
+    for name, expected in derived.items():
+        said = QUANTITIES[name].unit.replace("L_0 sqrt", "L_0 * sqrt")
+        value = eval(said, {"L_0": L_0, "m": m, "k_c": k_c, "sqrt": math.sqrt})  # noqa: S307  # our own table
+        assert value == pytest.approx(expected, rel=1e-15), name

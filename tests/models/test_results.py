@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from tests.support import few
 
 
 def _results() -> dict[str, Any]:
@@ -29,7 +30,7 @@ def _results() -> dict[str, Any]:
     }
 
 
-@pytest.fixture(scope="module", params=_results())
+@pytest.fixture(scope="module", params=few(_results(), "equilibria", "folds", "path of a rod", "motion"))
 def result(request: pytest.FixtureRequest) -> Any:
     return _results()[request.param]()
 

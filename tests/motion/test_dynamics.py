@@ -87,12 +87,9 @@ def test_energy_balance_closes_with_friction(backend: str) -> None:
     assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-11)
 
 
-STABLE = [(30.0, 0), (30.0, 2), (49.0, 0), (100.0, 0), (170.0, 2)]
-
-
-@pytest.mark.parametrize(("theta0_deg", "slot"), STABLE)
-@pytest.mark.parametrize("mode", [0, 1])
-@pytest.mark.parametrize("d", [4.0, 40.0])
+@pytest.mark.parametrize(("theta0_deg", "slot", "mode", "d"), [
+    (30.0, 0, 0, 4.0), (30.0, 2, 1, 40.0), (49.0, 0, 1, 4.0), (49.0, 0, 0, 40.0), (170.0, 2, 0, 4.0),
+])  # fmt: skip
 def test_small_oscillations_follow_the_linearization(theta0_deg: float, slot: int, mode: int, d: float) -> None:
     V, size, t_end = 0.5, 1e-7, 1000.0
     p = ss.Parameters.article(theta0=np.radians(theta0_deg))

@@ -13,6 +13,7 @@ import spragsym as ss
 from spragsym.models.load import shipped
 from spragsym.motion import Event
 from tests.conftest import Run
+from tests.support import few
 
 NAMES = shipped()
 BACKENDS = ["scipy", *(["heyoka"] if importlib.util.find_spec("heyoka") else [])]
@@ -25,7 +26,7 @@ def parameters(model: Any, **changes: Any) -> Any:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", few(NAMES, "kang_nam", "stick_slip", "sprag_rod"))
 def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     """The integral of the powers over a motion with kinks is the change of energy: the quadrature is not the integrator's."""
     model = ss.load(name).search
@@ -41,7 +42,7 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
 
 
 @pytest.mark.skipif(len(BACKENDS) < 2, reason="the extra fast is not installed")
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", few(NAMES, "hertz_contact", "trolley"))
 def test_both_integrators_agree(name: str) -> None:
     model = ss.load(name).search
     ends = [ss.simulate(parameters(model), t_end=30.0, backend=backend).state[:, -1] for backend in BACKENDS]

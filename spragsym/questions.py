@@ -28,10 +28,6 @@ R = TypeVar("R")
 #: Ways to an answer: by closed form where there is one, by closed form only, or by the general algorithm and all that it asks.
 Method: TypeAlias = Literal["auto", "closed", "search"]
 WAYS = ("auto", "closed", "search")
-#: Questions about a state that is followed: closed forms know the reference state, not one that ``p.following(…)`` chose.
-FOLLOWING = frozenset((
-    "first_ends", "have_jumped", "certify", "safe_within", "critical_friction",
-))  # fmt: skip
 
 
 class NotInClosedForm(Exception):
@@ -51,8 +47,7 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         asked = {"auto": model, "closed": model.whole, "search": model.search}[method]
         if asked is not model:
             args, options = of(asked, args), {key: of(asked, value) for key, value in options.items()}  # type: ignore[assignment]
-        closed = asked.closed_form(name)
-        if closed is not None and not is_chosen(name, args, options) and _takes(closed, args, options):
+        if (closed := _closed_form(asked, name, args, options)) is not None:
             try:
                 return closed(*args, **{key: value for key, value in options.items() if value is not None})  # type: ignore[no-any-return]
             except NotInClosedForm:
@@ -116,22 +111,23 @@ def of(model: Model, thing: Any) -> Any:
     return tuple(of(model, one) for one in thing) if type(thing) is tuple else thing
 
 
-def is_chosen(name: str, args: tuple[Any, ...], options: Mapping[str, Any]) -> bool:
-    """Whether a question is about a state that is followed, and about another one than the reference state."""
-    return name in FOLLOWING and any(getattr(p, "followed", None) is not None for p, _ in _sets((*args, *options.values())))
-
-
 @functools.cache
 def _signature(function: Callable[..., Any]) -> inspect.Signature:
     return inspect.signature(function)
 
 
-def _takes(closed: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any]) -> bool:
-    """Whether a closed form has arguments of these names; None is what is left out."""
-    if len(args) == 1 and not options:
-        return True
+def has_closed_form(question: Callable[..., Any], *args: Any, **options: Any) -> bool:
+    """Whether the model brings a closed form of a question with these arguments: it costs little, and has all there are."""
+    return _closed_form(model_of(*args, *options.values()), question.__name__, args, options) is not None
+
+
+def _closed_form(model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]) -> Callable[..., Any] | None:
+    """The closed form of a question, if it has arguments of these names; None is what is left out."""
+    closed = model.closed_form(name)
+    if closed is None or (len(args) == 1 and not options):
+        return closed
     try:
         _signature(closed).bind(*args, **{key: value for key, value in options.items() if value is not None})
     except TypeError:
-        return False
-    return True
+        return None
+    return closed

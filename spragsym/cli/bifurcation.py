@@ -126,7 +126,7 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     from ..figures.labels import window
 
     p, ranges = case.set(*vary), case.between(*case.spans)
-    closed = case.has_closed("bifurcation_set") and vary == case.model.axes and not ranges
+    closed = case.has_closed_form(ss.bifurcation_set, p) and vary == case.model.axes and not ranges
     shown, onsets, plane = window(case.model, vary, ranges, found["cusps"]), None, " and ".join(vary)
     if undamped or len(found["onsets"]) or not (closed or len(found["folds"]) or len(found["cusps"])):
         with show_progress(f"searching for onsets in the plane of {plane}"):

@@ -78,7 +78,7 @@ def explore(
     """
     study = None if data is None else study_of(data, model, trust)
     chosen = load(study.model if study is not None else model or USUAL)
-    if method == "closed" and not chosen.closed:
+    if method == "closed" and chosen.search is chosen:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
     out = _page_name(out)
     probe(out, made=True)

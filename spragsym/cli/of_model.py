@@ -19,6 +19,7 @@ from ..models import load
 from ..models.load import USUAL
 from ..models.parameter_class import options_of
 from ..models.parameters import FloatArray, Range, degrees, shown
+from ..questions import has_closed_form
 from . import options as o
 from .output import drawable, print_json, refuse
 from .units import Units
@@ -82,9 +83,9 @@ class Case(Units):
             flag = options_of(self.model.about, name)[0]
             raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
 
-    def has_closed(self, name: str) -> bool:
-        """Whether the model brings a closed form for this, and it is not the search that is asked for."""
-        return name in self.model.closed and self.ask.get("method") != "search"
+    def has_closed_form(self, question: Callable[..., Any], p: ParameterSet) -> bool:
+        """Whether the model brings a closed form of a question, and it is not the search that is asked for."""
+        return self.ask.get("method") != "search" and has_closed_form(question, p)
 
     def between(self, *spans: Span) -> dict[str, tuple[float, float]]:
         """Ranges of what varies, where they were given."""

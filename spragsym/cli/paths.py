@@ -13,6 +13,7 @@ import spragsym as ss
 
 from ..bifurcation.paths import first_end
 from ..bifurcation.points import ranges
+from ..design.jumps import first_ends
 from ..errors import ParameterError, SpragsymError
 from ..progress import show_progress
 from ..remarks import At, Remark
@@ -141,7 +142,7 @@ def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str,
     at, kind, before, error = math.nan, None, dict.fromkeys(case.model.coordinates, math.nan), math.nan
     if jumped:
         searched = [math.nan, math.nan]
-    elif case.has_closed("first_ends") and p.followed is None and along.ends is None and entry["role"] == "both":
+    elif case.has_closed_form(first_ends, p) and p.followed is None and along.ends is None and entry["role"] == "both":
         searched, at = [-math.inf, math.inf], float(ss.jump_value(p, name, direction=way))
         if math.isfinite(at):
             folds = ss.folds(p, name)
@@ -184,7 +185,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
 
     def jump() -> float:
         value = float(ss.jump_value(p, "mu0"))
-        if math.isnan(value) and not case.has_closed("first_ends"):
+        if math.isnan(value) and not case.has_closed_form(first_ends, p):
             end = At("mu0", (float(ranges(model, ("mu0",), {})[0, 1]),), "g")
             remarks.append(Remark("mu0_jump: followed up to {}; beyond that it is not known", end))
         return value
@@ -213,6 +214,6 @@ def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str
     if len(known) < 2:
         return {"mu0_jump": "mu0_jump: mu0 of the jump"} if "mu0" in known and vary != "mu0" else {}
     jump = {} if vary == "theta0" else {"mu0_jump": "mu0_jump: mu0 of the jump at this angle"}
-    linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if case.has_closed("linear_critical_friction") else {}
+    linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if frictions["mu_cr"] is not None else {}
     lowest = {"mu0_lowest": f"mu0_lowest: no jump below this mu0{place}", "mu0_cusp": "mu0_cusp: mu0 of the lowest cusp"}
     return jump | lowest | linear

@@ -91,7 +91,7 @@ def explorer_page(
 def _solver(model: Model) -> dict[str, str]:
     """The parts of a page that depend on how states are found: by search, or by the exported solver of closed forms."""
     folder, bundle = _ASSETS / model.name, _in_a_script(_asset("explorer.js"))
-    if "equilibria" not in model.closed or not folder.is_dir():
+    if model.search is model or not folder.is_dir():
         words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
         head = _filled(_asset("head.html"), words)
         return {"HEAD": head, "SURFACE": "", "LEGEND": "", "BUNDLES": bundle, "WORKER": "", "SOLVER": ""}

@@ -12,6 +12,7 @@ import spragsym as ss
 
 from ..assumed import MU0_RANGE
 from ..models.parameters import FloatArray, Parameters, ParameterSet
+from ..questions import has_closed_form
 from ..results.equilibria import Stability
 from . import surfaces
 from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
@@ -108,7 +109,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
 def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, n: int = 60) -> Table:
     """Fold curves of any model over (θ₀, μ₀), on ``n`` lines if by search; by closed forms the regions between them shaded."""
     model = p.model
-    closed = "bifurcation_set" in model.closed
+    closed = has_closed_form(ss.bifurcation_set, p)
     found = ss.bifurcation_set(p, model.two(None), None if closed else n, between=None if closed else {"mu0": mu0})
     if closed:
         draw_regions(ax, p, mu0)

@@ -13,6 +13,7 @@ import spragsym as ss
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..models import Model
 from ..models.parameters import ParameterSet
+from ..questions import has_closed_form
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, as_drawn, label, window
@@ -157,7 +158,7 @@ def bifurcation_figure(
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
     model = p.model
     vary = tuple(model.two(vary))
-    closed = "bifurcation_set" in model.closed and vary == model.axes and not between
+    closed = has_closed_form(ss.bifurcation_set, p) and vary == model.axes and not between
     shown = window(model, vary, between or {})
     found = ss.bifurcation_set(p, vary, None if closed else n, between=None if closed else shown)
     draw_bifurcation_set(found, ax, color=VERMILION if closed or onsets else BLACK)

@@ -16,6 +16,7 @@ import numpy as np
 import spragsym as ss
 
 from ..errors import MissingExtraError, SpragsymError
+from ..questions import has_closed_form
 from ..report.states import unit_of
 from ..report.texts import sections
 from . import brakes, motion_pictures
@@ -76,7 +77,7 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
     (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
     if "theta0" in p.model.parameters and study.of_friction:
         angles, jump = study.quantities["theta0"], math.nan if jump is None else jump
-        three = "count" in p.model.closed
+        three = has_closed_form(ss.count, p)
         caption = "Shaded: three states of sliding; on the lines two of them meet." if three else (
             "On the lines two states of sliding meet."
         )  # fmt: skip

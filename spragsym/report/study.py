@@ -17,10 +17,12 @@ import spragsym as ss
 
 from ..bifurcation.points import ranges
 from ..design.dependence import Correlation, Dependence, dependence
+from ..design.jumps import first_ends
 from ..errors import ParameterError
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
 from ..names import hint
+from ..questions import has_closed_form
 from .quantities import Quantities, quantities, share
 from .units import Measured, factor, read, shown_in
 
@@ -356,7 +358,7 @@ class Study:
         """Up to which value a jump is looked for, as it is told: all, or the end of a search; NaN where nothing rises."""
         if self.rise is None:
             return math.nan
-        if self.of_friction and "first_ends" in self.kind.model.closed:
+        if self.of_friction and has_closed_form(first_ends, self.at_work):
             return math.inf
         return self.told(float(ranges(self.kind.model, (self.rise.name,), {})[0, 1]))
 

@@ -32,7 +32,7 @@ def critical_friction(p: Parameters, vary: str | None = None, over: str | None =
     >>> critical_friction(Parameters(kappa=0.02, alpha=0.5, sigma=2.0, beta=0.0)).kind
     'turn'
     """
-    if vary not in (None, "mu0") or over not in (None, "theta0"):
+    if vary not in (None, "mu0") or over not in (None, "theta0") or p.followed is not None:
         raise NotInClosedForm
     columns = np.broadcast_arrays(*(getattr(p, name) for name in FIXED))
     found = [_lowest(*map(float, point)) for point in zip(*(column.flat for column in columns), strict=True)]

@@ -13,7 +13,7 @@ from ...models.parameters.units import Unit, checked_units
 from ...questions import NotInClosedForm
 from .cells import Boxes
 from .claims import CLAIMS, Claim
-from .jump_values import is_usual
+from .jump_values import require_usual
 
 #: Boxes at a time.
 _BATCH = 2048
@@ -32,7 +32,8 @@ def certify(
     after ``max_boxes``.
     """
     rises = vary is None or (vary == "mu0" and claim == "no jump")
-    if not rises or not is_usual("mu0", begin):
+    require_usual(low, "mu0", begin)
+    if not rises:
         raise NotInClosedForm
     max_boxes = 20_000 if max_boxes is None else max_boxes
     if claim not in CLAIMS:

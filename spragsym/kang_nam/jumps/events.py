@@ -21,7 +21,7 @@ from ...questions import NotInClosedForm
 from ...results.equilibria import Stability
 from ..folds.fold_arrays import friction_sextic
 from ..quartic.solver import equilibria
-from .jump_values import BLOCK, first_jumps, is_usual, small
+from .jump_values import BLOCK, first_jumps, require_usual, small
 
 #: Radians between an equilibrium and the state without friction below which float64 does not say which comes first.
 _NEAR = 1e-9
@@ -38,7 +38,8 @@ def have_jumped(
     all along θ₀, are asked by :func:`spragsym.kang_nam.jumps.jump_values.first_jumps`.
     """
     vary = vary or "mu0"
-    if vary not in FROM_LOWER_END or not is_usual(vary, begin):
+    require_usual(p, vary, begin)
+    if vary not in FROM_LOWER_END:
         raise NotInClosedForm
     p.require("theta0", "mu0")
     if vary == "theta0":

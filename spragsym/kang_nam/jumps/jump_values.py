@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...bifurcation.paths import first_end
+from ...design.design_space import Space
 from ...design.jump_ends import Ends
 from ...design.values import FIRST_ANGLE, FROM_LOWER_END
 from ...errors import ConvergenceError, ParameterError
@@ -55,7 +56,8 @@ def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up",
     Source: f = f′ = 0; the first jump of :func:`spragsym.quasi_static_path` from ``start="small"``.
     """
     vary = vary or "mu0"
-    if vary not in NAMES or not is_usual(vary, begin):
+    require_usual(p, vary, begin)
+    if vary not in NAMES:
         raise NotInClosedForm
     found = first_jumps(p, vary, direction)
     at = {name: getattr(p, name) for name in NAMES} | {vary: found.value}
@@ -66,9 +68,11 @@ def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up",
     return Ends(found.value, np.full(found.value.shape, _LARGEST_ERROR), state, found.reasons)
 
 
-def is_usual(vary: str, begin: FloatArray | float | None) -> bool:
-    """Whether a parameter rises from where closed forms follow it: from its lower end, or from the value in the set."""
-    return begin is None or (vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary])))
+def require_usual(asked: Parameters | Space, vary: str, begin: FloatArray | float | None) -> None:
+    """Closed forms follow the reference state, as a parameter rises from its lower end, or from the value in the set."""
+    usual = begin is None or (vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary])))
+    if asked.followed is not None or not usual:
+        raise NotInClosedForm
 
 
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> FirstJumps:

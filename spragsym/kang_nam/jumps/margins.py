@@ -10,7 +10,7 @@ from ...questions import NotInClosedForm
 from .cells import Boxes
 from .certificates import halved
 from .claims import CLAIMS
-from .jump_values import is_usual
+from .jump_values import require_usual
 
 #: Boxes that a proof that nothing jumps may take.
 _BOXES = 3_000
@@ -21,7 +21,8 @@ def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
 
     Of the friction only the largest value matters that the ball has over a box of the others.
     """
-    if vary != "mu0" or not is_usual(vary, begin):
+    require_usual(designs, vary, begin)
+    if vary != "mu0":
         raise NotInClosedForm
     low, high = designs.limits()
     if (low > -radius).any() or (high < radius).any():

@@ -24,7 +24,7 @@ from spragsym.motion.problem import Problem
 from spragsym.motion.problems import prepare
 from spragsym.motion.sweeps import rms_sweep, sensitivity
 from spragsym.motion.sweeps.workers import pool
-from spragsym.motion.with_heyoka import compiled_for
+from spragsym.motion.with_heyoka import taylor_for
 
 V, D = 0.5, 10.0  # the article states neither: our assumption
 ANGLES = np.radians(np.linspace(1.0, 179.0, 181))
@@ -145,8 +145,8 @@ def overhead_table() -> None:
         return min(seconds) / times * 1e6
 
     def bare(problem: Problem) -> None:
-        compiled = compiled_for(problem)
-        compiled.begin(problem)
+        compiled = taylor_for(problem)
+        compiled.begin(problem.start, problem.constants)
         compiled.solver.propagate_until(problem.t_end)
 
     print("\n## A point of a sweep against its integration alone, heyoka, microseconds\n")

@@ -20,14 +20,17 @@ from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course
 from .motions import Measured, Motions, Turns
-from .problem import Event, event_at, out_of_range, too_many_steps
-from .with_heyoka import Approach, Equations, tolerance, watched, ways_out
+from .problem import Event, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
+from .with_heyoka import CHUNK, Approach, Equations, tolerance, watched, ways_out
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
 
 #: Steps after which lanes that have ended are filled anew; also between two looks at signals, for Python hears Ctrl-C only then.
 BURST = 128
+
+#: A motion that passes a border again this near to where it passed it, as a share of its state, may rest there.
+NEAR = 1e-3
 
 #: Kinds of event.
 EVENTS = len(Event)
@@ -53,6 +56,8 @@ class Stage:
     turns: list[Turns | None] = field(default_factory=list)
     counts: list[list[int]] = field(default_factory=list)
     errors: dict[int, Exception] = field(default_factory=dict)
+    #: Those that may rest on a border, where events are told from chatter by samples only.
+    resting: set[int] = field(default_factory=set)
 
     @classmethod
     def of(cls, motions: Motions) -> Stage:
@@ -86,11 +91,16 @@ class Lanes:
     def __init__(self, field: Field, constants: int, rtol: float, watch: bool) -> None:
         hy = library()
 
-        equations = Equations.of(field, constants, watch=watch)
+        equations = Equations.of(field, watch=watch)
         self.size, self.constants, self.watch = field.size, constants, watch
         self.modes: list[Mode] = [field.modes[0]] * LANES
         self.turns: list[Turns | None] = [None] * LANES
         self.counts = [[0] * EVENTS for _ in range(LANES)]
+        #: Where borders were last crossed, and lanes in which that was where they had been crossed before.
+        self.crossed: list[dict[int, list[float]]] = [{} for _ in range(LANES)]
+        self.resting: set[int] = set()
+        #: Time and steps of each lane when it was last looked at whether steps have collapsed.
+        self.looked: list[tuple[float, int]] = [(0.0, 0)] * LANES
         #: Lanes in which a crossing was missed, with the time.
         self.strays: dict[int, float] = {}
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
@@ -135,9 +145,18 @@ class Lanes:
                     self.pars[place, lane] = value
             if kind is not None:
                 self.counts[lane][kind] += 1
+                if self.watch:
+                    self._rest(lane, row)
             return True
 
         return cross
+
+    def _rest(self, lane: int, row: int) -> None:
+        """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
+        state = self.state[: self.size, lane].tolist()
+        before, self.crossed[lane][row] = self.crossed[lane].get(row), state
+        if before and max(abs(a - b) for a, b in zip(state, before, strict=True)) <= NEAR * max(map(abs, state)):
+            self.resting.add(lane)
 
     def _passing(self, approach: Approach) -> Callable[[Any, int, int], bool]:
         def passing(_: Any, __: int, lane: int) -> bool:
@@ -174,6 +193,13 @@ class Lanes:
         stage.turns, stage.counts = run.turns, run.counts
         self._check(stage, end)
 
+    def _enter(self, run: _Run, lane: int, row: int, begin: float) -> None:
+        """Note that a motion begins in a lane."""
+        run.running[lane] = row
+        self.modes[lane], self.turns[lane], self.counts[lane] = run.stage.modes[row], None, [0] * EVENTS
+        self.crossed[lane], self.looked[lane] = {}, (begin, run.steps[row])
+        self.resting.discard(lane)
+
     def _run(self, stage: Stage, duration: float) -> _Run:
         count = len(stage.modes)
         state = np.zeros((len(self.state), count))
@@ -195,9 +221,8 @@ class Lanes:
             solver.set_time(begin)
             if self.eventful:
                 solver.reset_cooldowns()
-            running |= enumerate(rows)
-            self.modes[:] = [run.stage.modes[row] for row in rows]
-            self.turns[:], self.counts[:] = [None] * LANES, [[0] * EVENTS for _ in rows]
+            for lane, row in enumerate(rows):
+                self._enter(run, lane, row, begin)
             return
         free = [lane for lane in range(LANES) if lane not in running]
         lanes = free[: len(run.waiting)]
@@ -211,8 +236,7 @@ class Lanes:
         for lane in free if self.eventful else ():
             solver.reset_cooldowns(lane)
         for lane, row in zip(lanes, rows, strict=True):
-            running[lane] = row
-            self.modes[lane], self.turns[lane], self.counts[lane] = run.stage.modes[row], None, [0] * EVENTS
+            self._enter(run, lane, row, begin)
 
     def _arrive(self, run: _Run, lanes: list[int], results: Any) -> None:
         rows = [run.running.pop(lane) for lane in lanes]
@@ -222,14 +246,26 @@ class Lanes:
             run.modes[row] = self.modes[lane]
             if self.watch:
                 run.turns[row], run.counts[row] = self.turns[lane], self.counts[lane]
+                for border in list(self.crossed[lane]):
+                    self._rest(lane, border)
+                if lane in self.resting:
+                    run.stage.resting.add(row)
 
     def _count(self, run: _Run, lane: int, row: int, results: Any) -> bool:
-        """Count the steps of a motion; whether they are too many."""
+        """Count the steps of a motion; whether they are too many, or have collapsed."""
         run.steps[row] += results[lane][3]
-        many = run.steps[row] > run.stage.motions.max_steps
-        if many:
-            run.stage.errors[row] = too_many_steps(run.stage.motions.problem(row), float(self.solver.time[lane]))
-        return many
+        steps, motions, t = run.steps[row], run.stage.motions, float(self.solver.time[lane])
+        before, counted = self.looked[lane]
+        if steps > motions.max_steps:
+            run.stage.errors[row] = too_many_steps(motions.max_steps, t, motions.t_end, motions.rtol)
+        elif steps - counted >= CHUNK:
+            self.looked[lane] = t, steps
+            state, step = self.state[: self.size, lane], (t - before) / (steps - counted)
+            try:
+                check_stiffness(motions.field, state, motions.constants[row].tolist(), step, motions.t_end - t)
+            except StiffError as error:
+                run.stage.errors[row] = error
+        return row in run.stage.errors
 
     def _sort_out(self, run: _Run, results: Any, arrived: list[int]) -> None:
         """Free the lanes of motions that have ended; where one broke off, the others under way begin the stage again."""
@@ -294,8 +330,11 @@ def ends(motions: Motions) -> FloatArray:
     return stage.carried
 
 
-def watch(motions: Motions) -> Measured:
-    """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept."""
+def watch(motions: Motions) -> tuple[Measured, list[int]]:
+    """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept.
+
+    And the rows of those that are to be measured from samples.
+    """
     stage = Stage.of(motions)
     if motions.t_record > 0:
         _compiled(motions, watch=False).carry(stage, 0.0, motions.t_record)
@@ -310,6 +349,8 @@ def watch(motions: Motions) -> Measured:
             low[row], high[row], maxima[row] = min(low[row], seen.low), max(high[row], seen.high), len(seen.tops)
 
     def course(row: int) -> Course:
+        if row in sampled:
+            return sampled[row]
         seen = stage.turns[row] or Turns()
         tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + stage.carried.shape[1])
         lows = np.array([carried[:size] for _, carried in seen.lows]).reshape(-1, size)
@@ -319,5 +360,7 @@ def watch(motions: Motions) -> Measured:
             (float(low[row]), float(high[row])),
         )  # fmt: skip
 
-    events = np.array(stage.counts)
-    return Measured(begin, end, first, last, integrals, low, high, maxima, events, course, stage.errors)
+    events, sampled, errors = np.array(stage.counts), dict[int, Course](), stage.errors
+    found = Measured(begin, end, first, last, integrals, low, high, maxima, events, course, errors, sampled)
+    stiff = {row for row, error in errors.items() if isinstance(error, StiffError)}
+    return found, sorted(stiff | (stage.resting - errors.keys()))

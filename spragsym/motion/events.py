@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..results.result import Result
-from .problem import Event
+from .problem import Event, event_at
+from .segment import Crossing
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,3 +53,13 @@ class Events(Result):
     def table_values(self) -> dict[str, Any]:
         """Time, what happened, and the state by its names."""
         return {"t": self.t, "which": self.which, **dict(zip(self.components, self.state.T, strict=True))}
+
+
+def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
+    """The crossings that have a name for users."""
+    told = [(each, event_at(field.borders[each.border], upward=each.sign > 0)) for each in crossings]
+    told = [(each, kind) for each, kind in told if kind is not None]
+    return Events(
+        np.array([each.t for each, _ in told]), np.array([each.state for each, _ in told]).reshape(-1, field.size),
+        np.array([kind for _, kind in told], dtype=np.intp), field.components,
+    )  # fmt: skip

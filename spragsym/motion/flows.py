@@ -10,7 +10,7 @@ from typing import Any
 from ..errors import ConvergenceError
 from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
-from . import integrators, variations_heyoka, variations_scipy
+from . import integrators, with_heyoka, with_scipy
 from .measures import Courses, Ends
 from .periodic_orbit import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
 from .problem import Problem
@@ -28,20 +28,18 @@ PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN)
 
 
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
-    """An integrator of a field: it has ``fly`` and ``sample``."""
-    return variations_heyoka.compiled(field, derivatives) if backend == "heyoka" else variations_scipy.flight(field, derivatives)
+    """An integrator of a field: it has ``fly`` and ``motion``."""
+    return with_heyoka.taylor_of(field, derivatives) if backend == "heyoka" else with_scipy.Flight(field, derivatives)
 
 
 def follower(field: Field, backend: str) -> Any:
     """An integrator of a field without derivatives, for following a motion to where Newton's method can begin."""
-    if backend == "scipy":
-        return variations_scipy.Flight(field, derivatives=False, rtol=LOOSE)
-    return flow(field, backend, derivatives=False)
+    return with_scipy.Flight(field, False, rtol=LOOSE) if backend == "scipy" else flow(field, backend, derivatives=False)
 
 
 def scout(field: Field, backend: str) -> Fly | None:
     """A cheaper flow with derivatives, to try Newton's method by; None where the flow itself is cheap."""
-    return variations_scipy.Flight(field, rtol=LOOSE).fly if backend == "scipy" else None
+    return with_scipy.Flight(field, rtol=LOOSE).fly if backend == "scipy" else None
 
 
 def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
@@ -102,9 +100,9 @@ def onward(problem: Problem, backend: str) -> Onward:
     def derived(fine: Courses) -> Fly:
         """The flow with its derivatives."""
         if backend == "heyoka":
-            return variations_heyoka.compiled(field(), directions=0).fly
+            return with_heyoka.taylor_of(field(), directions=0).fly
         if backend == "scipy":
-            return variations_scipy.Flight(field()).fly
+            return with_scipy.Flight(field()).fly
         return by_differences(field(), fine)
 
     return Onward(courses, ends, roughly, closed)

@@ -16,11 +16,11 @@ from ..errors import BackendError, ConvergenceError, MissingExtraError, Paramete
 from ..models.model import Model
 from ..models.parameters import FloatArray
 from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
+from .events import events_of
 from .measures import Course, Courses, Ends, course_of
 from .motions import Measured, Motions
 from .problem import Event, Problem, StiffError
 from .solution import Solution, without_chatter
-from .variations_scipy import implicit_motion
 
 #: In the order in which they are preferred.
 BACKENDS = ("heyoka", "compiled", "scipy")
@@ -67,28 +67,32 @@ def version(backend: str) -> str:
 
 
 def integrate(problem: Problem, backend: str) -> Solution:
-    """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``."""
+    """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where steps collapse."""
     try:
         solution: Solution = _INTEGRATORS[backend].integrate(problem)
     except StiffError:
-        solution = implicit_motion(problem)
+        solution = with_scipy.integrate(problem, stiff=True)
     return without_chatter(solution, problem)
 
 
 def measure(motions: Motions, backend: str) -> Measured:
-    """Quantities of many motions after ``t_record``: heyoka measures them while it integrates, the others from the samples."""
+    """Quantities of many motions after ``t_record``, from their samples; heyoka measures them while it integrates.
+
+    But where steps collapse, and where a motion may rest on a border, whose crossings only the samples tell from chatter.
+    """
     if backend == "heyoka":
-        return batch_heyoka.watch(motions)
-    courses: dict[int, Course] = {}
-    errors: dict[int, Exception] = {}
-    for row in range(len(motions)):
+        found, rows = batch_heyoka.watch(motions)
+    else:
+        found, rows = Measured.none(motions), range(len(motions))
+    for row in rows:
         try:
             solution = integrate(motions.problem(row), backend)
         except (ConvergenceError, ArithmeticError) as error:
-            errors[row] = error
+            found.errors[row] = error
         else:
-            courses[row] = course_of(solution.samples, np.bincount(solution.event_kinds, minlength=len(Event)))
-    return Measured.of(motions, courses, errors)
+            counts = np.bincount(events_of(motions.field, solution.crossings).which, minlength=len(Event))
+            found.put(row, course_of(solution.samples, counts))
+    return found
 
 
 def flows(problem: Problem, backend: str) -> tuple[Courses, Ends]:

@@ -108,19 +108,28 @@ class Measured:
     events: NDArray[np.intp]
     course: Callable[[int], Course]
     errors: dict[int, Exception] = field(default_factory=dict)
+    #: Courses that were measured from samples.
+    sampled: dict[int, Course] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, motions: Motions, courses: dict[int, Course], errors: dict[int, Exception]) -> Measured:
-        """Made of courses."""
-        size = motions.starts.shape[1]
-        shapes = (size, size, size // 2 + 1, 2)
-        first, last, integrals, reach = (np.full((len(motions), width), np.nan) for width in shapes)
-        events, maxima = np.zeros((len(motions), len(Event)), dtype=np.intp), np.zeros(len(motions), dtype=np.intp)
-        for row, course in courses.items():
-            first[row], last[row], integrals[row], reach[row] = course.first, course.last, course.integrals[-1], course.reach
-            events[row], maxima[row] = course.events, len(course.maxima)
-        begin, end = motions.t_record, motions.t_end
-        return cls(begin, end, first, last, integrals, reach[:, 0], reach[:, 1], maxima, events, courses.__getitem__, errors)
+    def none(cls, motions: Motions) -> Measured:
+        """Nothing yet."""
+        count, size = motions.starts.shape
+        first, last, integrals, reach = (np.full((count, width), np.nan) for width in (size, size, size // 2 + 1, 2))
+        events, maxima = np.zeros((count, len(Event)), dtype=np.intp), np.zeros(count, dtype=np.intp)
+        sampled: dict[int, Course] = {}
+        return cls(
+            motions.t_record, motions.t_end, first, last, integrals, reach[:, 0], reach[:, 1], maxima, events,
+            sampled.__getitem__, sampled=sampled,
+        )  # fmt: skip
+
+    def put(self, row: int, course: Course) -> None:
+        """Take one that was measured from its samples."""
+        self.errors.pop(row, None)
+        self.sampled[row] = course
+        self.first[row], self.last[row], self.integrals[row] = course.first, course.last, course.integrals[-1]
+        self.low[row], self.high[row] = course.reach
+        self.events[row], self.maxima[row] = course.events, len(course.maxima)
 
     @property
     def averages(self) -> FloatArray:

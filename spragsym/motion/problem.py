@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..models.field import Border, Field, Mode
+from ..models.field import Border, Field
 from ..models.parameters import Range
 
 RELATIVE_TOLERANCE = Range(
@@ -90,11 +90,11 @@ def as_steps(max_steps: int) -> int:
     return int(max_steps)
 
 
-def too_many_steps(problem: Problem, t: float) -> ConvergenceError:
+def too_many_steps(max_steps: int, t: float, t_end: float, rtol: float) -> ConvergenceError:
     """The error of a motion that has used its steps."""
     return ConvergenceError(
-        f"max_steps = {problem.max_steps} steps were made by t = {t:.6g} of {problem.t_end:g}; give a larger max_steps, a "
-        f"smaller t_end or a larger rtol than {problem.rtol:g}, or a less steep friction law: creep is stiff where it is steep"
+        f"max_steps = {max_steps} steps were made by t = {t:.6g} of {t_end:g}; give a larger max_steps, a "
+        f"smaller t_end or a larger rtol than {rtol:g}, or a less steep friction law: creep is stiff where it is steep"
     )
 
 
@@ -102,9 +102,9 @@ class StiffError(ConvergenceError):
     """The steps of an explicit method have collapsed."""
 
 
-def check_stiffness(field: Field, state: Any, constants: Any, step: float, left: float) -> None:
+def check_stiffness(field: Field, state: Any, constants: Any, step: float, left: float, most: float = MOST) -> None:
     """Raise where steps of a mean length are bounded by stability, and too many of them would be left."""
-    if not left > MOST * step:
+    if not left > most * step:
         return
     n, values = len(field.coordinates), [float(value) for value in state]
     lower = field.jacobian(values, constants, field.initial_mode(values, constants), math)
@@ -118,14 +118,6 @@ def out_of_range() -> ConvergenceError:
     return ConvergenceError(
         "the motion grows beyond all bounds: it left the range of numbers; give a smaller t_end, or values of a more common size"
     )
-
-
-# ------------------------------------------------------------------------------------------------------ modes
-
-
-def initial_mode(problem: Problem) -> Mode:
-    """On a border either side is right, as the field is continuous: contact, and the belt ahead."""
-    return problem.field.initial_mode(problem.start, problem.constants)
 
 
 def event_at(border: Border, upward: bool) -> Event | None:

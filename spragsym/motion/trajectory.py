@@ -19,7 +19,7 @@ from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number, as_
 from ..names import hint
 from ..questions import model_of
 from . import integrators, pictures, spectra
-from .events import Events
+from .events import Events, events_of
 from .problem import MAX_STEPS, Event, Problem
 from .problems import prepare
 from .regimes import Outcome
@@ -343,7 +343,7 @@ def motion_of(field: Field, values: Sequence[float], state: FloatArray, t_end: f
 
 def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
     solution = integrators.integrate(problem, backend)
-    events = Events(solution.event_t, solution.event_states, solution.event_kinds, (*model.coordinates, *model.rates))
+    events = events_of(problem.field, solution.crossings)
     return Trajectory(
         model, p, solution.samples.t, solution.samples.states, events, problem.rtol, backend, implicit=solution.implicit
     )

@@ -13,8 +13,9 @@ from ..models.field import GAP, WIDTH
 from ..models.parameters import FloatArray
 from . import with_scipy
 from .lobatto import unit_points
-from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
-from .solution import Crossing, Solution, assembled
+from .problem import Problem, check_stiffness, out_of_range, too_many_steps
+from .segment import Crossing
+from .solution import Solution, assembled
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
 CHUNK = 20_000
@@ -50,7 +51,7 @@ def integrate(problem: Problem) -> Solution:
     from . import _carried
 
     unit = unit_points()
-    mode, state, elapsed, steps = initial_mode(problem), np.array(problem.start), 0.0, 0
+    mode, state, elapsed, steps = problem.field.initial_mode(problem.start, problem.constants), np.array(problem.start), 0.0, 0
     constants = np.array(problem.constants)
     length = with_scipy.first_step(problem, mode)
     times, states = np.empty((CHUNK, unit.size)), np.empty((CHUNK, 4, unit.size))
@@ -62,6 +63,7 @@ def integrate(problem: Problem) -> Solution:
         clock = np.array([0.0, min(length, bound)])
         outcome, border = FULL, 0
         while outcome == FULL:
+            begun = float(clock[0])
             limits = np.array([problem.rtol, problem.rtol * 1e-3, bound, problem.t_record - elapsed, problem.max_steps - steps])
             given = np.array([*mode, problem.reach, WIDTH, GAP])
             outcome, border, made, kept = _carried.carry(
@@ -70,21 +72,24 @@ def integrate(problem: Problem) -> Solution:
             steps += made
             if kept:
                 pieces.append((elapsed + times[:kept], states[:kept].copy()))
+            if outcome == FULL:
+                step, left = (float(clock[0]) - begun) / made, bound - float(clock[0])
+                check_stiffness(problem.field, state, problem.constants, step, left)
         _refuse(problem, outcome, elapsed + float(clock[0]), state)
         elapsed, length = elapsed + float(clock[0]), float(clock[1])
         if outcome == ENDED:
             break
         passed = problem.field.borders[border]
-        kind, mode = event_at(passed, upward=passed.sign(mode) < 0), passed.beyond(mode)
-        if kind is not None:
-            crossings.append(Crossing(elapsed, tuple(state.tolist()), kind))
+        mode = passed.beyond(mode)
+        if passed.kink:
+            crossings.append(Crossing(elapsed, border, int(passed.sign(mode)), state.copy()))
     found_times, found_states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     return assembled(found_times, found_states, crossings, problem.t_record)
 
 
 def _refuse(problem: Problem, outcome: int, t: float, state: FloatArray) -> None:
     if outcome == TOO_MANY:
-        raise too_many_steps(problem, t)
+        raise too_many_steps(problem.max_steps, t, problem.t_end, problem.rtol)
     if not np.isfinite(state).all():
         raise out_of_range()
     if outcome == TOO_SMALL:

@@ -1,4 +1,4 @@
-"""heyoka's Taylor method, with the borders between the modes of the field as terminal events."""
+"""heyoka's Taylor method, with variational equations or without; borders between modes of the field are terminal events."""
 
 from __future__ import annotations
 
@@ -11,15 +11,24 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, Border, Field, Mode
-from ..models.heyoka_library import Functions, library
+from ..models.field import GAP, JUMPED, Border, Field, Mode
+from ..models.heyoka_library import XP, Functions, library
 from ..models.parameters import FloatArray
 from .lobatto import unit_points
-from .problem import Problem, check_stiffness, event_at, initial_mode, out_of_range, too_many_steps
-from .solution import Crossing, Solution, assembled
+from .problem import Problem, StiffError, check_stiffness, out_of_range, too_many_steps
+from .segment import Crossing, Passage, Turn
+from .solution import Solution, assembled
+from .with_scipy import IMPLICIT, Flight
 
-#: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
-CHUNK = 20_000
+#: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so. Steps after
+#: which a stretch of a flow is given up.
+CHUNK, MAX_STEPS = 20_000, 2_000_000
+
+#: Tolerances of flows with derivatives and of plain ones, whose other steps make them a witness of the first.
+TOLERANCE, PLAIN = 1e-17, 1e-16
+
+#: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is relative to the largest of all.
+UNIT = 1e-4
 
 #: A step ends where a spring passes its anchor within its speed over this. Closer than the root of the tolerance a Taylor series
 #: does not see the least length, and goes on with negative ones.
@@ -81,130 +90,202 @@ class Approach:
 
 @dataclass(frozen=True)
 class Equations:
-    """A field for heyoka: constants and mode are its ``par[]``.
+    """A field for heyoka: constants, mode and directions are its ``par[]``.
 
     Attributes
     ----------
     system : list
-        Variables with their derivatives in time: the state, and with ``watch`` the integrals of a
-        :class:`~spragsym.motion.measures.Course`, scaled by the last parameter so that they stay below the states: heyoka's
-        error is relative to the largest of all. The parameter before is x(begin).
+        Variables with their derivatives in time: the state; with ``derivatives`` those of the state by its start and along
+        ``directions`` of the parameters, column by column in :data:`UNIT`, and the integrals of the first coordinate and of its
+        square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter so that
+        they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
     seen : tuple
         State, constants and mode.
     approaches : list of Approach
         For each root in the field.
+    accelerations : list
     """
 
     system: list[Any]
     seen: tuple[Any, Any, Any]
     approaches: list[Approach]
+    accelerations: list[Any]
 
     @classmethod
-    def of(cls, field: Field, constants: int, *, watch: bool) -> Equations:
-        """Those of a field with this many constants."""
+    def of(cls, field: Field, *, watch: bool = False, derivatives: bool = False, directions: int = 0) -> Equations:
+        """Those of a field."""
         hy = library()
-        names, n = field.coordinates, len(field.coordinates)
+        names, n, m = field.coordinates, len(field.coordinates), field.size
+        constants, parameters = count_of(field), len(field.parameters)
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
         known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = field.acceleration(state, known, mode, xp := Functions())
+        accelerations = list(field.acceleration(state, known, mode, xp := Functions()))
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
+        # No coordinate has a dot in its name.
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]
-            # No coordinate has a dot in its name.
             sums = hy.make_vars("sum.shift", "sum.square", *(f"sum.{name}" for name in names[1:]))
-            sums = sums if isinstance(sums, list | tuple) else [sums]
             system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
-        return cls(system, (state, known, mode), Approach.of(xp.called, system[: field.size]))
+        if derivatives:
+            jacobian, slopes = (make(state, known, mode, XP) for make in (field.jacobian, field.by_parameters))
+            for column in range(m + directions):
+                part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))
+                rates = [_dot(row, part) for row in jacobian]
+                if column >= m:
+                    begin = end + (column - m) * parameters
+                    weights = [hy.par[begin + i] for i in range(parameters)]
+                    rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
+                system += zip(part, [*part[n:], *rates], strict=True)
+            system += zip(hy.make_vars("sum", "squares"), [UNIT * state[0], UNIT * state[0] * state[0]], strict=True)
+        return cls(system, (state, known, mode), Approach.of(xp.called, system[:m]), accelerations)
 
 
-class Compiled:
-    """A compiled Taylor integrator, used again and again."""
+def count_of(field: Field) -> int:
+    """How many constants a field takes."""
+    return len(field.constants([1.0] * len(field.parameters)))
 
-    def __init__(self, field: Field, constants: int, rtol: float) -> None:
+
+def _dot(one: Any, other: Any) -> Any:
+    products = [a * b for a, b in zip(one, other, strict=True) if not (isinstance(a, int) and a == 0)]
+    return sum(products[1:], products[0]) if products else 0.0 * other[0]
+
+
+class Taylor:
+    """A compiled integrator of a field, used again and again; ``turning`` is that turns are told."""
+
+    def __init__(
+        self, field: Field, tol: float, *, derivatives: bool = False, directions: int = 0, turning: bool = False
+    ) -> None:  # fmt: skip
         hy = library()
 
-        equations = Equations.of(field, constants, watch=False)
-        self.field, self.modes = field, constants
-        self.log: list[Crossing] = []
-        self.kinds = {(row, up): event_at(border, upward=up) for row, border in enumerate(field.borders) for up in (False, True)}
+        equations = Equations.of(field, derivatives=derivatives, directions=directions)
+        self.field, self.m, self.derivatives, self.directions, self.tol = field, field.size, derivatives, directions, tol
+        self.constants = count_of(field)
+        self.crossings: list[Crossing] = []
+        self.turns: list[Turn] = []
         self.mode: Mode = field.modes[0]
+        self.known: tuple[float, ...] = ()
         self.stray: float | None = None
+        self.jumped = False
+        state, known, mode = equations.seen
+        rates = [(-1, state[self.m // 2])] + [
+            (i, b.rate(state, equations.accelerations, known, mode)) for i, b in enumerate(field.borders) if b.kink
+        ]
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            equations.system, [0.0] * field.size, tol=tolerance(field, rtol),
+            equations.system, [0.0] * len(equations.system), tol=tolerance(field, tol), compact_mode=turning,
             t_events=[
                 hy.t_event(
-                    watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0, direction=ways_out(border)
+                    border.sign(mode) * watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0,
+                    direction=ways_out(border),
                 )
                 for row, border in enumerate(field.borders)
             ] + [
                 hy.t_event(each.watched, callback=partial(self._pass, each), direction=hy.event_direction.positive)
                 for each in equations.approaches
             ],
+            nt_events=[hy.nt_event(1e-3 * value, partial(self._turn, i)) for i, value in rates] if turning else [],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars = self.solver.state, self.solver.pars
         # heyoka has no cooldowns where there are no events.
         self.reset = self.solver.reset_cooldowns if self.solver.with_events else lambda: None
 
-    def __deepcopy__(self, _: object) -> Compiled:
+    def __deepcopy__(self, _: object) -> Taylor:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
         return self
 
     def _cross(self, row: int, solver: Any, direction: int) -> bool:
-        """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
-        border, mode = self.field.borders[row], self.mode
-        if border.sign(mode) != -direction:
+        """Go over to the next mode; stop if a crossing was missed, or if derivatives would be carried across a jump."""
+        border = self.field.borders[row]
+        if direction > 0:
             self.stray = solver.time
             return False
-        self.mode = border.beyond(mode)
-        put(self.pars, self.modes, self.mode)
-        kind = self.kinds[row, direction > 0]
-        if kind is not None:
-            self.log.append(Crossing(solver.time, tuple(self.state.tolist()), kind))
+        if self.derivatives and border.jumps is not None and border.jumps(self.state[: self.m].tolist(), self.known):
+            self.jumped = True
+            return False
+        self.mode = border.beyond(self.mode)
+        put(self.pars, self.constants, self.mode)
+        if border.kink:
+            self.crossings.append(Crossing(solver.time, row, int(border.sign(self.mode)), self.state[: self.m].copy()))
         return True
 
     def _pass(self, each: Approach, *_: Any) -> bool:
-        each.passed(self.state, self.pars)
-        return True
+        self.jumped = each.passed(self.state[: self.m], self.pars) and self.derivatives
+        return not self.jumped
 
-    def begin(self, problem: Problem) -> None:
+    def _turn(self, border: int, solver: Any, t: float, direction: int) -> None:
+        solver.update_d_output(t)
+        self.turns.append(Turn(t, border, direction, *self._split(solver.d_output)))
+
+    def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        m = self.m
+        if not self.derivatives:
+            return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
+        columns = np.zeros((m, m + 2))
+        columns[:, : m + self.directions] = values[m : m * (1 + m + self.directions)].reshape(m + self.directions, m).T / UNIT
+        return values[:m].copy(), columns[:, :m], columns[:, m:]
+
+    def begin(self, start: Any, constants: tuple[float, ...], directions: Any = ()) -> None:
         """Stand at the start of a motion, with no events recorded."""
-        self.log, self.stray, self.mode = [], None, initial_mode(problem)
+        self.crossings, self.turns, self.stray, self.jumped, self.known = [], [], None, False, constants
+        self.mode = self.field.initial_mode(start, constants)
         self.solver.time = 0.0
-        self.state[:] = problem.start
-        put(self.pars, 0, (*problem.constants, *self.mode))
+        self.state[:] = 0.0
+        self.state[: self.m] = start
+        if self.derivatives:
+            self.state[self.m : self.m + self.m**2 : self.m + 1] = UNIT
+        put(self.pars, 0, (*constants, *self.mode, *np.ravel(directions)))
         self.reset()
 
-    def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
+    def go(self, t: float, t_end: float, most: int, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
         """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
         hy = library()
         solver = self.solver
         pieces: list[Samples] = []
         outcome = hy.taylor_outcome.step_limit
         while outcome == hy.taylor_outcome.step_limit:
-            if steps >= problem.max_steps:
-                raise too_many_steps(problem, solver.time)
+            if steps >= most:
+                raise too_many_steps(most, solver.time, t_end, self.tol)
             begun = solver.time
-            result = solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, problem.max_steps - steps))
-            outcome, steps = result[0], steps + result[3]
-            if outcome == hy.taylor_outcome.step_limit and result[3] == CHUNK:
+            outcome, _, _, made, output, _ = solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps))
+            steps += made
+            if outcome == hy.taylor_outcome.step_limit and made == CHUNK:
                 step = (solver.time - begun) / CHUNK
-                check_stiffness(
-                    problem.field, self.state[: problem.field.size], problem.constants, step, problem.t_end - solver.time
-                )
-            if result[4] is not None:
-                pieces.append(_sampled(result[4]))
-            if self.stray is not None:
-                raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
-        if outcome != hy.taylor_outcome.time_limit:
-            if outcome == hy.taylor_outcome.err_nf_state:
-                raise out_of_range()
-            raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
-        if not problem.field.is_inside(self.state.tolist(), problem.constants, self.mode):
+                check_stiffness(self.field, self.state[: self.m], self.known, step, t_end - solver.time)
+            if output is not None:
+                pieces.append(_sampled(output))
+        if self.jumped:
+            raise ConvergenceError(JUMPED)
+        if outcome == hy.taylor_outcome.err_nf_state or not np.isfinite(self.state).all():
+            raise out_of_range()
+        if self.stray is not None or not self.field.is_inside(self.state[: self.m].tolist(), self.known, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
+        if outcome != hy.taylor_outcome.time_limit:
+            raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
         return steps, pieces
+
+    def motion(
+        self, start: Any, constants: tuple[float, ...], t_end: float, *, t_record: float = 0.0, max_steps: int = MAX_STEPS
+    ) -> Solution:  # fmt: skip
+        """A motion by its samples, from ``t_record`` on."""
+        self.begin(start, constants)
+        steps = self.go(t_record, t_end, max_steps)[0] if t_record > 0 else 0
+        _, pieces = self.go(t_end, t_end, max_steps, steps, record=True)
+        times, states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
+        return assembled(times, states, self.crossings, t_record)
+
+    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        """Carry a state on for a while; by an implicit method where steps collapse."""
+        self.begin(state, constants, directions)
+        try:
+            self.go(duration, duration, MAX_STEPS)
+        except StiffError:
+            implicit = Flight(self.field, self.derivatives, self.directions, IMPLICIT, stiff=True)
+            return implicit.fly(state, constants, duration, directions)
+        integrals = (float(self.state[-2]) / UNIT, float(self.state[-1]) / UNIT) if self.derivatives else None
+        return Passage(*self._split(self.state), tuple(self.crossings), tuple(self.turns), integrals)
 
 
 def ways_out(border: Border) -> Any:
@@ -254,20 +335,27 @@ def _sampled(output: Any) -> Samples:
 _CACHE = threading.local()
 
 
-def compiled_for(problem: Problem) -> Compiled:
-    """Compiled once per model, tolerance and thread."""
-    known: dict[tuple[str, float], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
-    key = problem.field.name, problem.rtol
+def _compiled(field: Field, tol: float, **options: Any) -> Taylor:
+    """Compiled once per field, tolerance and thread."""
+    known: dict[Any, Taylor] = _CACHE.__dict__.setdefault("compiled", {})
+    key = field.name, tol, *options.items()
     if key not in known:
-        known[key] = Compiled(problem.field, len(problem.constants), problem.rtol)
+        known[key] = Taylor(field, tol, **options)
     return known[key]
+
+
+def taylor_for(problem: Problem) -> Taylor:
+    """What carries a motion."""
+    return _compiled(problem.field, problem.rtol)
+
+
+def taylor_of(field: Field, derivatives: bool = True, directions: int = 2) -> Taylor:
+    """What carries a flow, with turns; without ``directions``, derivatives by parameters are 0."""
+    tol = TOLERANCE if derivatives else PLAIN
+    return _compiled(field, tol, derivatives=derivatives, directions=directions * derivatives, turning=True)
 
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    compiled = compiled_for(problem)
-    compiled.begin(problem)
-    steps = compiled.go(problem, problem.t_record)[0] if problem.t_record > 0 else 0
-    _, pieces = compiled.go(problem, problem.t_end, steps, record=True)
-    times, states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    return assembled(times, states, compiled.log, problem.t_record)
+    carried = taylor_for(problem)
+    return carried.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=problem.max_steps)

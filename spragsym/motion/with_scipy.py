@@ -1,9 +1,10 @@
-"""SciPy's DOP853, restarted at every crossing into another mode of the field."""
+"""SciPy's DOP853, or Radau where motions are stiff, with the variational equations or without, restarted at every border."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from functools import partial
 from types import SimpleNamespace
 from typing import Any
@@ -11,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import GAP, Field, Mode
+from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
-from .lobatto import unit_points
-from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
-from .solution import Crossing, Solution, assembled
+from .problem import MOST, Problem, StiffError, check_stiffness, out_of_range, too_many_steps
+from .segment import Crossing, Passage, Turn
+from .solution import Solution, assembled, sample_times
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
@@ -25,94 +26,229 @@ ARRAYS = SimpleNamespace(
     cos=np.cos, sin=np.sin, pi=np.pi,
 )  # fmt: skip
 
-#: Each step is searched for crossings on this many intervals, and between them at extrema.
-_SEARCH = np.linspace(0.0, 1.0, 9)
+#: As tight as DOP853 goes, and Radau, whose order is five; the absolute tolerance of flows, as a share of it.
+RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
+
+#: Steps after which a stretch of a flow is given up, and between two looks at whether they have collapsed.
+MAX_STEPS, LOOK = 200_000, 2000
+
+#: Each step is searched for crossings, and for zeros of rates, on so many intervals, and between them at extrema.
+_CROSSINGS, _TURNS = (np.linspace(0.0, 1.0, count + 1) for count in (8, 12))
 
 
-def integrate(problem: Problem) -> Solution:
-    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
-        return _integrated(problem)
+@dataclass(frozen=True)
+class _Piece:
+    """One step within a mode, in time from ``clock`` on."""
+
+    clock: float
+    begin: float
+    end: float
+    state: FloatArray
+    dense: Callable[[Any], FloatArray]
+    mode: Mode
+    border: int | None = None
 
 
-def _integrated(problem: Problem) -> Solution:
-    from scipy.integrate import DOP853
+@dataclass(frozen=True)
+class Flight:
+    """A field, carried on with or without derivatives; those by parameters are 0 where there are no directions.
 
-    unit = unit_points()
-    mode, state, clock, first_step = initial_mode(problem), np.array(problem.start), 0.0, None
-    times: list[FloatArray] = []
-    states: list[FloatArray] = []
-    crossings: list[Crossing] = []
-    steps = 0
-    if not np.isfinite(_field(problem, mode)(0.0, state)).all():
-        raise out_of_range()
+    By DOP853, or where it is ``stiff`` by Radau. ``interpolated`` is that states at borders are DOP853's dense output, as in the
+    compiled integrator; else a step of its own leads there, as the interpolant is of lower order than the method.
+    """
 
-    def points(begin: float, end: float) -> FloatArray:
-        """Times of the samples of a step, none before ``t_record``."""
-        begin = max(begin, problem.t_record - clock)
-        if end <= begin:
-            return np.empty(0)
-        local = begin + unit * (end - begin)
-        local[-1] = end
-        return local
+    field: Field
+    derivatives: bool = True
+    directions: int = 2
+    rtol: float = RTOL
+    stiff: bool = False
+    absolute: float = ABSOLUTE
+    interpolated: bool = False
 
-    while clock < problem.t_end:
-        # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
-        bound = problem.t_end - clock
-        solver = DOP853(
-            _field(problem, mode), 0.0, state, bound, rtol=problem.rtol, atol=problem.rtol * 1e-3,
-            first_step=None if first_step is None else min(first_step, bound),
-        )  # fmt: skip
-        crossing = None
-        while solver.status == "running" and crossing is None:
-            message = solver.step()
-            if solver.status == "failed":
-                raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol")
-            steps += 1
-            if steps > problem.max_steps:
-                raise too_many_steps(problem, clock + solver.t)
-            if not np.isfinite(solver.y).all():
+    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        """Carry a state on for a while; by an implicit method where steps collapse."""
+        if self.directions and not directions.any():
+            return replace(self, directions=0).fly(state, constants, duration, directions)
+        m = self.field.size
+        crossings: list[Crossing] = []
+        turns: list[Turn] = []
+        whole = np.asarray(state, dtype=float)
+        if self.derivatives:
+            whole = np.concatenate([whole, np.eye(m, m + self.directions).ravel()])
+        try:
+            for steps, piece in enumerate(self._pieces(whole, constants, duration, directions)):
+                if steps >= MAX_STEPS:
+                    raise too_many_steps(MAX_STEPS, piece.clock + piece.end, duration, self.rtol)
+                turns += self._turns(piece, constants)
+                crossings += self._crossed(piece)
+                whole = piece.state
+        except StiffError:
+            return replace(self, stiff=True, rtol=max(self.rtol, IMPLICIT)).fly(state, constants, duration, directions)
+        return Passage(*self._split(whole), tuple(crossings), tuple(turns))
+
+    def motion(
+        self, start: Any, constants: tuple[float, ...], t_end: float, *, t_record: float = 0.0, max_steps: int = MAX_STEPS
+    ) -> Solution:  # fmt: skip
+        """A motion by its samples, from ``t_record`` on, without derivatives."""
+        flight, times, states, crossings = replace(self, derivatives=False, directions=0), [], [], list[Crossing]()
+        with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
+            for steps, piece in enumerate(flight._pieces(np.array(start, dtype=float), constants, t_end, np.empty(0)), 1):
+                if steps > max_steps:
+                    raise too_many_steps(max_steps, piece.clock + piece.end, t_end, self.rtol)
+                begin = max(piece.begin, t_record - piece.clock)
+                if piece.end > begin:
+                    t = sample_times(begin, piece.end)
+                    times.append(piece.clock + t)
+                    states.append(piece.dense(t))
+                    states[-1][:, -1] = piece.state
+                crossings += flight._crossed(piece)
+        return replace(assembled(np.array(times), np.array(states), crossings, t_record), implicit=self.stiff)
+
+    def _crossed(self, piece: _Piece) -> list[Crossing]:
+        """The crossing of a kink at the end of a step."""
+        if piece.border is None or not self.field.borders[piece.border].kink:
+            return []
+        border = self.field.borders[piece.border]
+        sign, state = int(border.sign(border.beyond(piece.mode))), piece.state[: self.field.size].copy()
+        return [Crossing(piece.clock + piece.end, piece.border, sign, state)]
+
+    def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        m = self.field.size
+        if not self.derivatives:
+            return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
+        columns = np.zeros((m, m + 2))
+        columns[:, : m + self.directions] = values[m:].reshape(m, m + self.directions)
+        return values[:m].copy(), columns[:, :m], columns[:, m:]
+
+    def _pieces(
+        self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray
+    ) -> Iterator[_Piece]:  # fmt: skip
+        """Steps, none of which leaves its mode; a step that would is cut at the border."""
+        m, clock, first = self.field.size, 0.0, None
+        mode, looked, steps = self.field.initial_mode(whole[:m], constants), 0.0, 0
+        while clock < duration:
+            # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
+            rates, bound = self.rates(constants, mode, directions), duration - clock
+            if not np.isfinite(rates(0.0, whole)).all():
                 raise out_of_range()
-            dense, begin, end = solver.dense_output(), solver.t_old, solver.t
-            local = points(begin, end)
-            # What is searched and what is kept in one call: a call costs more than its numbers.
-            searched, kept = np.split(dense(np.concatenate([_grid(begin, end), local])), [len(_SEARCH)], axis=1)
-            crossing = first_crossing(problem.field, problem.constants, mode, dense, begin, end, searched)
-            if crossing is not None:
-                local = points(begin, crossing[0])
-                kept = dense(local)
-            if len(local):
-                times.append(clock + local)
-                states.append(kept)
-        if crossing is None:
-            break
-        end, row = crossing
-        first_step, state, clock = solver.step_size, dense(end), clock + end
-        border = problem.field.borders[row]
-        mode, kind = border.beyond(mode), event_at(border, upward=border.sign(mode) < 0)
-        if kind is not None:
-            crossings.append(Crossing(clock, tuple(state.tolist()), kind))
-    return assembled(np.array(times), np.array(states), crossings, problem.t_record)
+            method, options = _method(self.stiff), {"rtol": self.rtol, "atol": self.rtol * self.absolute}
+            if self.stiff:
+                options["jac"] = self._matrix(constants, mode)
+            solver = method(rates, 0.0, whole, bound, first_step=None if first is None else min(first, bound), **options)
+            found = None
+            while solver.status == "running" and found is None:
+                before, message = solver.y.copy(), solver.step()
+                if solver.status == "failed":
+                    name, t = method.__name__, clock + solver.t
+                    raise ConvergenceError(f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol")
+                if not np.isfinite(solver.y).all():
+                    raise out_of_range()
+                dense, begin, end = solver.dense_output(), solver.t_old, solver.t
+                found = first_crossing(self.field, constants, mode, partial(_part, dense, m), begin, end)
+                if found is None:
+                    yield _Piece(clock, begin, end, solver.y.copy(), dense, mode)
+                steps += 1
+                if steps % LOOK == 0 and not self.stiff:
+                    step, looked, left = (clock + end - looked) / LOOK, clock + end, bound - end
+                    check_stiffness(self.field, solver.y[:m], constants, step, left, MOST / 10)
+            if found is None:
+                return
+            at, border = found
+            first, reached = solver.step_size, partial(_stepped, method, rates, begin, before, options=options)
+            whole = dense(at) if self.interpolated else reached(at)
+            for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
+                clear, rate = clearances(self.field, constants, mode, whole[:m])[border].tolist()
+                if abs(clear) > GAP / 10 and rate:
+                    at = max(at - clear / rate, begin)
+                    whole = reached(at)
+            jumps = self.field.borders[border].jumps
+            if self.derivatives and jumps is not None and jumps(whole[:m].tolist(), constants):
+                raise ConvergenceError(JUMPED)
+            yield _Piece(clock, begin, at, whole, dense, mode, border)
+            clock, mode = clock + at, self.field.borders[border].beyond(mode)
+
+    def rates(
+        self, constants: tuple[float, ...], mode: Mode, directions: FloatArray
+    ) -> Callable[[float, FloatArray], FloatArray]:
+        """The right-hand side in a mode, of all that is carried."""
+        field, m, n = self.field, self.field.size, len(self.field.coordinates)
+
+        def rates(_: float, whole: FloatArray) -> FloatArray:
+            state = whole[:m].tolist()
+            own = np.array([*state[n:], *field.acceleration(state, constants, mode, FLOATS)])
+            if not self.derivatives:
+                return own
+            columns = whole[m:].reshape(m, m + self.directions)
+            lower = np.array(field.jacobian(state, constants, mode, FLOATS), dtype=float) @ columns
+            if self.directions:
+                lower[:, m:] += np.array(field.by_parameters(state, constants, mode, FLOATS), dtype=float) @ directions.T
+            return np.concatenate([own, columns[n:].ravel(), lower.ravel()])
+
+        return rates
+
+    def _matrix(self, constants: tuple[float, ...], mode: Mode) -> Callable[[float, FloatArray], FloatArray]:
+        """The Jacobian of the field; of all columns that are carried in blocks, without its own derivatives."""
+        field, m, n = self.field, self.field.size, len(self.field.coordinates)
+        columns = m + self.directions
+
+        def matrix(_: float, whole: FloatArray) -> FloatArray:
+            lower = np.array(field.jacobian(whole[:m].tolist(), constants, mode, FLOATS), dtype=float)
+            own = np.vstack([np.eye(n, m, n), lower])
+            if not self.derivatives:
+                return own
+            full = np.zeros((len(whole), len(whole)))
+            full[:m, :m], full[m:, m:] = own, np.kron(own, np.eye(columns))
+            return full
+
+        return matrix
+
+    def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
+        """Zeros of the rates within a step."""
+        grid = piece.begin + _TURNS * (piece.end - piece.begin)
+        borders, values = self._watched(piece.dense(grid), constants, piece.mode)
+        found = []
+
+        def at(row: int, t: float) -> float:
+            return float(self._watched(piece.dense(t), constants, piece.mode)[1][row])
+
+        changes = (values[:, :-1] < 0) != (values[:, 1:] < 0)
+        for row, i in np.argwhere(changes).tolist():
+            t = _root(partial(at, row), float(grid[i]), float(grid[i + 1]))
+            found.append(Turn(piece.clock + t, borders[row], 1 if values[row, i] < 0 else -1, *self._split(piece.dense(t))))
+        return sorted(found, key=lambda turn: turn.t)
+
+    def _watched(self, whole: FloatArray, constants: tuple[float, ...], mode: Mode) -> tuple[list[int], FloatArray]:
+        """Numbers of borders, −1 for the first coordinate, and the rates whose zeros are turns: shape (rows, …)."""
+        states, n = whole[: self.field.size], len(self.field.coordinates)
+        kinks = [i for i, border in enumerate(self.field.borders) if border.kink]
+        values = np.empty((1 + len(kinks), *states.shape[1:]))
+        values[0] = states[n]
+        if kinks:
+            numbers, xp = (states, ARRAYS) if states.ndim > 1 else (states.tolist(), FLOATS)
+            accelerations = self.field.acceleration(numbers, constants, mode, xp)
+            for row, i in enumerate(kinks, 1):
+                values[row] = self.field.borders[i].rate(numbers, accelerations, constants, mode)
+        return [-1, *kinks], values
+
+
+def flight_of(problem: Problem) -> Flight:
+    """The explicit method that carries a motion."""
+    return Flight(problem.field, False, 0, problem.rtol, absolute=1e-3, interpolated=True)
+
+
+def integrate(problem: Problem, *, stiff: bool = False) -> Solution:
+    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where it is ``stiff``."""
+    flight, steps = flight_of(problem), problem.max_steps
+    if stiff:
+        flight, steps = Flight(problem.field, False, 0, max(problem.rtol / 100, IMPLICIT), stiff=True), MAX_STEPS
+    return flight.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=steps)
 
 
 def first_step(problem: Problem, mode: Mode) -> float:
     """The length of the first step, as SciPy chooses it."""
-    from scipy.integrate import DOP853
-
-    solver = DOP853(
-        _field(problem, mode), 0.0, np.array(problem.start), problem.t_end, rtol=problem.rtol, atol=problem.rtol * 1e-3
-    )
-    return float(solver.h_abs)
-
-
-def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], tuple[float, ...]]:
-    n, constants, acceleration = len(problem.field.coordinates), problem.constants, problem.field.acceleration
-
-    def field(_: float, state: FloatArray) -> tuple[float, ...]:
-        values = state.tolist()
-        return (*values[n:], *acceleration(values, constants, mode, FLOATS))
-
-    return field
+    rates = flight_of(problem).rates(problem.constants, mode, np.empty(0))
+    options = {"rtol": problem.rtol, "atol": problem.rtol * 1e-3}
+    return float(_method(False)(rates, 0.0, np.array(problem.start), problem.t_end, **options).h_abs)
 
 
 def clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
@@ -126,38 +262,27 @@ def clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: F
     return found
 
 
-def _grid(begin: float, end: float) -> FloatArray:
-    """Where a step is searched."""
-    return begin + _SEARCH * (end - begin)
-
-
 def first_crossing(
-    field: Field, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float,
-    searched: FloatArray | None = None,
+    field: Field, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
 ) -> tuple[float, int] | None:  # fmt: skip
-    """When, within a step, the motion first leaves its mode, and through which border.
+    """When, within a step, the motion first leaves its mode, and through which border."""
 
-    ``searched`` are the states at the points of the search, where they are known.
-    """
+    def border(row: int, part: int, t: float) -> float:
+        """Distance from one of the borders (part 0), or its rate (part 1)."""
+        return float(clearances(field, constants, mode, dense(np.asarray(t)))[row, part])
 
-    def border(row: int, t: Any) -> FloatArray:
-        """Distance from one of the borders, and its rate."""
-        distance_and_rate: FloatArray = clearances(field, constants, mode, dense(np.asarray(t)))[row]
-        return distance_and_rate
-
-    grid = _grid(begin, end)
+    grid = begin + _CROSSINGS * (end - begin)
     found = []
-    for row, (distance, rate) in enumerate(clearances(field, constants, mode, dense(grid) if searched is None else searched)):
-        at = partial(border, row)
-        bracket = _bracket(grid, distance, rate, at)
+    for row, (distance, rate) in enumerate(clearances(field, constants, mode, dense(grid))):
+        bracket = _bracket(grid, distance, rate, partial(border, row))
         if bracket is not None:
-            found.append((_root(at, 0, *bracket), row))
+            found.append((_root(partial(border, row, 0), *bracket), row))
     return min(found, default=None)
 
 
 def _bracket(
-    grid: FloatArray, value: FloatArray, rate: FloatArray, both: Callable[[float], FloatArray]
-) -> tuple[float, float] | None:
+    grid: FloatArray, value: FloatArray, rate: FloatArray, border: Callable[[int, float], float]
+) -> tuple[float, float] | None:  # fmt: skip
     """The first interval where ``value`` goes from not negative to negative, dips between points included."""
     if value.min() > np.abs(rate).max() * (grid[1] - grid[0]):
         return None
@@ -165,19 +290,37 @@ def _bracket(
         if value[i + 1] < 0:
             return float(grid[i]), float(grid[i + 1])
         if rate[i] < 0 < rate[i + 1]:
-            lowest = _root(both, 1, float(grid[i]), float(grid[i + 1]))
-            if both(lowest)[0] < 0:
+            lowest = _root(partial(border, 1), float(grid[i]), float(grid[i + 1]))
+            if border(0, lowest) < 0:
                 return float(grid[i]), lowest
     return None
 
 
-def _root(border: Callable[[float], FloatArray], part: int, begin: float, end: float) -> float:
-    """Where the distance from a border (part 0) or its rate (part 1) changes sign."""
+def _root(function: Callable[[float], float], begin: float, end: float) -> float:
+    """Where a function changes sign."""
     from scipy.optimize import brentq
-
-    def function(t: float) -> float:
-        return float(border(t)[part])
 
     if function(begin) * function(end) > 0:
         return begin  # the motion begins beyond the border, by rounding: it is left at once
     return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
+
+
+def _part(dense: Callable[[Any], FloatArray], size: int, t: Any) -> FloatArray:
+    return dense(t)[:size]
+
+
+def _method(stiff: bool) -> Any:
+    from scipy.integrate import DOP853, Radau
+
+    return Radau if stiff else DOP853
+
+
+def _stepped(method: Any, rates: Any, begin: float, state: FloatArray, end: float, *, options: dict[str, Any]) -> FloatArray:
+    """A state carried on to the end of a part of a step."""
+    if end <= begin:
+        return state
+    solver = method(rates, begin, state, end, first_step=end - begin, **options)
+    while solver.status == "running":
+        solver.step()
+    reached: FloatArray = solver.y
+    return reached

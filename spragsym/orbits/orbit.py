@@ -17,9 +17,9 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..files import storage
 from ..models.field import Field
 from ..models.parameters import FloatArray
+from ..motion.events import Events, events_of
 from ..motion.flows import flow
 from ..motion.lobatto import PiecewisePolynomial
-from ..motion.problem import Event
 from ..motion.segment import Fly
 from ..motion.shooting import (
     LARGEST_GROWTH,
@@ -35,7 +35,7 @@ from ..motion.shooting import (
     recut,
     solved,
 )
-from ..motion.trajectory import Events, motion_of
+from ..motion.trajectory import motion_of
 from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.
@@ -198,7 +198,8 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
         stable=is_stable(loop), error=max(error_of(loop, differs), lost), residual=loop.missed,
-        events=_events(loop), rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=backend, loop=loop,
+        events=events_of(loop.field, loop.crossings()),
+        rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=backend, loop=loop,
     )  # fmt: skip
 
 
@@ -255,8 +256,10 @@ def moments(loop: Loop, backend: str) -> tuple[float, float]:
 
 def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
     """One round by the polynomials through its samples."""
-    flier = flow(loop.field, backend, derivatives=False)
-    return PiecewisePolynomial(*flier.sample(loop.guess.states[0], loop.constants, loop.guess.period))
+    found: PiecewisePolynomial = (
+        flow(loop.field, backend, derivatives=False).motion(loop.guess.states[0], loop.constants, loop.guess.period).samples
+    )
+    return found
 
 
 def refined(loop: Loop, fly: Fly) -> Loop:
@@ -303,16 +306,6 @@ def _top(loop: Loop) -> float:
         ((state, t) for state, t in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda pair: float(pair[0][1])
     )
     return begin
-
-
-def _events(loop: Loop) -> Events:
-    crossings = loop.crossings()
-    kinds = []
-    for crossing in crossings:
-        name = loop.field.borders[crossing.border].crossings[0 if crossing.sign > 0 else 1].upper()
-        kinds.append(Event[name] if name in Event.__members__ else -1)
-    states = np.array([crossing.state for crossing in crossings]).reshape(-1, loop.field.size)
-    return Events(np.array([crossing.t for crossing in crossings]), states, np.array(kinds, dtype=np.intp), loop.field.components)
 
 
 def _range(samples: PiecewisePolynomial, force: Any) -> tuple[float, float]:

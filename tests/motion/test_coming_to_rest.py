@@ -3,6 +3,7 @@
 import pytest
 
 import spragsym as ss
+from spragsym.motion.sweeps import rms_sweep
 from tests.oracles.user_pages import model_of, shipped_page
 
 
@@ -20,3 +21,9 @@ def test_coming_to_rest_is_no_reversal(backend: str) -> None:
     # A swing that dies out turns back once for each half of a period, however small it is.
     swing = ss.simulate(block.replace(s=1.0, mu_s=0.02), start=(0.0, 1.0), t_end=30.0, backend=backend)
     assert len(swing.events) == 10
+    # A sweep counts the same, and leaves out what its transient leaves out.
+    starts = {"x0": [0.0, 0.0], "vx0": [1.0, 0.9], "t_end": 100.0, "backend": backend}
+    assert rms_sweep(block, transient=0.0, **starts).slip_reversed.tolist() == [0, 0]
+    assert rms_sweep(block, transient=50.0, **starts).slip_reversed.tolist() == [0, 0]
+    swung = rms_sweep(block.replace(s=1.0, mu_s=0.02), vx0=1.0, t_end=30.0, transient=0.0, backend=backend)
+    assert swung.slip_reversed == 10

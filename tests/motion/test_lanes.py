@@ -16,7 +16,7 @@ from spragsym.motion.motions import Measured, Motions
 from spragsym.motion.problem import Problem
 from spragsym.motion.problems import prepare
 from spragsym.motion.sweeps import rms_sweep
-from spragsym.motion.with_heyoka import compiled_for
+from spragsym.motion.with_heyoka import taylor_for
 
 pytest.importorskip("heyoka")
 BELT = {"V": 0.5, "d": 10.0}
@@ -40,6 +40,11 @@ def broken(problem: Problem) -> Problem:
     return replace(problem, start=(0.1, 0.1, 1e200, 0.0))
 
 
+def watched(motions: Motions) -> Measured:
+    """What is measured while motions are integrated."""
+    return batch_heyoka.watch(motions)[0]
+
+
 def assert_same(one: Measured, row: int, other: Measured, place: int) -> None:
     """To the last bit, turning points and all."""
     left, right = one.course(row), other.course(place)
@@ -56,13 +61,13 @@ def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyP
         batch_heyoka, "BURST", burst
     )  # the shorter it is, the more often some lanes are filled while others go on
     some = problems(21)  # more than two fillings, and a rest
-    together = batch_heyoka.watch(Motions.of(some))
+    together = watched(Motions.of(some))
     order = RNG.permutation(len(some)).tolist()
-    shuffled = batch_heyoka.watch(Motions.of([some[row] for row in order]))
+    shuffled = watched(Motions.of([some[row] for row in order]))
     for place, row in enumerate(order):
         assert_same(together, row, shuffled, place)
     for row in (0, 7, 20):
-        assert_same(together, row, batch_heyoka.watch(Motions.of([some[row]])), 0)
+        assert_same(together, row, watched(Motions.of([some[row]])), 0)
 
 
 @pytest.mark.parametrize("burst", [5, batch_heyoka.BURST])
@@ -74,7 +79,7 @@ def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.Monkey
     some = good.copy()
     for place in (0, 3, 4, 12, len(some)):
         some.insert(place, broken(good[0]))
-    found, expected = batch_heyoka.watch(Motions.of(some)), batch_heyoka.watch(Motions.of(good))
+    found, expected = watched(Motions.of(some)), watched(Motions.of(good))
     bad = [row for row, problem in enumerate(some) if problem.start[2] == 1e200]
     assert sorted(found.errors) == bad
     assert all("left the range of numbers" in str(error) for error in found.errors.values())
@@ -87,14 +92,14 @@ def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.Monk
     """A motion that begins in another mode than its own passes y = 0 in the wrong direction."""
     some = problems(9)
     some[4] = replace(some[4], start=(0.0, 0.2, 0.0, -0.3))
-    expected, initial_modes = batch_heyoka.watch(Motions.of(some)), Field.initial_modes
+    expected, initial_modes = watched(Motions.of(some)), Field.initial_modes
 
     def wrong(*arguments: Any) -> list[tuple[int, ...]]:
         modes = initial_modes(*arguments)
         return [*modes[:4], (1, *modes[4][1:]), *modes[5:]]
 
     monkeypatch.setattr(Field, "initial_modes", wrong)
-    found = batch_heyoka.watch(Motions.of(some))
+    found = watched(Motions.of(some))
     assert "missed a kink" in str(found.errors.pop(4))
     assert not found.errors
     for row in (0, 1, 2, 3, 5, 6, 7, 8):
@@ -103,16 +108,15 @@ def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.Monk
 
 def simulate_steps(problem: Problem) -> int:
     """Steps of the integrator of one motion."""
-    compiled = compiled_for(problem)
-    compiled.begin(problem)
-    free = replace(problem, max_steps=10**6)
-    return compiled.go(free, free.t_end, compiled.go(free, free.t_record)[0])[0]
+    carried, most = taylor_for(problem), 10**6
+    carried.begin(problem.start, problem.constants)
+    return carried.go(problem.t_end, problem.t_end, most, carried.go(problem.t_record, problem.t_end, most)[0])[0]
 
 
 @pytest.mark.thorough
 def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
     some = problems(9, t_end=40.0, t_record=10.0)
-    found = batch_heyoka.watch(Motions.of(some))
+    found = watched(Motions.of(some))
     for row, problem in enumerate(some):
         p = ss.Parameters.article(theta0=np.arctan2(problem.constants[1], problem.constants[0]), mu0=problem.constants[2])
         x0, y0, vx0, vy0 = problem.start

@@ -5,6 +5,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from spragsym.motion.flows import flow
+from spragsym.motion.sweeps import rms_sweep
 from tests.oracles.user_pages import model_of
 
 BRISTLE = """r'''A mass that drags a light mass over a belt.'''
@@ -42,3 +44,18 @@ def test_an_implicit_method_takes_over_where_steps_collapse() -> None:
     assert motion.state[:, -1] == pytest.approx(found.y[:, -1], abs=1e-6)
     assert motion.implicit
     assert not ss.simulate(p.replace(d=10.0, eps=0.1), start=(0.5, 0.5, 0.0, 0.0), t_end=3.0).implicit
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+def test_sweeps_and_flows_go_over_too(backend: str) -> None:
+    pytest.importorskip(backend)
+    p = model_of(BRISTLE, "bristle").Parameters()
+    motion = ss.simulate(p, start=(0.5, 0.5, 0.0, 0.0), t_end=3.0, backend=backend)
+    assert motion.implicit
+    sweep = rms_sweep(p, x0=0.5, b0=0.5, t_end=3.0, transient=1.0, backend=backend)
+    assert sweep.reason == ""
+    assert sweep.rms == pytest.approx(motion.rms(1.0), abs=1e-6)
+    fly = flow(p.model.field, backend, derivatives=False).fly
+    passage = fly(motion.state[:, 0], p.model.field.constants(p.scalars(*p.ranges)), 3.0, np.zeros((2, len(p.ranges))))
+    assert passage.state == pytest.approx(motion.state[:, -1], abs=1e-6)

@@ -1,7 +1,9 @@
 """Motion in time: trajectories on two integrators, and what a motion comes to."""
 
+from .events import Events
 from .problem import Event
 from .regimes import Outcome, Regime
-from .trajectory import Events, Trajectory, simulate
+from .simulation import simulate
+from .trajectory import Trajectory
 
 __all__ = ["Event", "Events", "Outcome", "Regime", "Trajectory", "simulate"]

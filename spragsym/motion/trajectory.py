@@ -1,9 +1,9 @@
-"""Motion in time: trajectories of any model, what happens along them, and what they settle to."""
+"""A motion by its samples: values in between, averages, extrema, energies, and what it settles to."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -11,28 +11,26 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..display import Table, caption, words
-from ..errors import ParameterError, ParameterTypeError
+from ..errors import ParameterError
 from ..files import storage
 from ..models import forces
-from ..models.field import Field
-from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number, as_numbers, degrees
+from ..models.field import SETTLED
+from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, as_numbers, degrees
 from ..names import hint
-from ..questions import model_of
-from . import integrators, pictures, spectra
-from .events import Events, events_of
-from .problem import MAX_STEPS, Event, Problem
+from ..results.result import Result
+from ..statics.search import rest_index
+from . import flows, pictures, spectra
+from .classify import classify
+from .events import Events
+from .lobatto import PiecewisePolynomial
+from .measures import Course, course_of
+from .problem import Event
 from .problems import prepare
-from .regimes import Outcome
-from .sampled_motion import Recorded
-
-__all__ = ["Event", "Events", "Trajectory", "initial_state", "simulate"]
-
-#: The smallest tolerance that SciPy accepts, for the second run of an error estimate.
-TIGHTEST = 2.3e-14
+from .regimes import Outcome, Regime
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectory(Recorded):
+class Trajectory(Result):
     """A motion in time, as accurate between the samples as on them.
 
     The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events
@@ -108,6 +106,97 @@ class Trajectory(Recorded):
         known |= {} if self.events is None else {"events": len(self.events)}
         title = caption(said, f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}", known, f"{len(t)} samples")
         return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
+
+    @cached_property
+    def samples(self) -> PiecewisePolynomial:
+        """The polynomials through the samples."""
+        return PiecewisePolynomial(self.t, self.state)
+
+    @cached_property
+    def weights(self) -> FloatArray:
+        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
+        return self.samples.weights()
+
+    def integral(self, values: ArrayLike) -> float:
+        """Integral over time of ``values``, given at the samples."""
+        return float(np.sum(self.weights * np.asarray(values)))
+
+    def __call__(self, t: ArrayLike) -> FloatArray:
+        """x, y, x', y' at any times within the trajectory, shape (4, …)."""
+        times = as_numbers("t", t)
+        if times.size and not (self.t[0] <= times.min() and times.max() <= self.t[-1]):
+            raise ParameterError(
+                f"t = {times.min():g} … {times.max():g} is not within the trajectory, "
+                f"[{self.t[0]:g}, {self.t[-1]:g}]; simulate with a larger t_end"
+            )
+        return self.samples(times)
+
+    def after(self, transient: float | None) -> Trajectory:
+        """What follows the time ``transient``, three quarters of the end if None, as a trajectory; an error if nothing does."""
+        transient = 0.75 * float(self.t[-1]) if transient is None else as_number("transient", transient, NOT_NEGATIVE)
+        if transient >= self.t[-1]:
+            raise ParameterError(
+                f"transient = {transient:g} leaves nothing of a trajectory that ends at {self.t[-1]:g}; "
+                "give a smaller transient, or simulate with a larger t_end"
+            )
+        if transient <= self.t[0]:
+            return self
+        late = self.samples.after(transient)
+        error = None if self.error is None else np.interp(late.t, self.t, self.error)
+        events = self.events
+        if events is not None:
+            events = events.select(events.t >= transient)
+        return replace(self, t=late.t, state=late.states, events=events, error=error)
+
+    def mean(self, transient: float | None = None, *, of: str | None = None) -> float:
+        """Time average of x, a model's first coordinate, (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
+        late = self.after(transient)
+        return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
+
+    def rms(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+        """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
+
+        The article's Figure 7b shows the root mean square of x, from zero.
+        """
+        late = self.after(transient)
+        deviation = late._values(of) - late._centre(of, about)
+        return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
+
+    def largest(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
+        """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
+        late = self.after(transient)
+        return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
+
+    def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
+        """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
+
+        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on the flow and its
+        derivatives, which integrates a few periods more.
+        """
+        late = self.after(transient)
+        start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
+        problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
+        found = classify(late.course(), problem, flows.onward(problem, self.backend), as_number("tol", tol, POSITIVE))
+        return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
+
+    def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
+        """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.
+
+        It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The period is the cycle's
+        own, whatever is left. For what a motion only approaches see :meth:`outcome`.
+        """
+        outcome = self.outcome(transient, tol=tol)
+        return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
+
+    def converged(self, transient: float | None = None, *, tol: float = SETTLED) -> bool:
+        """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol`` (see :meth:`outcome`)."""
+        return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
+
+    def course(self) -> Course:
+        """What :func:`~spragsym.motion.integrators.measure` measures on the way, from the samples."""
+        if self.events is None:
+            return course_of(self.samples, self._event_counts())
+        return course_of(self.samples, np.bincount(self.events.which, minlength=len(Event)))
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy, contact and applied forces included, at the samples."""
@@ -193,23 +282,30 @@ class Trajectory(Recorded):
             raise ParameterError(f"of = {of!r} is not one of {', '.join(offered)}")
         return 0 if of is None else offered.index(of)
 
+    def _values(self, of: str | None) -> FloatArray:
+        values: FloatArray = self.state[self._row(of, self.components)]
+        return values
+
+    def _centre(self, of: str | None, about: str) -> float:
+        if about not in ("zero", "mean"):
+            raise ParameterError(f"about = {about!r} is neither 'zero' nor 'mean'")
+        return self.mean(0.0, of=of) if about == "mean" else 0.0
+
+    def _extrema(self, of: str | None) -> FloatArray:
+        """Values at the ends and at all local extrema: of a rate, where its own rate passes 0."""
+        values = self._values(of)
+        row, n = self._row(of, self.components), len(self.components) // 2
+        speed = self.state[row + n] if row < n else self.samples.slopes(row)
+        both = PiecewisePolynomial(self.t, np.array([values, speed]))
+        lowest, highest = both.passages(speed, lambda state: state[1]), both.passages(-speed, lambda state: -state[1])
+        return np.concatenate([values[[0, -1]], both(lowest)[0], both(highest)[0]])
+
     def _arguments(self) -> list[float]:
         return [float(value) for value in self.model.arguments(self.p, "motion")]
 
     def _pushing(self) -> NDArray[np.intp]:
         gap, _ = self.model.algebra.borders(*self.state, *self._arguments())
         return (gap < 0).astype(int) if self.model.about["contact"]["unilateral"] else np.ones(len(self.t), dtype=int)
-
-    def _with(self, t: FloatArray, state: FloatArray, events: Events | None, error: FloatArray | None) -> Trajectory:
-        return replace(self, t=t, state=state, events=events, error=error)
-
-    def _problem(self, start: tuple[float, ...], length: float) -> Problem:
-        return prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
-
-    def _identified(self, found: Outcome) -> Outcome:
-        from ..statics.search import rest_index
-
-        return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
 
     def _event_counts(self) -> NDArray[np.intp]:
         """How often each kind of event happened, from the samples alone, which include all events."""
@@ -223,127 +319,3 @@ class Trajectory(Recorded):
         angles = {f"{name}_deg": degrees(values[name]) for name in self.model.about["angles"]}
         settings = {"rtol": self.rtol, "backend": self.backend}
         return {**storage.provenance(), "model": self.model.name, **values, **angles, **settings}
-
-
-def simulate(
-    p: ParameterSet,
-    *,
-    V: float | None = None,
-    d: float | None = None,
-    start: ArrayLike | None = None,
-    t_end: float = 2000.0,
-    rtol: float = 1e-10,
-    events: bool = True,
-    estimate_error: bool = False,
-    backend: str | None = None,
-    max_steps: int = MAX_STEPS,
-    **initial: float,
-) -> Trajectory:
-    """Integrate the motion of a model from an initial state, the article's (8)–(11) among them.
-
-    The integrator is restarted at every kink of the field, y = 0 and x' = V for the article's model, whether or not the
-    events are kept.
-
-    Parameters
-    ----------
-    p : Parameters of any model
-        Scalars.
-    V, d : float, optional
-        In place of those of ``p``, for models that have them. The article states neither: 0.5 and 10, unless they are given,
-        are this package's assumption.
-    start : array_like, shape (2 n,), optional
-        Coordinates, then rates.
-    x0, y0, vx0, vy0, … : float, optional
-        The same one by one, by the names of the model's coordinates and rates; 0 where nothing is given. For the article's
-        model that is rest at x = y = 0, which lies on a kink.
-    t_end : float
-        Until when, in the model's unit of time: sqrt(m/k_c).
-    rtol : float
-        Relative tolerance of a step, in [1e-13, 1e-2]; the absolute one is a thousandth of it.
-    events : bool
-        Keep the events.
-    estimate_error : bool
-        Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``.
-    backend : {"heyoka", "compiled", "scipy"}, optional
-        Taylor series (extra ``fast``), or DOP853 in compiled code (the article's model) or in Python; by default the first of
-        these that is installed. They agree to the tolerance.
-    max_steps : int
-        Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d, up to d times the
-        friction, as it creeps. Ten million take heyoka some ten seconds to a minute, and several GB to keep.
-
-    Returns
-    -------
-    Trajectory
-
-    Raises
-    ------
-    ParameterError, ParameterTypeError
-        For arguments that make no sense, and a start at which a spring has no length: at the article's anchor (8) is singular.
-    ConvergenceError
-        When the integrator cannot go on, or has made ``max_steps``.
-    MissingExtraError
-        When the backend asked for is not installed.
-
-    Notes
-    -----
-    Source: the page's equations of motion; (8)–(11).
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> import spragsym as ss
-    >>> tr = ss.simulate(ss.Parameters.article(theta0=np.radians(49)), V=0.5, d=10.0)
-    >>> round(tr.rms(transient=1500.0), 4), len(tr.events)
-    (1.8052, 259)
-    >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
-    >>> tr.components, round(tr.largest(), 2)
-    (('x', 'vx'), 0.61)
-    """
-    model, p = model_of(p), p.given(V=V, d=d)
-    state = tuple(as_number(name, value) for name, value in initial_state(model, start, initial).items())
-    problem = prepare(model, p, start=state, t_end=t_end, rtol=rtol, max_steps=max_steps)
-    chosen = integrators.choose(backend, integrators.offered_for(model))
-    trajectory = _run(model, p, problem, chosen)
-    if estimate_error:
-        reference = _run(model, p, replace(problem, rtol=max(problem.rtol / 100, TIGHTEST)), chosen)
-        difference = np.abs(trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))).max(axis=0)
-        trajectory = replace(trajectory, error=difference)
-    return trajectory if events else replace(trajectory, events=None)
-
-
-def initial_state(model: Any, start: ArrayLike | None, initial: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:
-    """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is given."""
-    names = [f"{name}0" for name in (*model.coordinates, *model.rates)]
-    values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
-    if start is not None:
-        given = as_numbers("start", start)
-        if given.shape != (len(names),):
-            raise ParameterError(f"start has the shape {given.shape}; it is {', '.join(names)}")
-        values |= zip(names, given, strict=True)
-    for name, value in initial.items():
-        if name not in values:
-            remedy = hint(name, names) or "; the initial state is " + ", ".join(names)
-            if name in model.parameters:
-                remedy = f" but a parameter; give it within the first one, as p.replace({name}=...)"
-            raise ParameterTypeError(f"{name} is no argument{remedy}")
-        values[name] = value
-    return {name: as_numbers(name, value) for name, value in values.items()}
-
-
-def state_of(model: Any, start: ArrayLike | None) -> FloatArray:
-    """One initial state as an array; rest where nothing is given."""
-    return np.array([as_number("start", value, FINITE) for value in initial_state(model, start, {}).values()])
-
-
-def motion_of(field: Field, values: Sequence[float], state: FloatArray, t_end: float, **options: Any) -> Trajectory:
-    """The motion of the model of a field, by the values of its parameters in order."""
-    p = field.parameter_set(**dict(zip(field.parameters, values, strict=True)))
-    return simulate(p, start=np.asarray(state), t_end=t_end, **options)
-
-
-def _run(model: Any, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
-    solution = integrators.integrate(problem, backend)
-    events = events_of(problem.field, solution.crossings)
-    return Trajectory(
-        model, p, solution.samples.t, solution.samples.states, events, problem.rtol, backend, implicit=solution.implicit
-    )

@@ -16,7 +16,7 @@ from ..models.field import Field, apart
 from ..models.parameters import FloatArray
 from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime
-from ..motion.trajectory import motion_of
+from ..motion.simulation import motion_of
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of

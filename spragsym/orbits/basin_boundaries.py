@@ -14,7 +14,7 @@ from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion.flows import carrier, flow
 from ..motion.segment import Fly
-from ..motion.trajectory import state_of
+from ..motion.simulation import state_of
 from ..progress import doing
 from ..questions import model_of
 from ..results.result import Result

@@ -17,7 +17,7 @@ from ..models.field import Field, apart
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
 from ..motion.flows import carrier, follower
 from ..motion.regimes import Outcome, Regime, same_limit
-from ..motion.trajectory import motion_of, state_of
+from ..motion.simulation import motion_of, state_of
 from ..progress import doing
 from ..questions import model_of
 from ..results.result import Result

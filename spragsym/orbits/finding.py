@@ -18,7 +18,7 @@ from ..motion.flows import NEAR, carrier, follower, scout
 from ..motion.regimes import Outcome, Regime
 from ..motion.segment import Fly, Turn
 from ..motion.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, error_of, extent, growth, looped, rate, solved
-from ..motion.trajectory import motion_of
+from ..motion.simulation import motion_of
 from ..questions import model_of
 from .births import born_at
 from .orbit import Cycle, cycle_of

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from contextlib import closing
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import partial
@@ -17,15 +16,13 @@ from numpy.typing import NDArray
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record
-from ..files.stored import stored
-from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number, common_shape, degrees
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number, degrees
 from ..motion import integrators
+from ..motion.simulation import initial_state
 from ..motion.sweeps import code
-from ..motion.sweeps import workers as processes
-from ..motion.sweeps.result import Results
+from ..motion.sweeps.points import Points
+from ..motion.sweeps.result import identity
 from ..motion.sweeps.workers import Workers
-from ..motion.trajectory import initial_state
-from ..progress import advance
 from ..questions import model_of
 from ..results.result import Result
 from .verdicts import UNFOLLOWED, fate
@@ -153,29 +150,20 @@ def fate_map(
     p.require(*p.ranges)
     p = p.given(V=V, d=d)
     inputs = {name: np.asarray(getattr(p, name), dtype=float) for name in p.ranges}
-    shape = common_shape({name: values.shape for name, values in inputs.items()})
     state = tuple(float(value) for value in initial_state(model, start, {}).values())
     t_end, name = as_number("t_end", t_end, POSITIVE), integrators.choose(backend, integrators.OF_ANY_MODEL)
-    columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
-    points = dict(enumerate(zip(*columns, strict=True)))
-    work = partial(_record, model, state, t_end, name)
-    made = partial(_made, model, inputs, shape, state, t_end, name)
-
-    def records(done: dict[int, Record], keep: Any) -> FateMap:
-        left = {i: point for i, point in points.items() if i not in done}
-        with advance(progress, len(points), len(done)) as step, closing(processes.results(workers, work, left)) as found:
-            for i, record in found:
-                keep(i, record)
-                step()
-        return made([done[i] for i in points])
-
-    if store is None:
-        kept: dict[int, Record] = {}
-        return records(kept, kept.__setitem__)
-    if Path(store).suffix != ".csv":
+    if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
-    key, size = _fingerprint(model, inputs, state, t_end, name), len(points)
-    return stored(store, key, size, 100_000 + 1000 * size, lambda path: made(_loaded(path, key)), records, FateMap.save)
+    made, key = (partial(function, model, inputs, state, t_end, name) for function in (_made, _fingerprint))
+    return Points(inputs, partial(_records, model, state, t_end, name), made, MEASURED, "why", key).done(
+        workers, progress, store, FateMap.save
+    )
+
+
+def _records(
+    model: Any, start: tuple[float, ...], t_end: float, backend: str, points: Sequence[tuple[float, ...]]
+) -> list[Record]:
+    return [_record(model, start, t_end, backend, values) for values in points]
 
 
 def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, values: tuple[float, ...]) -> Record:
@@ -193,23 +181,17 @@ def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, va
 
 def _fingerprint(model: Any, inputs: dict[str, FloatArray], start: tuple[float, ...], t_end: float, backend: str) -> str:
     """A hash of everything that decides the bits of a map."""
-    settings = {"start": start, "t_end": t_end, "integrator": integrators.version(backend), "code": code.digest("cycles")}
-    return storage.fingerprint(inputs, {**settings, **Results(model).identity()})
+    settings = {"start": start, "t_end": t_end, "integrator": integrators.version(backend), "code": code.digest("orbits")}
+    return storage.fingerprint(inputs, {**settings, **identity(model)})
 
 
 def _made(
-    model: Any, inputs: dict[str, FloatArray], shape: tuple[int, ...], start: tuple[float, ...], t_end: float, backend: str,
-    records: list[Record],
+    model: Any, inputs: dict[str, FloatArray], start: tuple[float, ...], t_end: float, backend: str, records: list[Record],
+    _: Mapping[str, Any],
 ) -> FateMap:  # fmt: skip
+    shape = np.broadcast_shapes(*(values.shape for values in inputs.values()))
     table = np.array([values for values, _ in records], dtype=float).reshape(-1, len(MEASURED))
     columns: dict[str, Any] = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     columns["kind"] = columns["kind"].astype(np.int8)
     why = np.array([storage.plain(text) for _, text in records], dtype=np.str_).reshape(shape)
     return FateMap(inputs, start, t_end, backend, **columns, why=why, model=model)
-
-
-def _loaded(path: Path, key: str) -> list[Record]:
-    """The records of the map that a file holds, if it is this one."""
-    columns = storage.read_own(path, key)
-    numbers = np.array([np.asarray(columns[name], dtype=float) for name in MEASURED]).T.tolist()
-    return list(zip(numbers, (str(text) for text in columns["why"]), strict=True))

@@ -35,7 +35,7 @@ from ..motion.shooting import (
     recut,
     solved,
 )
-from ..motion.trajectory import motion_of
+from ..motion.simulation import motion_of
 from ..results.result import Result
 
 #: A multiplier this close to 1 in size decides nothing about stability.

@@ -13,7 +13,7 @@ from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime
-from ..motion.trajectory import state_of
+from ..motion.simulation import state_of
 from ..questions import model_of
 from ..results.result import Result
 from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting

@@ -3,28 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from contextlib import closing
-from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ...errors import ParameterError
-from ...files.journal import Record
-from ...files.stored import stored
-from ...models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, common_shape
-from ...progress import advance
+from ...models.parameters import NOT_NEGATIVE, POSITIVE, ParameterSet, as_number
 from ...questions import model_of
 from .. import batch_heyoka, integrators
 from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
 from ..problems import motions
-from ..trajectory import initial_state
-from . import workers as processes
-from .measure import MotionsOf, Settings, measured
-from .result import Results, Sweep
+from ..simulation import initial_state
+from .measure import Settings, measured, reported
+from .points import Points
+from .result import Sweep, fingerprint, made_of
 from .workers import Workers
 
 #: Motions of one task at most, and their time in all; a few points are one task each.
@@ -113,40 +105,10 @@ def rms_sweep(
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
     settings = settings_of(t_end, transient, rtol, backend, max_steps, integrators.offered_for(model))
-    return carried_out(Plan(inputs, settings, partial(motions, model), Results(model)), workers, progress, store)
-
-
-@dataclass(frozen=True)
-class Plan:
-    """A sweep before it is run: of which points, how each of them is integrated, and what its result is."""
-
-    inputs: dict[str, FloatArray]
-    settings: Settings
-    motions_of: MotionsOf
-    result: Results
-
-
-def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.PathLike[str] | None) -> Sweep:
-    """Run a sweep, or go on with one, or load it, if its file is there."""
-    inputs, settings, result = plan.inputs, plan.settings, plan.result
-    shape = common_shape({name: values.shape for name, values in inputs.items()})
-    points = _points(inputs, shape)
-    if not callable(workers):
-        processes.count(workers)  # before there is a journal
-    if store is None:
-        return result.made(inputs, shape, settings, _records(plan, points, workers, progress, {}, None))
-    key, size = result.fingerprint(inputs, settings), len(points)
-
-    def load(path: Path) -> Sweep:
-        return result.loaded(path, key, inputs, shape, settings)
-
-    def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> Sweep:
-        return result.made(inputs, shape, settings, _records(plan, points, workers, progress, done, keep))
-
-    return stored(store, key, size, 100_000 + 1000 * size, load, compute, Sweep.save)
-
-
-# -------------------------------------------------------------------------------------------- all the motions
+    work, together = partial(measured, partial(motions, model), settings), partial(_together, settings)
+    made, key = partial(made_of, model, inputs, settings), partial(fingerprint, model, inputs, settings)
+    columns = (*reported(model.coordinates, model.rates), "regime")
+    return Points(inputs, work, made, columns, "reason", key, together).done(workers, progress, store, Sweep.save)
 
 
 def settings_of(
@@ -162,42 +124,9 @@ def settings_of(
     return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
 
 
-def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple[float, ...]]:
-    columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
-    return list(zip(*columns, strict=True))
-
-
-def _records(
-    plan: Plan,
-    points: list[tuple[float, ...]],
-    workers: Workers,
-    progress: bool,
-    done: dict[int, Record],
-    keep: Callable[[int, Record], None] | None,
-) -> list[Record]:
-    """Every record: those that are done, and the others, stored as they are computed."""
-    keep = done.__setitem__ if keep is None else keep
-    left = [i for i in range(len(points)) if i not in done]
-    size = _together(plan.settings, len(left), 1 if callable(workers) else processes.count(workers))
-    parts = [left[begin : begin + size] for begin in range(0, len(left), size)]
-    tasks = {number: tuple(points[i] for i in part) for number, part in enumerate(parts)}
-    found = processes.results(workers, partial(measured, plan.motions_of, plan.settings), tasks, partial(_told, plan))
-    with advance(progress, len(points), len(done)) as step, closing(found):
-        for number, records in found:
-            for i, record in zip(parts[number], records, strict=True):
-                keep(i, record)
-                step()
-    return [done[i] for i in range(len(points))]
-
-
 def _together(settings: Settings, count: int, workers: int) -> int:
     """How many motions are one task: what a kill loses, and what every worker gets many of. No result depends on it."""
     if settings.backend != "heyoka":  # which alone carries many at a time
         return 1
     lasting = max(batch_heyoka.LANES, int(TOGETHER_FOR / settings.t_end))
     return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
-
-
-def _told(plan: Plan, points: tuple[tuple[float, ...], ...]) -> str:
-    first = ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, points[0], strict=True))
-    return first if len(points) == 1 else f"one of {len(points)} points, of which the first is {first}"

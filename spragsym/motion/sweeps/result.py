@@ -15,6 +15,7 @@ from ...files.journal import Record
 from ...models.parameters import FloatArray, degrees
 from ...names import hint
 from ...results.result import Result
+from ...statics.search import rest_index
 from .. import integrators
 from ..regimes import Outcome, Regime
 from . import code
@@ -112,7 +113,7 @@ class Sweep(Result):
         results["reason"] = (dims, self.reason.astype(object))
         dataset = storage.xarray().Dataset(results, coords=inputs, attrs=self._attributes())
         for name in dataset.variables:
-            dataset[name].attrs = storage.attributes(name, self.explained)
+            dataset[name].attrs = storage.attributes(name, self.model.quantities)
         dataset["regime"].attrs |= {
             "flag_values": np.array(list(Regime), dtype=np.int8),
             "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
@@ -121,23 +122,7 @@ class Sweep(Result):
 
     def _save_columns(self, path: Path) -> None:
         """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
-        storage.write(path, self.to_dataset, self._columns, self._attributes(), self.explained)
-
-    @property
-    def angles(self) -> tuple[str, ...]:
-        """Inputs that are angles."""
-        return tuple(self.model.about["angles"])
-
-    @property
-    def explained(self) -> Mapping[str, tuple[str, str]]:
-        """Unit and meaning of every input and result."""
-        explained: Mapping[str, tuple[str, str]] = self.model.quantities
-        return explained
-
-    @property
-    def how(self) -> Results:
-        """How this sweep is made, fingerprinted and loaded."""
-        return Results(self.model)
+        storage.write(path, self.to_dataset, self._columns, self._attributes(), self.model.quantities)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
@@ -151,7 +136,7 @@ class Sweep(Result):
         known = {}
         for name, values in self.inputs.items():
             known[name] = values
-            if name in self.angles:
+            if name in self.model.about["angles"]:
                 known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
         return known
 
@@ -161,65 +146,42 @@ class Sweep(Result):
             **storage.provenance(),
             "model": self.model.name,
             **vars(settings),
-            "fingerprint": self.how.fingerprint(self.inputs, settings),
+            "fingerprint": fingerprint(self.model, self.inputs, settings),
         }
 
 
-@dataclass(frozen=True)
-class Results:
-    """How the result of a sweep of a model is made, fingerprinted and loaded."""
+def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Settings) -> str:
+    """A hash of everything that decides the bits of a result."""
+    versions = {
+        "integrator": integrators.version(settings.backend),
+        "code": code.digest(),
+        "numpy": np.__version__,  # its eigenvalues tell what is approached
+    }
+    return storage.fingerprint(inputs, {**vars(settings), **versions, **identity(model)})
 
-    model: Any
 
-    def fingerprint(self, inputs: dict[str, FloatArray], settings: Settings) -> str:
-        """A hash of everything that decides the bits of a result."""
-        versions = {
-            "integrator": integrators.version(settings.backend),
-            "code": code.digest("models"),
-            "numpy": np.__version__,  # its eigenvalues tell what is approached
-        }
-        return storage.fingerprint(inputs, {**vars(settings), **versions, **self.identity()})
+def identity(model: Any) -> dict[str, Any]:
+    """What of a model decides the bits of a result."""
+    about = model.about
+    return {"model": about["name"], "files": about["files"], "page": about["source"], "own": sorted(model.closed)}
 
-    def made(self, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
-        """The sweep of these records."""
-        names = (*self.reported, "regime")
-        table = np.array([values or [np.nan] * len(names) for values, _ in records]).reshape(-1, len(names))
-        measured = {name: column.reshape(shape) for name, column in zip(names, table.T, strict=True)}
-        regime = measured.pop("regime")
-        results: dict[str, Any] = {"measured": measured}
-        results["regime"] = np.where(np.isnan(regime), Regime.FAILED, regime).astype(np.int8)
-        results["equilibrium"] = self.equilibrium(inputs, np.array([measured[f"rest_{name}"] for name in self.model.coordinates]))
-        results["reason"] = np.array([reason and storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
-        return self.sweep(inputs, settings, results)
 
-    def loaded(self, path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
-        """The sweep that a file holds, if it is this one."""
-        columns = storage.read_own(path, key)
-        kinds = {"regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
-        results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
-        results["measured"] = {name: columns[name].astype(float).reshape(shape) for name in self.reported}
-        return self.sweep(inputs, settings, results)
-
-    def identity(self) -> dict[str, Any]:
-        """What of the model decides the bits of a result."""
-        about = self.model.about
-        return {"model": about["name"], "files": about["files"], "page": about["source"], "own": sorted(self.model.closed)}
-
-    @property
-    def reported(self) -> tuple[str, ...]:
-        """Names of what is measured."""
-        return reported(self.model.coordinates, self.model.rates)
-
-    def equilibrium(self, inputs: dict[str, FloatArray], places: FloatArray) -> NDArray[np.int8]:
-        """Slots of the equilibria at places, shape (n, …)."""
-        p = self.model.Parameters(**{name: inputs[name] for name in self.model.parameters})
-        from ...statics.search import rest_index
-
-        return rest_index(p, places)
-
-    def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:
-        """The sweep itself."""
-        return Sweep(inputs, **vars(settings), **results, model=self.model)
+def made_of(
+    model: Any, inputs: dict[str, FloatArray], settings: Settings, records: list[Record], columns: Mapping[str, Any]
+) -> Sweep:  # fmt: skip
+    """The sweep of these records; of a file's columns the slots of equilibria, which are searched for otherwise."""
+    names, shape = (*reported(model.coordinates, model.rates), "regime"), np.broadcast_shapes(*(v.shape for v in inputs.values()))
+    table = np.array([values or [np.nan] * len(names) for values, _ in records]).reshape(-1, len(names))
+    measured = {name: column.reshape(shape) for name, column in zip(names, table.T, strict=True)}
+    regime = measured.pop("regime")
+    if "equilibrium" in columns:
+        which = np.asarray(columns["equilibrium"]).astype(np.int8).reshape(shape)
+    else:
+        p = model.Parameters(**{name: inputs[name] for name in model.parameters})
+        which = rest_index(p, np.array([measured[f"rest_{name}"] for name in model.coordinates]))
+    reason = np.array([reason and storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
+    regime = np.where(np.isnan(regime), Regime.FAILED, regime).astype(np.int8)
+    return Sweep(inputs, **vars(settings), measured=measured, regime=regime, equilibrium=which, reason=reason, model=model)
 
 
 def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
@@ -175,6 +176,11 @@ class Field:
     def size(self) -> int:
         """Numbers in a state."""
         return 2 * len(self.coordinates)
+
+    def matrix(self, state: Sequence[float], constants: Any, mode: Any, xp: Any = math) -> FloatArray:
+        """The derivative of the rates of all numbers of a state by these: the linearized motion at an equilibrium."""
+        n = len(self.coordinates)
+        return np.vstack([np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)])
 
     def initial_modes(self, states: FloatArray, constants: FloatArray) -> list[Mode]:
         """Modes of many states, a row each."""

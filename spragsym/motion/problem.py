@@ -106,9 +106,8 @@ def check_stiffness(field: Field, state: Any, constants: Any, step: float, left:
     """Raise where steps of a mean length are bounded by stability, and too many of them would be left."""
     if not left > most * step:
         return
-    n, values = len(field.coordinates), [float(value) for value in state]
-    lower = field.jacobian(values, constants, field.initial_mode(values, constants), math)
-    matrix = np.vstack([np.eye(n, 2 * n, n), np.array(lower, dtype=float)])
+    values = [float(value) for value in state]
+    matrix = field.matrix(values, constants, field.initial_mode(values, constants))
     if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > STABLE:
         raise StiffError(f"the motion is stiff: steps of {step:.2g} are bounded by stability, with {left:.6g} to go")
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..models.field import in_one_turn
+from ..errors import ConvergenceError
+from ..models.field import Field, Mode, in_one_turn
 from ..models.parameters import FloatArray
 from .measures import Course
 from .problem import Event, Problem
@@ -30,8 +33,8 @@ LEFT = 4.0
 #: What an integrator leaves of a motion at rest, in tolerances of a step.
 NOISE = 100.0
 
-#: Newton's method has gone astray beyond this, in L_0.
-FAR = 1e6
+#: Newton's method has gone astray beyond this, in L_0; its most steps.
+FAR, ROUNDS = 1e6, 40
 
 
 @dataclass(frozen=True)
@@ -43,42 +46,39 @@ class Rest:
     vectors: NDArray[np.complex128]
 
 
+def equilibrium_near(
+    field: Field, constants: Any, place: FloatArray, mode_at: Callable[[list[float]], Mode] | None = None
+) -> FloatArray:  # fmt: skip
+    """The state of rest that Newton's method finds from a place, in the modes ``mode_at`` states, by default their own."""
+    mode_at = mode_at or partial(field.initial_mode, constants=constants)
+    q, n = np.array(place, dtype=float), len(place)
+    for _ in range(ROUNDS):
+        state = [*q.tolist(), *[0.0] * n]
+        mode = mode_at(state)
+        pull = np.array(field.acceleration(state, constants, mode, math), dtype=float)
+        try:
+            step = np.linalg.solve(field.matrix(state, constants, mode)[n:, :n], -pull)
+        except np.linalg.LinAlgError as error:
+            raise ConvergenceError("there is no equilibrium near") from error
+        q = q + step
+        if not np.abs(q).max() < FAR or np.abs(step).max() < 1e-15 * (1 + np.abs(q).max()):
+            break
+    if np.abs(q).max() < FAR and np.abs(step).max() < 1e-12:
+        return np.concatenate([q, np.zeros(n)])
+    raise ConvergenceError("there is no equilibrium near")
+
+
 def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
     """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none."""
-    field, constants, n = problem.field, problem.constants, len(place)
-    q = place.tolist()
-    still = [0.0] * n
-    mode = field.mode_at_rest([*q, *still], constants)
-    for _ in range(30):
-        pull = field.acceleration([*q, *still], constants, mode, math)
-        rows = field.jacobian([*q, *still], constants, mode, math)
-        step = _solved([row[:n] for row in rows], pull)
-        if step is None:
-            return None
-        q = [value + change for value, change in zip(q, step, strict=True)]
-        if not sum(map(abs, q)) < FAR:
-            return None
-        if sum(map(abs, step)) <= 1e-12:
-            break
-    else:
-        return None
-    if any(border.sign(mode) * border.level([*q, *still], constants, mode) < 0 for border in field.borders if border.kink):
-        return None
-    linear = np.block([[np.zeros((n, n)), np.eye(n)], [np.array(rows)]])
-    return Rest(np.array([*q, *still]), *np.linalg.eig(linear))
-
-
-def _solved(matrix: list[Any], pull: Any) -> list[float] | None:
-    """Newton's step −J⁻¹ pull; None where J is singular."""
-    if len(pull) == 2:
-        (ax, ay), ((xx, xy), (yx, yy)) = pull, matrix
-        determinant = xx * yy - xy * yx
-        return None if determinant == 0 else [(xy * ay - yy * ax) / determinant, (yx * ax - xx * ay) / determinant]
+    field, constants = problem.field, problem.constants
+    mode = field.mode_at_rest([*place.tolist(), *np.zeros(len(place))], constants)
     try:
-        solved: list[float] = np.linalg.solve(np.array(matrix), -np.array(pull)).tolist()
-    except np.linalg.LinAlgError:
+        state = equilibrium_near(field, constants, place, lambda _: mode)
+    except ConvergenceError:
         return None
-    return solved
+    if any(border.sign(mode) * border.level(state, constants, mode) < 0 for border in field.borders if border.kink):
+        return None
+    return Rest(state, *np.linalg.eig(field.matrix(state.tolist(), constants, mode)))
 
 
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:

@@ -188,12 +188,10 @@ class Flight:
 
     def _matrix(self, constants: tuple[float, ...], mode: Mode) -> Callable[[float, FloatArray], FloatArray]:
         """The Jacobian of the field; of all columns that are carried in blocks, without its own derivatives."""
-        field, m, n = self.field, self.field.size, len(self.field.coordinates)
-        columns = m + self.directions
+        m, columns = self.field.size, self.field.size + self.directions
 
         def matrix(_: float, whole: FloatArray) -> FloatArray:
-            lower = np.array(field.jacobian(whole[:m].tolist(), constants, mode, FLOATS), dtype=float)
-            own = np.vstack([np.eye(n, m, n), lower])
+            own = self.field.matrix(whole[:m].tolist(), constants, mode, FLOATS)
             if not self.derivatives:
                 return own
             full = np.zeros((len(whole), len(whole)))

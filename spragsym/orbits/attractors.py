@@ -20,7 +20,7 @@ from ..motion.simulation import motion_of
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of
-from .saddles import equilibrium_near, linearization, rounding_of
+from .saddles import equilibrium_at, linearization, rounding_of
 
 #: A motion is judged at the first of these times, and again at the next as long as it is undecided.
 JUDGED = (2000.0, 10_000.0, 40_000.0)
@@ -146,7 +146,7 @@ def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend
     if verdict.kind == Regime.LIFT_OFF:
         return Attractor(verdict.kind, values, verdict.end)
     if verdict.kind == Regime.EQUILIBRIUM:
-        return _at_rest(field, values, equilibrium_near(field, values, np.array([*found.rest, *[0.0] * len(found.rest)])))
+        return _at_rest(field, values, equilibrium_at(field, values, np.array([*found.rest, *[0.0] * len(found.rest)])))
     if verdict.kind != Regime.LIMIT_CYCLE:
         raise ConvergenceError(f"the motion comes to {verdict.told()}")
     orbit = cycle_at(field, values, np.array(found.cycle), found.period, backend)
@@ -165,7 +165,7 @@ def followed(field: Field, known: Attractor, values: tuple[float, ...], backend:
     begin, end = np.array(known.values), np.array(values)
 
     def at(share: float, near: FloatArray) -> FloatArray:
-        return equilibrium_near(field, tuple(((1 - share) * begin + share * end).tolist()), near)
+        return equilibrium_at(field, tuple(((1 - share) * begin + share * end).tolist()), near)
 
     state, share, step = known.state, 0.0, 1.0
     while share < 1:

@@ -19,7 +19,7 @@ from ..progress import doing
 from ..questions import model_of
 from ..results.result import Result
 from .attractors import Verdict, attractor, judged, same, surely
-from .saddles import Saddle, equilibrium_near, saddle_near, side
+from .saddles import Saddle, saddle_near, side
 
 #: Equilibria that differ by less than this are one.
 SAME = 1e-9
@@ -221,7 +221,7 @@ def _saddle(model: Any, p: ParameterSet, values: tuple[float, ...], near: Any) -
     found: list[Saddle] = []
     for place in places:
         with suppress(ConvergenceError):
-            known = saddle_near(model.field, values, equilibrium_near(model.field, values, place))
+            known = saddle_near(model.field, values, place)
             if known is not None and not any(np.abs(known.state - other.state).max() < SAME for other in found):
                 found.append(known)
     if len(found) != 1:

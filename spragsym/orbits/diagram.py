@@ -27,7 +27,7 @@ from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
 from .finding import cycle_near
-from .saddles import equilibrium_near
+from .saddles import equilibrium_at
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -266,10 +266,7 @@ class _Rest:
     def eigenvalues(self, point: FloatArray) -> NDArray[np.complex128]:
         """Of the linearized motion."""
         constants, state, mode = self.at(point)
-        n = len(point) - 1
-        rows = np.array(self.field.jacobian(state, constants, mode, math), dtype=float)
-        upper = np.hstack([np.zeros((n, n)), np.eye(n)])
-        return np.asarray(np.linalg.eigvals(np.vstack([upper, rows])), dtype=complex)
+        return np.asarray(np.linalg.eigvals(self.field.matrix(state, constants, mode)), dtype=complex)
 
     def tangent(self, point: FloatArray, along: FloatArray) -> FloatArray:
         """Direction of the branch, of length 1."""
@@ -345,7 +342,7 @@ def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tup
         for i, j in np.argwhere(np.isfinite(places).all(axis=-1)).tolist():
             values = p.replace(**{vary: float(grid[i])}).scalars(*model.parameters)
             try:
-                state = equilibrium_near(motion, values, places[i, j])
+                state = equilibrium_at(motion, values, places[i, j])
             except ConvergenceError:
                 continue
             rest = _Rest(motion, values, index, state.tolist(), to, contact)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import FloatArray
+from ..motion.rest import equilibrium_near
 from ..motion.segment import Fly
 from .orbit import Cycle
 
@@ -41,34 +40,15 @@ class Saddle:
     attracts: bool
 
 
-def equilibrium_near(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
+def equilibrium_at(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
     """The equilibrium that Newton's method finds from a state."""
-    constants, n, q = field.constants(values), len(field.coordinates), np.array(state[: len(field.coordinates)], dtype=float)
-    for _ in range(40):
-        whole = [*q.tolist(), *[0.0] * n]
-        mode = field.initial_mode(whole, constants)
-        force = np.array(field.acceleration(whole, constants, mode, math))
-        stiffness = np.array(field.jacobian(whole, constants, mode, math), dtype=float)[:, :n]
-        try:
-            step = np.linalg.solve(stiffness, -force)
-        except np.linalg.LinAlgError as error:
-            raise ConvergenceError("there is no equilibrium near") from error
-        q = q + step
-        if not np.abs(q).max() < 1e6:
-            break
-        if np.abs(step).max() < 1e-15 * (1 + np.abs(q).max()):
-            return np.concatenate([q, np.zeros(n)])
-    if np.abs(step).max() < 1e-12:
-        return np.concatenate([q, np.zeros(n)])
-    raise ConvergenceError("there is no equilibrium near")
+    return equilibrium_near(field, field.constants(values), state[: len(field.coordinates)])
 
 
 def linearization(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
     """The matrix of the motion about an equilibrium, shape (m, m)."""
-    constants, n = field.constants(values), len(field.coordinates)
-    numbers = state.tolist()
-    lower = np.array(field.jacobian(numbers, constants, field.initial_mode(numbers, constants), math), dtype=float)
-    return np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), lower])
+    constants, numbers = field.constants(values), state.tolist()
+    return field.matrix(numbers, constants, field.initial_mode(numbers, constants))
 
 
 def rounding_of(matrix: FloatArray) -> float:
@@ -78,7 +58,7 @@ def rounding_of(matrix: FloatArray) -> float:
 
 def saddle_near(field: Field, values: Sequence[float], state: FloatArray) -> Saddle | None:
     """The saddle near a state; None where the equilibrium there has no direction of growth, or several."""
-    place = equilibrium_near(field, values, state)
+    place = equilibrium_at(field, values, state)
     matrix = linearization(field, values, place)
     eigenvalues, vectors = np.linalg.eig(matrix)
     error = rounding_of(matrix) * sensitivities(vectors)

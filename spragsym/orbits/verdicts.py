@@ -20,7 +20,7 @@ from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
 from .finding import cycle_near, stands_still
 from .growth_rates import rates_along
 from .orbit import NEUTRAL
-from .saddles import decay_at, equilibrium_near
+from .saddles import decay_at, equilibrium_at
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
 SHARES = (0.2, 0.8)
@@ -183,7 +183,7 @@ def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> tu
     places = [np.zeros(field.size), verdict.end]
     for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
-            place = equilibrium_near(field, values, near)
+            place = equilibrium_at(field, values, near)
             if (slowest := decay_at(field, values, place)) > 0:
                 return 1 / slowest, place
     return float("inf"), verdict.end

@@ -13,14 +13,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from operator import methodcaller
 from typing import Any
 
-from flint import acb, arb, arb_mat, ctx
+from flint import acb, arb, arb_mat, arb_poly, arb_series, ctx
 
 from ..errors import ParameterError
 from ..models.field import Field, Mode
-from ..numerics.jets import gradient, variables
-from .jets import XP, Jet
+from ..numerics.jets import Functions, constant, gradient, variables
 
 #: Radii of convergence that are tried.
 TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)
@@ -120,10 +120,10 @@ class Balls:
         # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
         off = derivative * arb_mat([[value - mid] for value, mid in zip(self.point, middle, strict=True)])
         left_out = _left_out(ratio, self.fine)
-        ends = [polynomial(jet, self.fine.order, step) + _around(bound * left_out)
+        ends = [polynomial(jet, step) + _around(bound * left_out)
                 for jet, bound in zip(center, bounds, strict=True)]  # fmt: skip
         self.point = _moved(ends, off)
-        self._stays(_Piece(within, [bound * tail for bound in bounds], self.rough.order, step, box, self.box))
+        self._stays(_Piece(within, [bound * tail for bound in bounds], step, box, self.box))
 
     def _disc(self, box: list[Any], mode: Mode | None = None) -> tuple[Any, list[Any], Any]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
@@ -264,16 +264,15 @@ class Balls:
             raise NotProved("the window of a crossing is longer than a step")
         tail, order = _left_out(ratio, self.fine), self.fine.order
         jets = solution(self.field, self.point, self.constants, mode, order)
-        return [polynomial(jet, order, duration) + _around(bound * tail) for jet, bound in zip(jets, bounds, strict=True)]
+        return [polynomial(jet, duration) + _around(bound * tail) for jet, bound in zip(jets, bounds, strict=True)]
 
 
 @dataclass(frozen=True)
 class _Piece:
     """All states during a step: series in time, what these leave out, and the states at both ends, which are known better."""
 
-    series: list[Jet]
+    series: list[Any]
     tails: list[Any]
-    order: int
     step: Any
     first: list[Any]
     last: list[Any]
@@ -282,7 +281,7 @@ class _Piece:
         """The states at a time, or over a ball of times."""
         if t.is_exact() and (t == 0 or t == self.step):
             return self.first if t == 0 else self.last
-        return [polynomial(each, self.order, t) + _around(tail) for each, tail in zip(self.series, self.tails, strict=True)]
+        return [polynomial(each, t) + _around(tail) for each, tail in zip(self.series, self.tails, strict=True)]
 
 
 def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
@@ -300,44 +299,79 @@ def unknown(border: Any) -> str:
     return f"that {border.name} is crossed within a window could not be shown; more digits would do it, unless it is only touched"
 
 
-def slopes_along(field: Field, within: list[Jet], constants: list[Any], mode: Mode) -> list[list[Any]]:
-    """Derivatives of the accelerations by the state as series, one operation after the other.
+class _Methods:
+    """Functions that are methods of balls and of power series; these have none for the hyperbolic tangent."""
 
-    The generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
-    """
-    accelerations = field.acceleration(variables(within, 1), constants, mode, XP)
-    return [gradient(acceleration, field.size) for acceleration in accelerations]
+    def __getattr__(self, name: str) -> Any:
+        return methodcaller(name)
+
+    def tanh(self, value: Any) -> Any:
+        """By the exponential, of a series."""
+        return 1 - 2 / ((2 * value).exp() + 1) if isinstance(value, arb_series) else value.tanh()
+
+
+class _Functions(Functions):
+    @property
+    def pi(self) -> Any:
+        """π, as accurate as balls are now."""
+        return arb.pi()
+
+
+#: ``xp`` of balls, of power series in time and of jets of both; a number is a ball without width.
+XP = _Functions(_Methods(), lambda value: arb(value) if isinstance(value, int | float) else value)
 
 
 def slopes_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> list[list[Any]]:
-    """These over all of a ball of states."""
-    rows = slopes_along(field, [Jet.constant(value) for value in state], constants, mode)
-    return [[value[0] if isinstance(value, Jet) else value for value in row] for row in rows]
+    """Derivatives of the accelerations by the state, balls or series, one operation after the other.
+
+    The generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
+    """
+    accelerations = field.acceleration(variables(state, 1), constants, mode, XP)
+    return [gradient(acceleration, field.size) for acceleration in accelerations]
 
 
-def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, order: int) -> list[Jet]:
-    """Taylor coefficients of the solution from a state."""
-    n = len(field.coordinates)
-    unknown = [Jet() for _ in state]
-    rates: list[Any] = [*unknown[n:], *field.acceleration(unknown, constants, mode, XP)]
-    for jet, value in zip(unknown, state, strict=True):
-        jet.known.append(value)
-    for k in range(order):
-        following = [rate[k] / (k + 1) for rate in rates]
-        for jet, value in zip(unknown, following, strict=True):
-            jet.known.append(value)
-    return unknown
+@contextmanager
+def _terms(count: int) -> Iterator[None]:
+    """Power series of ``count`` terms for as long as the context lasts."""
+    before, ctx.cap = ctx.cap, count
+    try:
+        yield
+    finally:
+        ctx.cap = before
 
 
-def _fundamental(field: Field, within: list[Jet], constants: list[Any], mode: Mode, order: int, step: Any) -> Any:
+def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, order: int) -> list[Any]:
+    """The Taylor polynomials of the solution from a state, by Newton's method: each round knows twice as many coefficients.
+
+    What a round adds to the known polynomials satisfies the linearized equation exactly, up to twice the order.
+    """
+    n, m = len(field.coordinates), field.size
+    rows = [[arb(value)] for value in state]
+    while len(rows[0]) <= order:
+        known, count = len(rows[0]), min(2 * len(rows[0]), order + 1)
+        with _terms(count):
+            series = [arb_series(row, prec=count) for row in rows]
+            accelerations = field.acceleration(variables(series, 1), constants, mode, XP)
+        rates, slopes = [constant(each) for each in accelerations], [gradient(each, m) for each in accelerations]
+        by_state = [arb_mat(n, m, [_term(value, k) for row in slopes for value in row]) for k in range(count - known)]
+        added: list[Any] = []
+        for k in range(known, count):
+            pull = arb_mat(n, 1, [_term(rate, k - 1) for rate in rates])
+            for slope, more in zip(by_state, reversed(added), strict=False):
+                pull += slope * more
+            following = [row[k - 1] / k for row in rows[n:]] + [value / k for value in pull.entries()]
+            added.append(arb_mat(m, 1, following))
+            for row, value in zip(rows, following, strict=True):
+                row.append(value)
+    return [arb_series(row, prec=order + 1) for row in rows]
+
+
+def _fundamental(field: Field, within: list[Any], constants: list[Any], mode: Mode, order: int, step: Any) -> Any:
     """The Taylor polynomial of the derivative of the flow at the end of a step."""
     n, m = len(field.coordinates), field.size
-    rows = slopes_along(field, within, constants, mode)
-
-    def entry(value: Any, k: int) -> Any:
-        return value[k] if isinstance(value, Jet) else (value if k == 0 else 0)
-
-    slopes = [arb_mat(n, m, [entry(value, k) for row in rows for value in row]) for k in range(order)]
+    with _terms(order + 1):
+        rows = slopes_at(field, within, constants, mode)
+    slopes = [arb_mat(n, m, [_term(value, k) for row in rows for value in row]) for k in range(order)]
     parts = [arb_mat(m, m, [int(i == j) for i in range(m) for j in range(m)])]
     for k in range(order):
         total = slopes[0] * parts[k]
@@ -351,12 +385,13 @@ def _fundamental(field: Field, within: list[Jet], constants: list[Any], mode: Mo
     return found
 
 
-def polynomial(jet: Jet, order: int, t: Any) -> Any:
-    """The Taylor polynomial of a series at a time."""
-    found = jet[order]
-    for k in range(order - 1, -1, -1):
-        found = found * t + jet[k]
-    return found
+def _term(value: Any, k: int) -> Any:
+    return value[k] if isinstance(value, arb_series) else (value if k == 0 else 0)
+
+
+def polynomial(series: Any, t: Any) -> Any:
+    """A Taylor polynomial at a time."""
+    return arb_poly(series.coeffs())(t)
 
 
 def _around(radius: Any) -> Any:

@@ -17,8 +17,7 @@ from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
 from ..models.field import Field, Mode
-from .ball_flow import APART, Accuracy, Balls, NotProved, TooWide, bits, polynomial, slopes_at, solution
-from .jets import XP
+from .ball_flow import APART, XP, Accuracy, Balls, NotProved, TooWide, bits, polynomial, slopes_at, solution
 
 #: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
 ROUNDS, GAINED = 14, 6
@@ -174,13 +173,13 @@ def _traced(
             left = target - clock
             if float(left.mid()) <= reach:
                 break
-            now = [polynomial(jet, order, arb(reach)).mid() for jet in jets]
+            now = [polynomial(jet, arb(reach)).mid() for jet in jets]
             clock = (clock + arb(reach)).mid()
         left = left.mid()
         if about is not None:
             that, begun = field.borders[border], left
             for _ in range(10):
-                there = [polynomial(jet, order, left).mid() for jet in jets]
+                there = [polynomial(jet, left).mid() for jet in jets]
                 accelerations = field.acceleration(there, constants, mode, XP)
                 change = that.rate(there, accelerations, constants, mode)
                 level = that.level(there, constants, mode)
@@ -189,7 +188,7 @@ def _traced(
                 left = (left - level / change).mid()
                 if not abs(left - begun) < 0.1:
                     raise NotProved(uncrossed(that, float(about)))
-        now = [polynomial(jet, order, left).mid() for jet in jets]
+        now = [polynomial(jet, left).mid() for jet in jets]
         clock = (clock + left).mid()
         if about is not None:
             times.append((border, clock))

@@ -24,7 +24,6 @@ from spragsym.motion import bifurcation_functions, multipliers
 from spragsym.motion.flows import carrier
 from spragsym.numerics.decimals import exactly
 from spragsym.orbits import attractors, finding, growth_rates, saddles
-from spragsym.orbits.jets import XP as BALLS
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
 from tests.support import few
@@ -554,7 +553,7 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.Sim
     first = slow.loop.crossings()[0]
     before = fly(slow.state, slow.loop.constants, first.t - 0.1, none).state
     with proving.ball_proof.bits(200):
-        constants = list(SPRAG.constants([flint.arb(value) for value in slow.values], BALLS))
+        constants = list(SPRAG.constants([flint.arb(value) for value in slow.values], proving.ball_flow.XP))
         off = 2.0**-40
         places = list(itertools.product(range(4), repeat=2))
         unit = flint.arb_mat(4, 4, [int(i == j) for i, j in places])
@@ -595,17 +594,19 @@ def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamesp
     for name in ("kang_nam", "stick_slip", "trolley", "stribeck"):
         field, model = exact_field(name), ss.load(name).search
         values = [flint.arb(model.base.get(parameter) or 0.7) for parameter in model.parameters]
-        constants = list(field.constants(values, BALLS))
+        constants = list(field.constants(values, proving.ball_flow.XP))
         state = [flint.arb(0.1 + 0.03 * i) for i in range(field.size)]
         for mode in field.modes:
             found = itertools.chain(*ball_flow.slopes_at(field, state, constants, mode))
-            derived = itertools.chain(*field.jacobian(state, constants, mode, BALLS))
+            derived = itertools.chain(*field.jacobian(state, constants, mode, proving.ball_flow.XP))
             assert all(abs(a - b) < 1e-12 for a, b in zip(found, derived, strict=True))
     field = exact_field("stick_slip")
     wide = [flint.arb(0.1, 0.1), flint.arb(0.2, 0.03)]  # sticking: x' = V
-    constants = list(field.constants([flint.arb(value) for value in (0.5, 0.1, 0.05, 0.2)], BALLS))
+    constants = list(field.constants([flint.arb(value) for value in (0.5, 0.1, 0.05, 0.2)], proving.ball_flow.XP))
     (slopes,) = ball_flow.slopes_at(field, wide, constants, (1, 1))
-    assert abs(slopes[1]) < 20 < abs(field.jacobian(wide, constants, (1, 1), BALLS)[0][1]).upper()  # written out it is wider
+    assert (
+        abs(slopes[1]) < 20 < abs(field.jacobian(wide, constants, (1, 1), proving.ball_flow.XP)[0][1]).upper()
+    )  # written out it is wider
 
 
 @pytest.mark.validate

@@ -83,7 +83,7 @@ def measure(motions: Motions, backend: str) -> Measured:
     if backend == "heyoka":
         found, rows = batch_heyoka.watch(motions)
     else:
-        found, rows = Measured.none(motions), range(len(motions))
+        found, rows = Measured.none(motions), list(range(len(motions)))
     for row in rows:
         try:
             solution = integrate(motions.problem(row), backend)

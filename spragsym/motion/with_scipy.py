@@ -124,14 +124,16 @@ class Flight:
         self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray
     ) -> Iterator[_Piece]:  # fmt: skip
         """Steps, none of which leaves its mode; a step that would is cut at the border."""
-        m, clock, first = self.field.size, 0.0, None
+        m, clock = self.field.size, 0.0
+        first: float | None = None
         mode, looked, steps = self.field.initial_mode(whole[:m], constants), 0.0, 0
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
             rates, bound = self.rates(constants, mode, directions), duration - clock
             if not np.isfinite(rates(0.0, whole)).all():
                 raise out_of_range()
-            method, options = _method(self.stiff), {"rtol": self.rtol, "atol": self.rtol * self.absolute}
+            method = _method(self.stiff)
+            options: dict[str, Any] = {"rtol": self.rtol, "atol": self.rtol * self.absolute}
             if self.stiff:
                 options["jac"] = self._matrix(constants, mode)
             solver = method(rates, 0.0, whole, bound, first_step=None if first is None else min(first, bound), **options)
@@ -154,7 +156,8 @@ class Flight:
             if found is None:
                 return
             at, border = found
-            first, reached = solver.step_size, partial(_stepped, method, rates, begin, before, options=options)
+            first = solver.step_size
+            reached = partial(_stepped, method, rates, begin, before, options=options)
             whole = dense(at) if self.interpolated else reached(at)
             for _ in range(4 * self.stiff):  # Radau's interpolant is of low order: Newton's method on steps of its own
                 clear, rate = clearances(self.field, constants, mode, whole[:m])[border].tolist()

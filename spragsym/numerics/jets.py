@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .interval_arrays import Intervals
+from .rounded import repeated_product
 
 #: Numbers of the variables of a product, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
 Term: TypeAlias = tuple[int, ...]
@@ -120,7 +121,7 @@ class Jet:
         if power < 0:
             return self.__pow__(-power).reciprocal()
         a = self.value
-        return self.composed([comb(power, k) * a ** (power - k) for k in range(min(power, self.order) + 1)])
+        return self.composed([comb(power, k) * _power(a, power - k) for k in range(min(power, self.order) + 1)])
 
     def composed(self, coefficients: Sequence[Any]) -> Jet:
         """Σ coefficients[k] hᵏ for the part h of this polynomial that is not constant: a function by its Taylor series."""
@@ -299,6 +300,11 @@ def _flat(value: Intervals) -> Intervals:
     """0, and nothing known where the interval holds 0."""
     unknown = np.where(value.holds_zero(), np.nan, 0.0)
     return Intervals(np.stack([unknown, unknown]))
+
+
+def _power(value: Any, power: int) -> Any:
+    """A power; of python-flint's balls by products, since its own is no number where a ball holds 0."""
+    return repeated_product(value, power) if power and type(value).__module__.startswith("flint") else value**power
 
 
 def _is_zero(value: Any) -> bool:

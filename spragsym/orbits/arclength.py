@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +11,20 @@ from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.segment import Fly
-from ..motion.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, chorded, growth, looped, rate, recut, rounding, solved
+from ..motion.shooting import (
+    LARGEST_GROWTH,
+    MOST_STRETCHES,
+    Conditions,
+    Guess,
+    Loop,
+    chorded,
+    growth,
+    looped,
+    rate,
+    recut,
+    rounding,
+    solved,
+)
 
 #: Largest angle between a step of a branch and its tangents, as its cosine.
 STRAIGHT = 0.97
@@ -23,7 +37,8 @@ LEAST_SHARE = 1e-3
 class Setting:
     """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length.
 
-    ``plain`` is the integrator without derivatives, where that is much cheaper.
+    ``plain`` is the integrator without derivatives, where that is much cheaper. ``event`` is what holds along a curve of events:
+    ``event(loop)`` the test function's equation near a loop, and whether it says where the loop begins too.
     """
 
     field: Field
@@ -32,11 +47,25 @@ class Setting:
     period: float
     spans: tuple[float, ...]
     plain: Fly | None = None
+    event: Callable[[Loop], tuple[Conditions, bool]] | None = None
 
     def weights(self, stretches: int) -> FloatArray:
         """Weights of states, period and parameters in the length of the arc."""
         size = stretches * self.field.size
         return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
+
+    def equations(self, near: Loop, target: FloatArray) -> Conditions:
+        """What holds besides closing: the phase, in the plane across the flow at a loop, through a target; and the event."""
+        phase, (event, begins) = phase_row(self, near), self.event(near) if self.event else (None, False)
+
+        def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
+            values, rows = (np.empty(0), np.empty((0, phase.shape[1]))) if event is None else event(loop)
+            if begins:
+                return values, rows
+            off = phase @ (loop.guess.coordinates(self.free) - target)
+            return np.append(off, values), np.vstack([phase, rows])
+
+        return conditions
 
 
 @dataclass(frozen=True)
@@ -53,14 +82,14 @@ class Point:
 
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
-    """A point with its tangent, turned so that it goes along a direction; by default to larger values of the parameter."""
-    matrix = np.vstack([loop.slopes(len(setting.free)), phase_row(setting, loop)])
+    """A point with its tangent, turned so that it goes along a direction; by default to larger values of the first parameter."""
+    _, rows = setting.equations(loop, loop.guess.coordinates(setting.free))(loop)
     weights = setting.weights(len(loop.guess.states))
-    _, _, vectors = np.linalg.svd(matrix / weights)
+    _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(len(setting.free)), rows]) / weights)
     tangent = vectors[-1] / weights
     if along is None:
         along = np.zeros(len(tangent))
-        along[-1] = 1.0
+        along[-len(setting.free)] = 1.0
     if (tangent * weights) @ (along * weights) < 0:
         tangent = -tangent
     return Point(loop, tangent)
@@ -74,21 +103,20 @@ def phase_row(setting: Setting, loop: Loop) -> FloatArray:
     return row
 
 
-def corrected(setting: Setting, point: Point, length: float, *, reach: float = np.inf) -> Point:
+def corrected(setting: Setting, point: Point, length: float, *, reach: float = np.inf, iterations: int = 7) -> Point:
     """The point on the branch a length of arc from a point, negative lengths backward."""
-    step = length * point.tangent
-    guess = point.loop.guess.moved(step, setting.free)
+    guess = point.loop.guess.moved(length * point.tangent, setting.free)
     weights = setting.weights(len(guess.states))
-    target, phase = guess.coordinates(setting.free), phase_row(setting, point.loop)
-    arc = (point.tangent * weights**2)[None]
-    rows = np.vstack([phase, arc])
+    target, arc = guess.coordinates(setting.free), (point.tangent * weights**2)[None]
+    others = setting.equations(point.loop, target)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        return rows @ (loop.guess.coordinates(setting.free) - target), rows
+        values, rows = others(loop)
+        return np.append(values, arc @ (loop.guess.coordinates(setting.free) - target)), np.vstack([rows, arc])
 
     if setting.plain is not None:
         guess = chorded(setting.field, setting.fly, setting.plain, guess, conditions, setting.free)
-    loop = solved(setting.field, setting.fly, guess, conditions, setting.free, reach=reach, iterations=7)
+    loop = solved(setting.field, setting.fly, guess, conditions, setting.free, reach=reach, iterations=iterations)
     return point_of(setting, loop, point.tangent)
 
 

@@ -154,10 +154,9 @@ def fate_map(
     t_end, name = as_number("t_end", t_end, POSITIVE), integrators.choose(backend, integrators.OF_ANY_MODEL)
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
-    made, key = (partial(function, model, inputs, state, t_end, name) for function in (_made, _fingerprint))
-    return Points(inputs, partial(_records, model, state, t_end, name), made, MEASURED, "why", key).done(
-        workers, progress, store, FateMap.save
-    )
+    made, key = partial(_made, model, inputs, state, t_end, name), partial(_fingerprint, model, inputs, state, t_end, name)
+    points = Points(inputs, partial(_records, model, state, t_end, name), made, MEASURED, "why", key)
+    return points.done(workers, progress, store, FateMap.save)
 
 
 def _records(

@@ -9,8 +9,8 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.flows import carrier
-from ..motion.shooting import Guess, Loop, divided, looped, rate, solved
-from .arclength import Setting, corrected, phase_row, point_of
+from ..motion.shooting import Guess, Loop, divided, looped, rate
+from .arclength import Point, Setting, corrected, phase_row, point_of
 from .orbit import Cycle, cycle_of
 
 if TYPE_CHECKING:
@@ -45,10 +45,11 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
         return _beyond(branch, setting, event.loop, step, backend)
     twice = event.kind == "period_doubling"
     guess, direction = _doubled(setting, cycle.loop) if twice else _across(setting, event)
+    point = Point(looped(setting.field, setting.fly, guess, setting.free), direction)
     for size in (step, *STEPS):
         for sign in (1.0, -1.0):
             try:
-                loop = _off(setting, guess, sign * size * direction, size)
+                loop = corrected(setting, point, sign * size, reach=20 * size, iterations=12).loop
             except ConvergenceError:
                 continue
             found = cycle_of(loop, fly, backend)
@@ -106,18 +107,3 @@ def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:
     direction = np.zeros(pieces * size + 2)
     direction[: pieces * size] = np.concatenate(parts)
     return guess, direction
-
-
-def _off(setting: Setting, guess: Guess, step: FloatArray, size: float) -> Loop:
-    """The closed orbit whose first state is off by ``size`` in the direction that turns over, wherever the parameter is."""
-    begun = guess.moved(step, setting.free)
-    target = begun.coordinates(setting.free)
-    middle = looped(setting.field, setting.fly, guess, setting.free)
-    across = np.zeros((1, len(step)))
-    across[0, : setting.field.size] = step[: setting.field.size] / size
-    rows = np.vstack([phase_row(setting, middle), across])
-
-    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        return rows @ (loop.guess.coordinates(setting.free) - target), rows
-
-    return solved(setting.field, setting.fly, begun, conditions, setting.free, reach=20 * size)

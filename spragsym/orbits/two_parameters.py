@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -12,10 +13,10 @@ from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, unsure
 from ..motion.flows import carrier
-from ..motion.shooting import CLOSED, Loop, looped, solved
+from ..motion.shooting import CLOSED, Conditions, Loop, looped
 from ..progress import doing
 from ..results.result import Result
-from .arclength import Setting, phase_row
+from .arclength import Point, Setting, angle, corrected, phase_row, point_of
 from .branch import CycleEvent
 from .grazing import touching
 from .orbit import Cycle, cycle_of
@@ -117,13 +118,11 @@ def cycle_events(
         low, high = ranges.get(name, (0.0, 0.0))
         spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.guess.values[index]), LEAST))
     setting = Setting(model, fly, free, event.cycle.period, tuple(spans))
+    setting = replace(setting, event=partial(_event, setting, event.kind, event.border))
     bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
-    loop = event.loop
-    walk = _Walk(setting, event.kind, event.border, bounds, points)
-    first = walk.begun(loop)
-    back, why_back = walk.follow(first, -1.0)
-    forth, why_forth = walk.follow(first, 1.0)
-    loops = [*reversed(back), first, *forth]
+    first = point_of(setting, looped(model, fly, event.loop.guess, free))
+    (back, why_back), (forth, why_forth) = (_followed(setting, event.kind, bounds, points, first, sign) for sign in (-1.0, 1.0))
+    loops = [*reversed(back), first.loop, *forth]
     cycles = tuple(cycle_of(each, fly, backend) for each in loops)
     return EventCurve(
         event.kind, vary, np.array([[each.guess.values[i] for i in free] for each in loops]),
@@ -131,88 +130,47 @@ def cycle_events(
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class _Walk:
-    """One curve of events."""
+def _event(setting: Setting, kind: str, border: int, near: Loop) -> tuple[Conditions, bool]:
+    """The event's equation near a loop, its test function in such units that its rounding does not keep the loop open.
 
-    setting: Setting
-    kind: str
-    border: int
-    bounds: list[tuple[float, float]]
-    points: int
+    That of a grazing says where the orbit begins too.
+    """
+    if border >= 0:
+        return touching(setting, border, len(near.guess.states)), True
+    test, phase, unit = CRITERIA[kind], phase_row(setting, near), max(1.0, SURE * unsure(near, kind) / CLOSED)
 
-    def begun(self, loop: Loop) -> Loop:
-        """The event's loop with both parameters free."""
-        return looped(self.setting.field, self.setting.fly, loop.guess, self.setting.free)
+    def condition(now: Loop) -> tuple[FloatArray, FloatArray]:
+        return np.array([test(now) / unit]), _slope(setting, now, test, phase) / unit
 
-    def equations(self, loop: Loop) -> Callable[[Loop], tuple[FloatArray, FloatArray]]:
-        """Phase and event, near a loop; the event's test function in such units that its rounding does not keep the loop open."""
-        if self.border >= 0:
-            return touching(self.setting, self.border, len(loop.guess.states))
-        test, phase, start = CRITERIA[self.kind], phase_row(self.setting, loop), loop.guess.coordinates(self.setting.free)
-        unit = max(1.0, SURE * unsure(loop, self.kind) / CLOSED)
+    return condition, False
 
-        def both(now: Loop) -> tuple[FloatArray, FloatArray]:
-            there = now.guess.coordinates(self.setting.free)
-            row = _slope(self.setting, now, test, phase)
-            return np.array([*(phase @ (there - start)), test(now) / unit]), np.vstack([phase, row / unit])
 
-        return both
-
-    def tangent(self, loop: Loop, along: FloatArray | None) -> FloatArray:
-        """Direction of the curve, of length 1."""
-        _, rows = self.equations(loop)(loop)
-        weights = self.setting.weights(len(loop.guess.states))
-        _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(2), rows]) / weights)
-        tangent: FloatArray = vectors[-1] / weights
-        if along is None:
-            along = np.zeros(len(tangent))
-            along[-2] = 1.0
-        return -tangent if (tangent * weights) @ (along * weights) < 0 else tangent
-
-    def step(self, loop: Loop, tangent: FloatArray, length: float) -> Loop:
-        """The next loop on the curve."""
-        setting = self.setting
-        guess = loop.guess.moved(length * tangent, setting.free)
-        weights = setting.weights(len(guess.states))
-        arc, target = (tangent * weights**2)[None], guess.coordinates(setting.free)
-        begun = looped(setting.field, setting.fly, guess, setting.free)
-        equations = self.equations(begun)
-
-        def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:
-            values, rows = equations(now)
-            return np.append(values, arc @ (now.guess.coordinates(setting.free) - target)), np.vstack([rows, arc])
-
-        return solved(setting.field, setting.fly, guess, conditions, setting.free, reach=0.5, iterations=9)
-
-    def follow(self, first: Loop, direction: float) -> tuple[list[Loop], str]:
-        """Loops in one direction, and why they end."""
-        found: list[Loop] = []
-        loop, tangent, length = first, direction * self.tangent(first, None), FIRST
-        while len(found) < self.points:
-            try:
-                with doing("point {} in one direction of the curve", len(found) + 1):
-                    ahead = self.step(loop, tangent, length)
-                onward = self.tangent(ahead, tangent)
-            except (ConvergenceError, np.linalg.LinAlgError) as error:
-                length /= 3
-                if length < SHORTEST:
-                    return found, f"it could not be followed farther: {error}"
-                continue
-            weights = self.setting.weights(len(loop.guess.states))
-            straight = float((tangent * weights) @ (onward * weights))
-            if straight < 0.95 and length > 1e-4:
-                length /= 2.5
-                continue
-            inside = [low <= ahead.guess.values[i] <= high for i, (low, high) in zip(self.setting.free, self.bounds, strict=True)]
-            if not all(inside):
-                return found, "the range ends"
-            if self.kind == "torus" and not is_complex_pair(ahead):
-                return found, "its multipliers become real"
-            found.append(ahead)
-            loop, tangent = ahead, onward
-            length = min(LONGEST, length * (1.6 if straight > 0.995 else 1.1))
-        return found, f"{self.points} points were followed"
+def _followed(
+    setting: Setting, kind: str, bounds: list[tuple[float, float]], points: int, first: Point, direction: float
+) -> tuple[list[Loop], str]:  # fmt: skip
+    """Loops in one direction, and why they end."""
+    found: list[Loop] = []
+    point, length = Point(first.loop, direction * first.tangent), FIRST
+    while len(found) < points:
+        try:
+            with doing("point {} in one direction of the curve", len(found) + 1):
+                ahead = corrected(setting, point, length, reach=0.5, iterations=9)
+        except (ConvergenceError, np.linalg.LinAlgError) as error:
+            length /= 3
+            if length < SHORTEST:
+                return found, f"it could not be followed farther: {error}"
+            continue
+        straight = angle(setting, point, ahead)
+        if straight < 0.95 and length > 1e-4:
+            length /= 2.5
+            continue
+        if not all(low <= ahead.loop.guess.values[i] <= high for i, (low, high) in zip(setting.free, bounds, strict=True)):
+            return found, "the range ends"
+        if kind == "torus" and not is_complex_pair(ahead.loop):
+            return found, "its multipliers become real"
+        found.append(ahead.loop)
+        point, length = ahead, min(LONGEST, length * (1.6 if straight > 0.995 else 1.1))
+    return found, f"{points} points were followed"
 
 
 def _slope(setting: Setting, loop: Loop, test: Callable[[Loop], float], phase: FloatArray) -> FloatArray:

@@ -24,8 +24,9 @@ from .errors import ParameterError, ParameterTypeError
 from .models.load import USUAL, load
 from .models.parameters import ParameterSet, Range
 from .names import hint
+from .numerics import balls
+from .numerics.balls import Interval
 from .numerics.decimals import exactly
-from .numerics.intervals import Arithmetic, Interval
 from .questions import Method, model_of
 from .results.precise_states import CuspProof, PreciseEquilibria
 
@@ -46,8 +47,8 @@ class Degrees:
 
     value: Fraction
 
-    def __call__(self, arith: Arithmetic) -> Interval:
-        return arith.exact(self.value / 180) * arith.pi()
+    def __call__(self) -> Interval:
+        return balls.exact(self.value / 180) * balls.pi()
 
     def __str__(self) -> str:
         return f"{self.value} degrees"
@@ -86,7 +87,7 @@ def as_digits(dps: int) -> int:
 
 
 def equilibria(
-    p: ParameterSet | None = None, *, contact: bool = True, dps: int = 50, arith: Arithmetic | None = None,
+    p: ParameterSet | None = None, *, contact: bool = True, dps: int = 50,
     method: Method = "auto", **exact: Exact,
 ) -> PreciseEquilibria:  # fmt: skip
     """All equilibria of one point of any model to ``dps`` digits, count and digits proved by interval arithmetic.
@@ -100,8 +101,6 @@ def equilibria(
         True for n̄ = 1 (y < 0), False for n̄ = 0 (y ≥ 0).
     dps : int
         Decimal digits, 1 to 1000.
-    arith : Arithmetic, optional
-        Interval arithmetic for closed forms, another than :class:`spragsym.numerics.intervals.Balls`.
     method : {"auto", "closed", "search"}
         Closed forms where the model has them, or the search over boxes as a second witness.
     **exact : int, str, Fraction, mpf or float
@@ -138,12 +137,12 @@ def equilibria(
     given = _exactly(model, p, exact)
     from .bifurcation.digits import precise_equilibria
 
-    return precise_equilibria(model.Parameters(), given, contact, as_digits(dps), arith, method=method)
+    return precise_equilibria(model.Parameters(), given, contact, as_digits(dps), method=method)
 
 
 def cusps(
     p: ParameterSet | None = None, *, vary: Sequence[str] | None = None, between: Mapping[str, tuple[float, float]] | None = None,
-    dps: int = 40, arith: Arithmetic | None = None, method: Method = "auto", **exact: Exact,
+    dps: int = 40, method: Method = "auto", **exact: Exact,
 ) -> CuspProof:  # fmt: skip
     """All cusps of any model in the plane of two parameters to ``dps`` digits, and the proof that there are no more.
 
@@ -158,8 +157,6 @@ def cusps(
         Ranges of these, as for :func:`spragsym.cusps`: then boxes are searched.
     dps : int
         Decimal digits, 1 to 1000.
-    arith : Arithmetic, optional
-        Interval arithmetic for closed forms, another than :class:`spragsym.numerics.intervals.Balls`.
     method : {"auto", "closed", "search"}
         The polynomial where the model has it, for θ₀ and μ₀, or the search over boxes as a second witness.
     **exact : int, str, Fraction, mpf or float
@@ -201,7 +198,7 @@ def cusps(
     given = _exactly(model, p, exact, unasked=vary)
     from .bifurcation.digits import precise_cusps
 
-    return precise_cusps(model.Parameters(), given, vary, as_digits(dps), arith, between=between, method=method)
+    return precise_cusps(model.Parameters(), given, vary, as_digits(dps), between=between, method=method)
 
 
 def _model(p: ParameterSet | None) -> Model:

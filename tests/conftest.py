@@ -17,8 +17,6 @@ from filelock import FileLock
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 
-from spragsym.numerics.intervals import Arithmetic, Balls
-
 Once: TypeAlias = Callable[[str, Callable[[], Any]], Any]
 Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
 Run: TypeAlias = Callable[..., str]
@@ -94,12 +92,6 @@ def c_library(once: Once) -> ctypes.CDLL:
     if compiler is None:
         pytest.skip("no C compiler on this machine")
     return c_target.load(once("c_target", lambda: c_target.compiled(compiler, ("-O0", "-ffp-contract=off"))))
-
-
-@pytest.fixture(params=["integers", pytest.param("Arb", marks=pytest.mark.thorough)])
-def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """Both interval arithmetics: the package's and Arb's."""
-    return Balls() if request.param == "integers" else pytest.importorskip("tests.oracles.arb").Arb()
 
 
 @pytest.fixture

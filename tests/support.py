@@ -19,7 +19,7 @@ import spragsym as ss
 import spragsym.generated as generated_package
 from spragsym.kang_nam.folds import flutter_proofs
 from spragsym.motion import integrators
-from spragsym.numerics import intervals
+from spragsym.numerics import balls
 from tests.oracles.families import random_fixed
 
 ROOT = Path(__file__).parents[1]
@@ -108,14 +108,13 @@ def _function(name: str) -> Callable[..., Any]:
 
 def exact_onsets(*values: Fraction | int) -> list[flutter_proofs.Onset]:
     """Onsets of flutter for exact mu0, kappa, alpha, sigma, beta."""
-    arith = intervals.arithmetic()
-    with arith.precision(192):
-        return list(flutter_proofs.onsets(arith, flutter_proofs.Elimination(*map(Fraction, values)), 192))
+    with balls.precision(192):
+        return list(flutter_proofs.onsets(flutter_proofs.Elimination(*map(Fraction, values)), 192))
 
 
-def middle_of(value: intervals.Interval) -> float:
+def middle_of(value: balls.Interval) -> float:
     """The middle of an interval."""
-    low, high = intervals.arithmetic().ends(value)
+    low, high = balls.ends(value)
     return float((low + high) / 2)
 
 

@@ -8,18 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError
+from ..errors import ConvergenceError
 from ..models.forces import columns_of
 from ..models.parameters import ParameterSet
-from ..numerics import boxes, certified_roots
+from ..numerics import balls, boxes, certified_roots
 from ..numerics.adaptive_bits import FIRST_BITS, as_numbers, with_enough_bits
 from ..numerics.ball_functions import XP
+from ..numerics.balls import Undecided, as_mpf
 from ..numerics.certified_roots import Roots
 from ..numerics.determinants import cofactor
 from ..numerics.interval_arrays import FloatArray, Intervals
-from ..numerics.intervals import Arithmetic, Balls, as_mpf
 from ..numerics.krawczyk import narrowed
-from ..numerics.polynomials import Undecided
 from ..questions import Method, question
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.mechanics.balance import Balance
@@ -40,7 +39,7 @@ ROOM = 96
 
 @question
 def precise_equilibria(
-    p: ParameterSet, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None, *, method: Method = "auto"
+    p: ParameterSet, exact: Mapping[str, Any], contact: bool, digits: int, *, method: Method = "auto"
 ) -> PreciseEquilibria:
     """All equilibria of a point, each number within 10^−digits max(1, |number|).
 
@@ -51,7 +50,6 @@ def precise_equilibria(
     exact : mapping
         Every parameter: a rational number, or what gives an interval in an arithmetic.
     """
-    _in_balls(arith)
     balance = balance_of(p.model, contact)
     found, around, whole = _isolated(balance, exact)
     if found.left_point.size:
@@ -64,7 +62,7 @@ def precise_equilibria(
         states = (_state(balance, system, box, alone, digits) for box, alone in boxes_of_roots)
         return [state for state in states if state is not None]
 
-    states = with_enough_bits(Balls(), digits, attempt, "equilibria")
+    states = with_enough_bits(digits, attempt, "equilibria")
     first = balance.coordinates[0]
     low, high = -around[0, :, 0], around[1, :, 0]
     searched = dict(zip(balance.coordinates, zip(low.tolist(), high.tolist(), strict=True), strict=True))
@@ -73,7 +71,7 @@ def precise_equilibria(
 
 def _ends(exact: Mapping[str, Any]) -> dict[str, tuple[Fraction, Fraction]]:
     """Both ends of every parameter, equal where it is rational, at the bits of this moment."""
-    return {name: Balls().ends(value(Balls())) if callable(value) else (value, value) for name, value in exact.items()}
+    return {name: balls.ends(value()) if callable(value) else (value, value) for name, value in exact.items()}
 
 
 def _held(ends: Mapping[str, tuple[Fraction, Fraction]]) -> bool:
@@ -83,7 +81,7 @@ def _held(ends: Mapping[str, tuple[Fraction, Fraction]]) -> bool:
 
 def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatArray, Any]:
     """A box for each root of all parameters between the floats around the exact ones, what is left, and the region."""
-    with Balls().precision(FIRST_BITS):
+    with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     low, high = (
         np.array([_beside(ends[name][side], way) for name in balance.parameters])[:, None]
@@ -110,7 +108,7 @@ def _state(
     q = _narrowed(system, box, alone)
     if not _on_its_side(balance, system.gap(q)):
         return None
-    numbers, error, _ = as_numbers(Balls(), (*_columns(balance, q, system.arguments), *q), digits)
+    numbers, error, _ = as_numbers((*_columns(balance, q, system.arguments), *q), digits)
     named = dict(zip(columns_of(balance.model), numbers, strict=True))
     return PreciseEquilibrium(named, type_at(balance, system, q), as_mpf(error))
 
@@ -124,18 +122,17 @@ def _columns(balance: Balance, q: Sequence[Any], arguments: Mapping[str, Any]) -
 
 @question
 def precise_cusps(
-    p: ParameterSet, exact: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None, *,
+    p: ParameterSet, exact: Mapping[str, Any], vary: Sequence[str], digits: int, *,
     between: Mapping[str, tuple[float, float]] | None = None, method: Method = "auto",
 ) -> CuspProof:  # fmt: skip
     """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of :func:`.catastrophe.cusps.cusps`.
 
     Each is proved for the exact parameters; that there are no more, only where all of these are floats.
     """
-    _in_balls(arith)
     model = p.model
     spans = ranges(model, vary, between or {})
     balance = Balance(model, contact=True)
-    with Balls().precision(FIRST_BITS):
+    with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
     found = isolated(balance, vary, given, spans)
@@ -147,7 +144,7 @@ def precise_cusps(
         told = (_cusp(precise, box, alone, digits) for box, alone in boxes_of_roots)
         return [cusp for cusp in told if cusp is not None]
 
-    cusps = with_enough_bits(Balls(), digits, attempt, "cusps")
+    cusps = with_enough_bits(digits, attempt, "cusps")
     low, high = -found.region[0, :, 0], found.region[1, :, 0]
     searched = dict(zip((*balance.coordinates, *vary), zip(low.tolist(), high.tolist(), strict=True), strict=True))
     complete = (
@@ -166,12 +163,12 @@ def _cusp(system: PreciseAugmented, box: FloatArray, alone: FloatArray, digits: 
     root = _narrowed(system, box, alone)
     at = system.state(root)
     column = [XP.taken(cofactor(at.slopes(), 0, i)) for i in range(balance.n)]
-    if not any(map(Balls().sign, column)):
+    if not any(map(balls.sign, column)):
         raise Undecided("a direction that may be 0")
     if not _on_its_side(balance, at.gap()):
         return None
     q, varied = root[: balance.n], root[balance.n :]
-    numbers, _, radius = as_numbers(Balls(), (*varied, *_columns(balance, q, at.values), *q), digits)
+    numbers, _, radius = as_numbers((*varied, *_columns(balance, q, at.values), *q), digits)
     named = dict(zip((*augmented.vary, *columns_of(balance.model)), numbers, strict=True))
     return PreciseCusp(named, as_mpf(radius), versal=True)
 
@@ -186,12 +183,7 @@ def _narrowed(system: PreciseBalance | PreciseAugmented, box: FloatArray, alone:
 
 def _on_its_side(balance: Balance, gap: Any) -> bool:
     """Whether a gap is on the side of the contact's border that is asked for."""
-    side = Balls().sign(gap) if balance.opens else 0
+    side = balls.sign(gap) if balance.opens else 0
     if balance.opens and not side:
         raise Undecided("a gap that is zero")
     return not balance.opens or (side < 0) == balance.contact
-
-
-def _in_balls(arith: Arithmetic | None) -> None:
-    if arith is not None and not isinstance(arith, Balls):
-        raise ParameterError(f"arith = {type(arith).__name__}: a search is in balls; leave arith out")

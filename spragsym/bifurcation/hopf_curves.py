@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet, as_count
 from ..numerics import contractors
+from ..numerics.balls import Undecided
 from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals
-from ..numerics.polynomials import Undecided
 from ..questions import model_of
 from ..remarks import Remark
 from ..results.named_columns import Columns

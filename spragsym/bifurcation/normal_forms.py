@@ -23,14 +23,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..models.model_field import undecorated
+from ..numerics import balls
 from ..numerics.ball_functions import XP
+from ..numerics.balls import Ball, Undecided, ball
 from ..numerics.complex_numbers import Complex, as_complex
 from ..numerics.elimination import solved
 from ..numerics.interval_arrays import FloatArray
-from ..numerics.intervals import Ball, Balls
 from ..numerics.jets import Jet, constant
-from ..numerics.krawczyk import ball
-from ..numerics.polynomials import Undecided
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.precise_balance import PreciseBalance
 
@@ -41,8 +40,6 @@ if TYPE_CHECKING:
 BITS = 106
 #: Room for the rounding of middles to floats, relatively.
 ROOM = 2.0**-50
-
-BALLS = Balls()
 
 
 @dataclass(frozen=True)
@@ -165,8 +162,8 @@ class _Point:
     ) -> None:  # fmt: skip
         self.model, self.vary, self.balance = model, vary[0], Balance(model, True, law)
         self.n = self.balance.n
-        with BALLS.precision(BITS):
-            q = [BALLS.between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(state, radii, strict=False)]
+        with balls.precision(BITS):
+            q = [balls.between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(state, radii, strict=False)]
         spans = {}
         for name, r in zip(vary, radii[self.n :], strict=True):
             value = Fraction(given[self.balance.parameters.index(name)])
@@ -257,7 +254,7 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     With the matrix X of approximate eigenvectors, X⁻¹ A X is nearly diagonal, and Gershgorin's discs hold the eigenvalues. Where
     the disc of i ω meets no other, the eigenvector is X z with z = 1 in the place of the disc and less elsewhere.
     """
-    middles = np.array([[float(sum(BALLS.ends(entry)) / 2) for entry in row] for row in A])
+    middles = np.array([[float(sum(balls.ends(entry)) / 2) for entry in row] for row in A])
     roots, columns = np.linalg.eig(middles)
     X = [[Complex(_ball(float(entry.real)), _ball(float(entry.imag))) for entry in row] for row in columns.astype(complex)]
     size = range(len(A))
@@ -294,7 +291,7 @@ def _pair(A: Sequence[Sequence[Ball]]) -> tuple[Ball, list[Complex], list[Comple
     ]
     z = [Complex(_ball(int(j == k)) + _around(spread[j]), _around(spread[j])) for j in size]
     q = [_product(row, z) for row in X]
-    length = BALLS.sqrt(sum((entry.squared() for entry in q), _ball(0)))
+    length = balls.sqrt(sum((entry.squared() for entry in q), _ball(0)))
     left = _solved([list(column) for column in zip(*X, strict=True)], z)
     return omega, [entry / length for entry in q], left
 
@@ -326,14 +323,14 @@ def _product(row: Sequence[Any], column: Sequence[Any]) -> Complex:
 
 def _size(value: Complex) -> float:
     """Bound on |z|."""
-    most = sum(max(map(abs, BALLS.ends(part))) for part in (value.re, value.im))
+    most = sum(max(map(abs, balls.ends(part))) for part in (value.re, value.im))
     return math.nextafter(float(most), math.inf)
 
 
 def _around(radius: float) -> Ball:
     """All numbers up to that size."""
-    with BALLS.precision(BITS):
-        return BALLS.between(Fraction(-radius), Fraction(radius))
+    with balls.precision(BITS):
+        return balls.between(Fraction(-radius), Fraction(radius))
 
 
 def _ball(value: Any) -> Ball:
@@ -347,7 +344,7 @@ def _number(value: Any) -> Any:
 
 
 def _sign(value: Any) -> int:
-    return BALLS.sign(_ball(value))
+    return balls.sign(_ball(value))
 
 
 def _floats(values: Sequence[Any]) -> NDArray[np.complex128]:
@@ -357,7 +354,7 @@ def _floats(values: Sequence[Any]) -> NDArray[np.complex128]:
 
 def _float(value: Any) -> tuple[float, float]:
     """The nearest float, and a bound on its distance from everything in the ball."""
-    low, high = BALLS.ends(_ball(value))
+    low, high = balls.ends(_ball(value))
     middle = float((low + high) / 2)
     most = max(abs(high - Fraction(middle)), abs(Fraction(middle) - low))
     return middle, math.nextafter(float(most), math.inf) if most else 0.0

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..numerics.balls import Undecided
 from ..numerics.interval_arrays import FloatArray
-from ..numerics.polynomials import Undecided
 from ..results.points import Points
 
 #: Why an onset of (27) has no coefficient.

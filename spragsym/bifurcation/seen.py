@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from ..numerics import certified_roots
+from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.krawczyk import as_intervals, narrowed
-from ..numerics.polynomials import Undecided
 from ..statics import stability
 from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.precise_balance import ROOT_BITS

@@ -23,13 +23,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics import boxes, certified_roots, contractors
+from ..numerics import balls, boxes, certified_roots, contractors
+from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots
 from ..numerics.determinants import determinant
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
-from ..numerics.intervals import Balls
 from ..numerics.jets import constant, gradient, variables
-from ..numerics.polynomials import Undecided
 from ..numerics.reduction import third_derivative
 from ..statics.mechanics.balance import NOTHING, Balance, matrix
 from ..statics.mechanics.border import on_side
@@ -219,6 +218,6 @@ def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, m
     precise = PreciseBalance(balance, given[:, 0], BITS, {vary: (Fraction(-float(box[0, -1])), Fraction(float(box[1, -1])))})
     whole = [(Fraction(-float(wide[0, i])), Fraction(float(wide[1, i]))) for i in range(n)]
     try:
-        return bool(Balls().sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
+        return bool(balls.sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
     except Undecided:
         return False

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..models.parameters import Parameters
 from ..numerics.adaptive_bits import as_numbers, with_enough_bits
-from ..numerics.intervals import Arithmetic, arithmetic, as_mpf
+from ..numerics.balls import as_mpf
 from ..questions import NotInClosedForm
 from ..results.equilibria import Stability
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
@@ -16,12 +16,10 @@ from .folds.fold_enclosures import Point
 from .quartic import adaptive_precision
 
 
-def precise_equilibria(
-    _p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int, arith: Arithmetic | None
-) -> PreciseEquilibria:
+def precise_equilibria(_p: Parameters, exact: Mapping[str, Any], contact: bool, digits: int) -> PreciseEquilibria:
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
     given = [exact[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")]
-    found = adaptive_precision.equilibria(*given, contact=contact, digits=digits, arith=arith)
+    found = adaptive_precision.equilibria(*given, contact=contact, digits=digits)
     states = (
         PreciseEquilibrium(
             {name: getattr(state, name) for name in ("theta", "L", "x", "y")}, Stability(state.stability), state.error, found.fold
@@ -31,19 +29,16 @@ def precise_equilibria(
     return PreciseEquilibria(tuple(states), True, {})
 
 
-def precise_cusps(
-    _p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int, arith: Arithmetic | None
-) -> CuspProof:
+def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str], digits: int) -> CuspProof:
     """All cusps in the plane of θ₀ and μ₀; source: f = f′ = f″ = 0, one rational polynomial of degree 9 in sin θ."""
     if tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     exact = tuple(given[name] for name in ("kappa", "alpha", "sigma", "beta"))
-    chosen = arith or arithmetic()
 
     def attempt(bits: int) -> list[PreciseCusp]:
-        return [_cusp(chosen, point, digits) for point in cusp_proofs.cusps(chosen, exact, bits)]
+        return [_cusp(point, digits) for point in cusp_proofs.cusps(exact, bits)]
 
-    found = with_enough_bits(chosen, digits, attempt, "cusps")
+    found = with_enough_bits(digits, attempt, "cusps")
     ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
     if exact[1] == 1 + exact[3]:
         return CuspProof(ordered, True, {})
@@ -51,7 +46,7 @@ def precise_cusps(
     return CuspProof(ordered, True, {}, polynomial, tuple(sines), count)
 
 
-def _cusp(arith: Arithmetic, point: Point, digits: int) -> PreciseCusp:
+def _cusp(point: Point, digits: int) -> PreciseCusp:
     names = ("theta0", "mu0", "theta", "L", "x", "y")
-    numbers, _, radius = as_numbers(arith, (*point.parameters[:2], point.theta, point.L, point.x, point.y), digits)
-    return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), cusp_proofs.is_versal(arith, point))
+    numbers, _, radius = as_numbers((*point.parameters[:2], point.theta, point.L, point.x, point.y), digits)
+    return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), cusp_proofs.is_versal(point))

@@ -10,8 +10,8 @@ from typing import TypeVar
 import mpmath
 
 from ..errors import ConvergenceError
-from .intervals import Arithmetic, Interval, as_mpf, rounded_up, sign
-from .polynomials import Undecided, exact_sign
+from . import balls
+from .balls import Interval, Undecided, as_mpf, rounded_up, sign
 
 #: Bits of the first try and of the last.
 FIRST_BITS, MAXIMUM_BITS = 192, 6144
@@ -21,11 +21,11 @@ _LARGEST_ERROR = Fraction(1, 10**15)
 T = TypeVar("T")
 
 
-def with_enough_bits(arith: Arithmetic, digits: int, attempt: Callable[[int], T], what: str) -> T:
+def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
     """Run ``attempt(bits)`` with more and more bits until every sign that it needs is decided."""
     bits = max(FIRST_BITS, int(3.4 * digits) + 96)
     while True:
-        with arith.precision(bits):
+        with balls.precision(bits):
             try:
                 return attempt(bits)
             except (Undecided, ZeroDivisionError) as reason:
@@ -37,32 +37,32 @@ def with_enough_bits(arith: Arithmetic, digits: int, attempt: Callable[[int], T]
         bits *= 2
 
 
-def decided(arith: Arithmetic, value: Interval, what: str) -> int:
+def decided(value: Interval, what: str) -> int:
     """The sign of an interval that must have one."""
-    result = sign(arith, value)
+    result = sign(value)
     if result == 0:
         raise Undecided(what)
     return result
 
 
-def sign_or_zero(arith: Arithmetic, value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
+def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
     """The sign of an interval; 0 only where it holds 0 and ``vanishes()`` says that the number in it is exactly 0."""
-    result = sign(arith, value)
+    result = sign(value)
     if result == 0 and not vanishes():
         raise Undecided(what)
     return result
 
 
-def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[float], float]:
+def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
     """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1, |value|) of all of them."""
     values, worst = [], Fraction(0)
-    for low, high in map(arith.ends, intervals):
+    for low, high in map(balls.ends, intervals):
         middle = (low + high) / 2
         worst = max(worst, (high - low) / 2 / max(Fraction(1), abs(middle)))
         try:
             values.append(float(middle))
         except OverflowError:
-            values.append(exact_sign(middle) * math.inf)
+            values.append(sign(middle) * math.inf)
     if worst > _LARGEST_ERROR:
         raise Undecided("an interval wider than a float may be off")
     # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is rounded and in the sum, 1e-30.
@@ -70,7 +70,7 @@ def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[fl
 
 
 def as_numbers(
-    arith: Arithmetic, intervals: Iterable[Interval], digits: int | None
+    intervals: Iterable[Interval], digits: int | None
 ) -> tuple[list[mpmath.mpf], Fraction, Fraction]:  # fmt: skip
     """The middles of intervals with every bit that they have, and bounds on |error| / max(1, |value|) and |error| of all of them.
 
@@ -80,7 +80,7 @@ def as_numbers(
         Where the first of the bounds is above 10^−digits, if there are ``digits``.
     """
     middles, error, radius = [], Fraction(0), Fraction(0)
-    for low, high in map(arith.ends, intervals):
+    for low, high in map(balls.ends, intervals):
         middle, half = (low + high) / 2, (high - low) / 2
         # Over the smallest that the value may be, so that it is a bound over the true one as well.
         error, radius = max(error, half / max(Fraction(1), abs(middle) - half)), max(radius, half)
@@ -90,12 +90,12 @@ def as_numbers(
     return middles, rounded_up(error), rounded_up(radius)
 
 
-def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:
+def angle(cosine: Interval, sine: Interval) -> Interval:
     """The angle in (−π, π] with that cosine and sine, from the half that the arc tangent is good at."""
-    low, high = arith.ends(cosine)
+    low, high = balls.ends(cosine)
     if low > 0:
-        return arith.atan(sine / cosine)
-    side = decided(arith, sine, "an angle of 0 or π")
+        return balls.atan(sine / cosine)
+    side = decided(sine, "an angle of 0 or π")
     if high < 0:
-        return arith.atan(sine / cosine) + side * arith.pi()
-    return side * arith.pi() / 2 - arith.atan(cosine / sine)
+        return balls.atan(sine / cosine) + side * balls.pi()
+    return side * balls.pi() / 2 - balls.atan(cosine / sine)

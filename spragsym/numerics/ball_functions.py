@@ -1,4 +1,4 @@
-"""The namespace ``xp`` of generated functions for :class:`spragsym.numerics.intervals.Ball` and jets of balls."""
+"""The namespace ``xp`` of generated functions for :class:`spragsym.numerics.balls.Ball` and jets of balls."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ import sys
 from fractions import Fraction
 from typing import Any
 
-from .intervals import GUARD_BITS, Ball, Balls
+from . import balls
+from .balls import GUARD_BITS, Ball, Undecided, ball
 from .jets import Functions, constant
-from .polynomials import Undecided
 
-_BALLS = Balls()
-sqrt, atan = _BALLS.sqrt, _BALLS.atan
+sqrt, atan = balls.sqrt, balls.atan
 
 
 def exp(value: Ball) -> Ball:
@@ -36,7 +35,7 @@ def exp(value: Ball) -> Ball:
 
 def atan2(sine: Ball, cosine: Ball) -> Ball:
     """Angle of a vector of balls, from −π to π; :class:`Undecided` where they meet the ray on which it jumps."""
-    up, right = (_BALLS.sign(part) for part in (sine, cosine))
+    up, right = (balls.sign(part) for part in (sine, cosine))
     if right > 0 and (not up or _size(sine) <= _size(cosine)):
         return atan(sine / cosine)
     if not up:
@@ -52,12 +51,12 @@ def _size(value: Ball) -> int:
 
 def cos(angle: Ball) -> Ball:
     """Cosine."""
-    return _BALLS.cos_sin(angle)[0]
+    return balls.cos_sin(angle)[0]
 
 
 def sin(angle: Ball) -> Ball:
     """Sine."""
-    return _BALLS.cos_sin(angle)[1]
+    return balls.cos_sin(angle)[1]
 
 
 def log(value: Ball) -> Ball:
@@ -72,8 +71,7 @@ def log(value: Ball) -> Ball:
         raise Undecided("the logarithm of a ball that holds 0, or nearly does")
     bits = value.bits + GUARD_BITS
     near = math.log(value.mid) + value.exp * math.log(2)
-    numerator, denominator = near.as_integer_ratio()
-    y = Ball(numerator, 0, 1 - denominator.bit_length(), bits)
+    y = ball(near, bits)
     z = Ball(value.mid, value.rad, value.exp, bits) * exp(-y) - 1
     total, power, order = z, z, 1
     # z is below 2/3: all that is left out together is less than three times its first term.
@@ -93,19 +91,19 @@ def tanh(value: Ball) -> Ball:
 
 
 def _taken(value: Any) -> Ball:
-    return value if isinstance(value, Ball) else _BALLS.exact(Fraction(value))
+    return value if isinstance(value, Ball) else balls.exact(Fraction(value))
 
 
 class _Functions(Functions):
     @property
     def pi(self) -> Ball:
         """π."""
-        return _BALLS.pi()
+        return balls.pi()
 
     @staticmethod
     def sign(value: Any) -> int:
         """−1 or 1; :class:`Undecided` where the ball holds 0."""
-        found = _BALLS.sign(constant(value))
+        found = balls.sign(constant(value))
         if not found:
             raise Undecided("the sign of a ball that holds 0")
         return found

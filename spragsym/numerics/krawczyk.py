@@ -8,9 +8,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from . import contractors
+from . import balls, contractors
+from .balls import Ball, ball
 from .interval_arrays import FloatArray, Intervals
-from .intervals import Ball, Balls
 from .jets import gradient, variables
 
 #: Steps of Newton's method.
@@ -53,7 +53,7 @@ def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fractio
         size = _norm(step)
         if size <= enough:
             return _proved(system, z, 2 * size, Y, box, alone)
-        z = [Balls().middle(part - change) for part, change in zip(z, step, strict=True)]
+        z = [balls.middle(part - change) for part, change in zip(z, step, strict=True)]
     return None
 
 
@@ -61,23 +61,17 @@ def _proved(
     system: Digits, z: Sequence[Ball], r: Fraction, Y: Sequence[Sequence[Ball]], box: FloatArray, alone: FloatArray
 ) -> list[Ball] | None:
     """The box of half-width r around z if it is shown to hold the root."""
-    with Balls().precision(system.bits):
-        around = [part + Balls().between(-r, r) for part in z]
+    with balls.precision(system.bits):
+        around = [part + balls.between(-r, r) for part in z]
         within = all(
-            Fraction(-float(low)) <= Balls().ends(part)[0] and Balls().ends(part)[1] <= Fraction(float(high))
+            Fraction(-float(low)) <= balls.ends(part)[0] and balls.ends(part)[1] <= Fraction(float(high))
             for part, (low, high) in zip(around, alone.T, strict=True)
         )
-        floats = (Balls().between(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T)
-        over = around if within else [Balls().union(part, given) for part, given in zip(around, floats, strict=True)]
+        floats = (balls.between(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T)
+        over = around if within else [balls.union(part, given) for part, given in zip(around, floats, strict=True)]
     columns = list(zip(*as_balls(system.slopes(over), system.bits), strict=True))
     off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
     return around if max(map(_norm, off)) <= Fraction(1, 2) else None
-
-
-def ball(value: float, bits: int) -> Ball:
-    """A float, exactly."""
-    numerator, denominator = value.as_integer_ratio()
-    return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
 
 
 def as_balls(rows: Sequence[Sequence[Any]], bits: int) -> list[list[Ball]]:
@@ -88,7 +82,7 @@ def as_balls(rows: Sequence[Sequence[Any]], bits: int) -> list[list[Ball]]:
 def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
     """The inverse of the matrix of middles, roughly, of balls without width."""
     try:
-        middles = np.array([[float(sum(Balls().ends(entry)) / 2) for entry in row] for row in rows])
+        middles = np.array([[float(sum(balls.ends(entry)) / 2) for entry in row] for row in rows])
     except OverflowError:  # of no number that is a float
         middles = np.full((len(rows), len(rows)), np.nan)
     with np.errstate(all="ignore"):
@@ -101,12 +95,12 @@ def _dot(row: Sequence[Ball], column: Sequence[Ball]) -> Ball:
 
 def _norm(values: Sequence[Ball]) -> Fraction:
     """Bound on the sum of |x|."""
-    return sum((max(map(abs, Balls().ends(value))) for value in values), Fraction(0))
+    return sum((max(map(abs, balls.ends(value))) for value in values), Fraction(0))
 
 
 def as_intervals(values: Sequence[Ball]) -> Intervals:
     """Balls as intervals of floats, shape (numbers, 1)."""
-    return outward([Balls().ends(value) for value in values])
+    return outward([balls.ends(value) for value in values])
 
 
 def outward(sides: Sequence[tuple[Fraction, Fraction]]) -> Intervals:

@@ -1,7 +1,7 @@
-"""Real roots of polynomials, proved: Descartes' rule over exact coefficients, Sturm's theorem over intervals.
+"""Polynomials over rationals and balls: common divisors, Sturm's chains, interpolation.
 
-Coefficients are listed lowest power first. They are Fractions or integers, for which every sign is exact, or intervals, for
-which a sign that can't be decided raises :class:`Undecided`, to be tried again with more bits.
+Coefficients are listed lowest power first. They are Fractions or integers, for which every sign is exact, or balls, for
+which a sign that can't be decided raises :class:`.balls.Undecided`, to be tried again with more bits.
 """
 
 from __future__ import annotations
@@ -14,18 +14,11 @@ from functools import cache
 from typing import Any, TypeAlias
 
 from . import descartes
-from .refinement import Cell, refine
+from .balls import Undecided, sign
 
-#: A Fraction or an interval.
+#: A Fraction or a ball.
 Coefficient: TypeAlias = Any
 Polynomial: TypeAlias = tuple[Coefficient, ...]
-Sign: TypeAlias = Callable[[Coefficient], int]
-
-exact_sign = descartes.sign
-
-
-class Undecided(ArithmeticError):
-    """A sign that the coefficients' precision can't decide."""
 
 
 def evaluate(polynomial: Sequence[Coefficient], t: Any) -> Any:
@@ -41,14 +34,14 @@ def derivative(polynomial: Polynomial) -> Polynomial:
     return tuple(power * coefficient for power, coefficient in enumerate(polynomial))[1:]
 
 
-def sturm_chain(polynomial: Polynomial, sign: Sign) -> list[Polynomial]:
+def sturm_chain(polynomial: Polynomial) -> list[Polynomial]:
     """The polynomial, its derivative, and negated remainders down to a constant, or to a common factor.
 
     Multiple roots, possible over exact coefficients only, count once.
     """
-    chain = [_trimmed(polynomial, sign)]
-    chain.append(_trimmed(derivative(chain[0]), sign))
-    while remainder := _trimmed(_negated_remainder(chain[-2], chain[-1]), sign):
+    chain = [_trimmed(polynomial)]
+    chain.append(_trimmed(derivative(chain[0])))
+    while remainder := _trimmed(_negated_remainder(chain[-2], chain[-1])):
         chain.append(remainder)
     return chain
 
@@ -118,14 +111,14 @@ def has_root(polynomial: Polynomial, low: Fraction, high: Fraction) -> bool:
     at_low, at_high = (descartes.sign_at(integers, end) for end in (low, high))
     if at_high == 0 or at_low * at_high < 0:
         return True
-    return len(integers) > 1 and count_between(sturm_chain(integers, exact_sign), low, high, exact_sign) > 0
+    return len(integers) > 1 and count_between(sturm_chain(integers), low, high) > 0
 
 
 def _is_exact(polynomial: Polynomial) -> bool:
     return isinstance(polynomial[0], Fraction | int)
 
 
-def _trimmed(polynomial: Polynomial, sign: Sign) -> Polynomial:
+def _trimmed(polynomial: Polynomial) -> Polynomial:
     """Exact coefficients in their simplest form, which keeps remainders small; intervals only with a degree that is known."""
     if not polynomial or _is_exact(polynomial):
         return primitive(polynomial)
@@ -140,7 +133,7 @@ def _negated_remainder(dividend: Polynomial, divisor: Polynomial) -> Polynomial:
     lead = divisor[-1]
     for shift in range(len(dividend) - len(divisor), -1, -1):
         if exact:
-            factor = rest.pop() * exact_sign(lead)
+            factor = rest.pop() * sign(lead)
             rest = [value * abs(lead) for value in rest]
         else:
             factor = rest.pop() / lead
@@ -149,95 +142,14 @@ def _negated_remainder(dividend: Polynomial, divisor: Polynomial) -> Polynomial:
     return tuple(-value for value in rest)
 
 
-def _sign_at(polynomial: Polynomial, t: Any, sign: Sign) -> int:
-    """Sign of a polynomial, in integers where all is exact."""
-    if _is_exact(polynomial):
-        return descartes.sign_at(polynomial, t)
-    return sign(evaluate(polynomial, t))
+def count_between(chain: list[Polynomial], low: Fraction, high: Fraction) -> int:
+    """Number of different real roots in (low, high] from an exact chain."""
+    return _variations(chain, low) - _variations(chain, high)
 
 
-def count_between(chain: list[Polynomial], low: Coefficient, high: Coefficient, sign: Sign) -> int:
-    """Number of different real roots in (low, high]."""
-    return _variations(chain, low, sign) - _variations(chain, high, sign)
-
-
-def _variations(chain: list[Polynomial], t: Coefficient, sign: Sign) -> int:
-    signs = []
-    for polynomial in chain:
-        value = _sign_at(polynomial, t, sign)
-        if value == 0 and not isinstance(t, Fraction):
-            raise Undecided("a Sturm function holds 0 at an end")
-        if value:
-            signs.append(value)
+def _variations(chain: list[Polynomial], t: Fraction) -> int:
+    signs = [value for polynomial in chain if (value := descartes.sign_at(polynomial, t))]
     return sum(left != right for left, right in itertools.pairwise(signs))
-
-
-def real_roots(
-    polynomial: Polynomial, low: Fraction, high: Fraction, sign: Sign, number: Callable[[Fraction], Coefficient], bits: int
-) -> list[tuple[Fraction, Fraction]]:
-    """Every different real root in (low, high], ascending, each in an interval (left, right] of width below 2^−bits.
-
-    Exact coefficients: isolated by Descartes' rule of signs, to that width relative to the root. Intervals: by Sturm's theorem.
-
-    Parameters
-    ----------
-    polynomial : tuple
-        Without multiple roots (see :func:`squarefree`), Fractions, integers or intervals.
-    sign : callable
-        −1, 0 or 1; 0 for an interval that holds 0.
-    number : callable
-        Makes a coefficient of a rational.
-    """
-    if _is_exact(polynomial):
-        return list(descartes.real_roots(primitive(polynomial), low, high, bits))
-    chain = sturm_chain(polynomial, sign)
-    found: list[tuple[Fraction, Fraction]] = []
-    pending = [(low, high, count_between(chain, number(low), number(high), sign))]
-    while pending:
-        left, right, count = pending.pop()
-        if count == 1:
-            found.append(_refined(polynomial, left, right, sign, number, bits))
-        elif count > 1:
-            middle = _split(left, right)
-            below = count_between(chain, number(left), number(middle), sign)
-            pending += [(left, middle, below), (middle, right, count - below)]
-    return sorted(found)
-
-
-def _split(left: Fraction, right: Fraction) -> Fraction:
-    """A dyadic point inside, off the middle, where a root at a round number would be."""
-    return left + (right - left) * Fraction(1021, 2048)
-
-
-def _refined(
-    polynomial: Polynomial, left: Fraction, right: Fraction, sign: Sign, number: Callable[[Fraction], Coefficient], bits: int
-) -> tuple[Fraction, Fraction]:
-    """Narrow an interval (left, right] that holds one simple root of a polynomial with interval coefficients."""
-    scale = right - left
-
-    def at(n: int, k: int) -> Fraction:
-        return left + scale * Fraction(n, 1 << k)
-
-    def value(n: int, k: int) -> Coefficient:
-        return evaluate(polynomial, number(at(n, k)))
-
-    def decided(value: Coefficient) -> int:
-        if not (result := sign(value)):
-            raise Undecided("the polynomial holds 0 near a root")
-        return result
-
-    def share(low: Coefficient, high: Coefficient, j: int) -> int:
-        """The integer below 2^j low/(low − high), bit by bit: of an interval only signs are known here."""
-        whole, part = low / (low - high) * (1 << j), 0
-        for bit in reversed(range(j)):
-            part += (1 << bit) if sign(whole - (part + (1 << bit))) > 0 else 0
-        return part
-
-    def lacking(_: int, k: int) -> int:
-        return (math.ceil(scale * Fraction(2) ** (bits - k)) - 1).bit_length()
-
-    cell = refine(Cell(0, 1, 0, decided(value(1, 0))), value, decided, share, lacking)
-    return at(cell.n, cell.k), at(cell.m, cell.k)
 
 
 @cache

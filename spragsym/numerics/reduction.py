@@ -20,17 +20,16 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from . import balls
+from .balls import Ball, Undecided
 from .elimination import solved
-from .intervals import Ball, Balls
 from .jets import Jet, gradient, variables
-from .polynomials import Undecided
 
 #: F of balls or of jets of balls.
 Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
 #: Lower and upper end of each unknown.
 Box: TypeAlias = list[tuple[Fraction, Fraction]]
 
-_BALLS = Balls()
 #: Times a piece of u is halved before the expansion is made anew for its halves.
 HALVINGS = 60
 #: Pieces of one expansion after which it counts as too wide.
@@ -69,7 +68,7 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobi
         Of the balls.
     """
     task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
-    with _BALLS.precision(bits):
+    with balls.precision(bits):
         task.search([(Fraction(low), Fraction(high)) for low, high in box], found)
     return found
 
@@ -82,7 +81,7 @@ def third_derivative(evaluate: Evaluate, box: Box, jacobian: NDArray[np.float64]
     Undecided
         Where the other unknowns are not proved to be functions of u that stay in a box slightly larger.
     """
-    with _BALLS.precision(bits):
+    with balls.precision(bits):
         task = _task(evaluate, jacobian, among)
         return task.third(box[task.along], task.others(box[task.along], box))
 
@@ -128,7 +127,7 @@ class _Task:
 
     def _newton(self, u: Ball, others: Sequence[Ball]) -> list[Any]:
         """Interval Newton's operator m − J⁻¹ S(u, m) for the other unknowns as functions of u, which solve n − 1 equations S."""
-        middle = [_BALLS.middle(value) for value in others]
+        middle = [balls.middle(value) for value in others]
         slopes = [row[1:] for row in self._slopes([u, *others])[1:]]
         steps = solved(slopes, self._values([u, *middle])[1:], _largest_pivot)
         return [m - step for m, step in zip(middle, steps, strict=True)]
@@ -155,12 +154,12 @@ class _Task:
 
     def third(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Ball:
         """The third coefficient of the expansion about any point of a span."""
-        last: Ball = self._expansion(_BALLS.between(*span), others, 3)[2]
+        last: Ball = self._expansion(balls.between(*span), others, 3)[2]
         return last
 
     def at(self, u: Fraction, others: Sequence[Ball]) -> list[Any]:
         """The other coefficients of the expansion about a point."""
-        at = _BALLS.exact(u)
+        at = balls.exact(u)
         sharp = self._narrowed(at, others)
         return [self._values([at, *sharp])[0], *self._expansion(at, sharp, 2)]
 
@@ -203,7 +202,7 @@ class _Task:
 
     def _boxed(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Box:
         """A span of u, and the other unknowns."""
-        sides = [span, *map(_BALLS.ends, others)]
+        sides = [span, *map(balls.ends, others)]
         return self._ordered(sides)
 
     def _polished(self, span: tuple[Fraction, Fraction], others: list[Ball], last: Any) -> Box:
@@ -211,30 +210,30 @@ class _Task:
         for _ in range(STEPS):
             middle = _short((span[0] + span[1]) / 2)
             point = [*self.at(middle, others), last]
-            slope = _taylor_slope(point, _BALLS.between(span[0] - middle, span[1] - middle))
+            slope = _taylor_slope(point, balls.between(span[0] - middle, span[1] - middle))
             if not _sign(slope):
                 break
             # By the ends: a ball of a wide quotient would be wider.
-            steps = [value / by for value in _BALLS.ends(point[0]) for by in _BALLS.ends(slope)]
+            steps = [value / by for value in balls.ends(point[0]) for by in balls.ends(slope)]
             new = (max(middle - max(steps), span[0]), min(middle - min(steps), span[1]))
             if new[1] - new[0] > (span[1] - span[0]) * Fraction(3, 4):
                 break
             span = new
             if span[1] - span[0] < Fraction(1, 10**17):
                 break
-        return self._boxed(span, self._narrowed(_BALLS.between(*span), others))
+        return self._boxed(span, self._narrowed(balls.between(*span), others))
 
     def others(self, span: tuple[Fraction, Fraction], box: list[tuple[Fraction, Fraction]]) -> list[Ball]:
         """Balls that hold the other unknowns for all u of the span: exactly one value for each u, in the box."""
-        u = _BALLS.between(*span)
-        given = [_BALLS.between(*side) for number, side in enumerate(box) if number != self.along]
+        u = balls.between(*span)
+        given = [balls.between(*side) for number, side in enumerate(box) if number != self.along]
         # Widened, until the unknowns as functions of u stay inside; where they leave the box itself no harm is done.
         for _ in range(WIDENINGS):
-            wide = [value + (value - _BALLS.middle(value)) * 3 for value in given]
+            wide = [value + (value - balls.middle(value)) * 3 for value in given]
             image = self._newton(u, wide)
             if all(_inside(one, other) for one, other in zip(image, wide, strict=True)):
                 return self._narrowed(u, image)
-            given = [_BALLS.union(one, other) for one, other in zip(image, given, strict=True)]
+            given = [balls.union(one, other) for one, other in zip(image, given, strict=True)]
         raise Undecided("the other unknowns in a box")
 
     def _narrowed(self, u: Ball, others: Sequence[Ball]) -> list[Ball]:
@@ -254,7 +253,7 @@ def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> lis
     while stack:
         one, two, depth = stack.pop()
         looks += 1
-        h = _BALLS.between(one, two)
+        h = balls.between(one, two)
         if _sign(_taylor(coefficients, h)):
             continue
         if _sign(_taylor_slope(coefficients, h)):
@@ -273,20 +272,20 @@ def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> lis
 
 def _taylor(c: Sequence[Any], h: Ball) -> Any:
     """The polynomial over a piece, expanded about the middle of it."""
-    m = _BALLS.middle(h)
+    m = balls.middle(h)
     d = h - m
     slope = c[1] + m * (c[2] * 2 + m * c[3] * 3)
     return c[0] + m * (c[1] + m * (c[2] + m * c[3])) + d * (slope + d * (c[2] + m * c[3] * 3 + d * c[3]))
 
 
 def _taylor_slope(c: Sequence[Any], h: Ball) -> Any:
-    m = _BALLS.middle(h)
+    m = balls.middle(h)
     d = h - m
     return c[1] + m * (c[2] * 2 + m * c[3] * 3) + d * (c[2] * 2 + m * c[3] * 6 + d * c[3] * 3)
 
 
 def _at(c: Sequence[Any], place: Fraction) -> Any:
-    h = _BALLS.exact(place)
+    h = balls.exact(place)
     return c[0] + h * (c[1] + h * (c[2] + h * c[3]))
 
 
@@ -302,7 +301,7 @@ def _is_zero(value: Any) -> bool:
 
 
 def _sign(value: Any) -> int:
-    return _BALLS.sign(value) if isinstance(value, Ball) else (value > 0) - (value < 0)
+    return balls.sign(value) if isinstance(value, Ball) else (value > 0) - (value < 0)
 
 
 def _short(value: Fraction) -> Fraction:
@@ -313,13 +312,13 @@ def _short(value: Fraction) -> Fraction:
 def _width(value: Any) -> Fraction:
     if not isinstance(value, Ball):
         return Fraction(0)
-    low, high = _BALLS.ends(value)
+    low, high = balls.ends(value)
     return high - low
 
 
 def _inside(one: Any, other: Ball) -> bool:
-    low, high = _BALLS.ends(one) if isinstance(one, Ball) else (Fraction(one), Fraction(one))
-    least, most = _BALLS.ends(other)
+    low, high = balls.ends(one) if isinstance(one, Ball) else (Fraction(one), Fraction(one))
+    least, most = balls.ends(other)
     return least < low and high < most
 
 
@@ -332,4 +331,4 @@ def _largest_pivot(rows: list[list[Any]], k: int) -> None:
 
 def _size(value: Any) -> Fraction:
     # No float: beside the end of a range a slope may be larger than any.
-    return sum(_BALLS.ends(value), Fraction(0)) / 2 if isinstance(value, Ball) else Fraction(value)
+    return sum(balls.ends(value), Fraction(0)) / 2 if isinstance(value, Ball) else Fraction(value)

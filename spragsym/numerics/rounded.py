@@ -2,7 +2,7 @@
 
 A :class:`Rounded` stands for every number within ``error`` of ``value``. What generated algebra makes of them is again right:
 each operation adds what it rounds. A sign that the bound leaves open is 0, and its point goes to
-:mod:`spragsym.numerics.intervals`.
+:mod:`spragsym.numerics.balls`.
 """
 
 from __future__ import annotations

@@ -13,8 +13,8 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.parameters import POSITIVE, as_number
 from ..motion.flows import carrier
 from ..motion.shooting import LARGEST_GROWTH, Guess, Loop, divided, growth, looped, solved
+from ..numerics.balls import Undecided
 from ..numerics.interval_arrays import FloatArray
-from ..numerics.polynomials import Undecided
 from .orbit import Cycle, cycle_of
 
 if TYPE_CHECKING:

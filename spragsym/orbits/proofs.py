@@ -16,8 +16,8 @@ import numpy as np
 from ..display import Table
 from ..errors import ConvergenceError, MissingExtraError, ParameterError
 from ..motion.shooting import rate
+from ..numerics.balls import as_mpf
 from ..numerics.decimals import Decimal, around, float_above
-from ..numerics.intervals import as_mpf
 from ..results.result import Result
 from .orbit import Cycle
 

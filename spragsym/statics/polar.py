@@ -44,9 +44,10 @@ from numpy.typing import NDArray
 
 from ..numerics import boxes, jets
 from ..numerics.ball_functions import XP as BALLS
+from ..numerics.balls import ball
 from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..numerics.interval_functions import length as interval_length
-from ..numerics.krawczyk import Digits, ball
+from ..numerics.krawczyk import Digits
 from .mechanics.balance import Balance, matrix
 from .mechanics.directions import direction
 from .mechanics.laws import XP

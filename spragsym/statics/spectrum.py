@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..numerics import balls
 from ..numerics.ball_functions import XP as BALLS
+from ..numerics.balls import Undecided, ball
 from ..numerics.determinants import Polynomial, determinant, hurwitz, of_pencil
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
-from ..numerics.intervals import Balls
-from ..numerics.krawczyk import as_balls, ball, narrowed
-from ..numerics.polynomials import Undecided
+from ..numerics.krawczyk import as_balls, narrowed
 from ..results.equilibria import Stability
 from .mechanics.balance import NOTHING, Balance, matrix
 from .mechanics.precise_balance import PreciseBalance
@@ -212,7 +212,7 @@ def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stab
         Where a sign that it takes is not decided.
     """
     elementary, minors = _signs_at(balance, precise, q, lambda M, K, damping: invariants(K, M))
-    low, high = Balls().ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
+    low, high = balls.ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
     without = (low == 0 == high) | (balance.opens and not balance.contact)
     code, proved = _told(elementary, minors, np.array([bool(balance.model.about.get("symmetric")) and bool(without)]))
     if not proved[0]:
@@ -232,4 +232,4 @@ def _signs_at(
     K = balance.by_coordinate("forces_jacobian", q, directions, values, BALLS)
     M, K = (as_balls(part, precise.bits) for part in (balance.mass(q, values, BALLS), K))
     parts = ask(M, K, lambda: as_balls(balance.damping(q, directions, values, xp=BALLS), precise.bits))
-    return [np.array([[Balls().sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]
+    return [np.array([[balls.sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.normal_forms import BALLS, _pair
+from spragsym.bifurcation.normal_forms import _pair
+from spragsym.numerics import balls
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
 from tests.support import needs_a_quick_integrator
@@ -75,10 +76,10 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
     middle[:2, :2], middle[2, 2], middle[3, 3] = [[0.0, 1.3], [-1.3, 0.0]], -0.4, -2.0
     base, changes = rng.normal(size=(4, 4)), 1e-6 * rng.uniform(-1, 1, size=(30, 4, 4))
     every = np.array([np.linalg.solve(base + change, middle @ (base + change)) for change in changes])
-    with BALLS.precision(106):
-        A = [[BALLS.between(Fraction(every[:, i, j].min()), Fraction(every[:, i, j].max())) for j in range(4)] for i in range(4)]
+    with balls.precision(106):
+        A = [[balls.between(Fraction(every[:, i, j].min()), Fraction(every[:, i, j].max())) for j in range(4)] for i in range(4)]
     omega, q, left = _pair(A)
-    assert BALLS.ends(omega)[0] <= Fraction(1.3) <= BALLS.ends(omega)[1]
+    assert balls.ends(omega)[0] <= Fraction(1.3) <= balls.ends(omega)[1]
     for matrix in every:
         for rows, enclosed in ((matrix, q), (matrix.T, left)):
             roots, columns = np.linalg.eig(rows)
@@ -86,8 +87,8 @@ def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
             for one, other in ((0, 1), (1, 2), (3, 0)):
                 ratio, share = enclosed[one] / enclosed[other], vector[one] / vector[other]
                 for ball, value in ((ratio.re, share.real), (ratio.im, share.imag)):
-                    assert BALLS.ends(ball)[0] - Fraction(1e-12) <= Fraction(value) <= BALLS.ends(ball)[1] + Fraction(1e-12)
-                    assert BALLS.ends(ball)[1] - BALLS.ends(ball)[0] < 1
+                    assert balls.ends(ball)[0] - Fraction(1e-12) <= Fraction(value) <= balls.ends(ball)[1] + Fraction(1e-12)
+                    assert balls.ends(ball)[1] - balls.ends(ball)[0] < 1
 
 
 def test_a_linear_mode_has_cycles_of_every_size_at_one_friction() -> None:

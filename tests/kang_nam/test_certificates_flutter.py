@@ -10,8 +10,9 @@ import pytest
 from spragsym.generated import stability
 from spragsym.kang_nam.folds import flutter_proofs
 from spragsym.kang_nam.quartic import adaptive_precision
-from spragsym.numerics import intervals
-from spragsym.numerics.polynomials import Undecided, primitive
+from spragsym.numerics import balls
+from spragsym.numerics.balls import Undecided
+from spragsym.numerics.polynomials import primitive
 from tests.oracles.families import random_fluttering
 from tests.support import exact_onsets, middle_of, with_roots
 
@@ -37,10 +38,10 @@ def test_directions_end_before_180_degrees() -> None:
 
 def test_a_boundary_is_touched_at_an_even_root_of_one_length(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the discriminant's slope may be 0: else nothing is said."""
-    given, arith = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0)), intervals.arithmetic()
+    given = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0))
     assert {onset.side for onset in exact_onsets(*given)} == {1, -1}
-    with arith.precision(192):
-        zero = arith.between(Fraction(-1, 2**150), Fraction(1, 2**150))
+    with balls.precision(192):
+        zero = balls.between(Fraction(-1, 2**150), Fraction(1, 2**150))
     monkeypatch.setattr(stability, "flutter_crossing", lambda *_: (zero, zero))
     for multiplicity in (2, 4):
         monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_, m=multiplicity: m)
@@ -58,15 +59,15 @@ def test_a_boundary_is_touched_at_an_even_root_of_one_length(monkeypatch: pytest
 @pytest.mark.thorough
 def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
     """Which are proved, with more digits, at a friction that is as exact as its onset's θ₀ is not: none is next to a fold."""
-    rng, kinds, arith = np.random.default_rng(77), set(), intervals.arithmetic()
+    rng, kinds = np.random.default_rng(77), set()
     for _ in range(40):
         p = random_fluttering(rng)
         values = [Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")]
         for onset in exact_onsets(*values):
-            states = adaptive_precision.equilibria(Fraction(middle_of(onset.theta0)), *values, arith=arith).states
+            states = adaptive_precision.equilibria(Fraction(middle_of(onset.theta0)), *values).states
             nearest = int(np.argmin([abs(float(state.theta) - middle_of(onset.theta)) for state in states]))
             assert (onset.branch, onset.count) == (nearest, len(states))
-            assert arith.sign(onset.y) < 0
+            assert balls.sign(onset.y) < 0
             kinds.add((onset.branch, onset.count))
     assert kinds == {(0, 1), (2, 3)}
 
@@ -82,11 +83,11 @@ def test_a_crossing_is_one_whatever_the_multiplicity(monkeypatch: pytest.MonkeyP
 
 def test_a_root_that_may_be_at_the_edge_of_contact_is_undecided() -> None:
     """At sin θ = 0 to 2⁻⁹⁰, with a root at t = 2⁻⁹⁵."""
-    arith, roots = intervals.arithmetic(), [Fraction(1, 2**95), Fraction(1, 4), Fraction(2, 3), Fraction(-12, 5)]
-    with arith.precision(300):
-        quartic = tuple(map(arith.exact, with_roots(*roots)))
-        edge = arith.between(-Fraction(1, 2**90), Fraction(1, 2**90))
+    roots = [Fraction(1, 2**95), Fraction(1, 4), Fraction(2, 3), Fraction(-12, 5)]
+    with balls.precision(300):
+        quartic = tuple(map(balls.exact, with_roots(*roots)))
+        edge = balls.between(-Fraction(1, 2**90), Fraction(1, 2**90))
         with pytest.raises(Undecided, match="holds 0"):
-            flutter_proofs.rank(arith, quartic, arith.exact(roots[2]), edge)
+            flutter_proofs.rank(quartic, balls.exact(roots[2]), edge)
         for clear in (Fraction(-1, 2**90), Fraction(1, 2**100)):
-            assert flutter_proofs.rank(arith, quartic, arith.exact(roots[2]), arith.exact(clear)) == (2, 3)
+            assert flutter_proofs.rank(quartic, balls.exact(roots[2]), balls.exact(clear)) == (2, 3)

@@ -11,7 +11,7 @@ import pytest
 from spragsym.generated import catastrophe as generated
 from spragsym.kang_nam.folds import fold_curves, fold_events, fold_proofs
 from spragsym.kang_nam.folds.fixed_parameters import Fixed
-from spragsym.numerics import intervals
+from spragsym.numerics import balls
 from tests.support import few
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
@@ -67,12 +67,12 @@ def _crossings(strands: list[fold_curves.Strand], mu0: float, fixed: Fixed) -> l
 
 def check_crossings(fixed: Fixed, *frictions: str) -> None:
     """Between the points of the curves, all folds in θ₀ that Sturm's count proves at some friction are crossed, and no others."""
-    arith, strands = intervals.arithmetic(), _strands(fixed)
+    strands = _strands(fixed)
     for mu0 in frictions:
         exact = dict(zip(("kappa", "alpha", "sigma", "beta"), map(Fraction, fixed), strict=True)) | {"mu0": Fraction(mu0)}
-        with arith.precision(256):
-            points = [fold.point for fold in fold_proofs.folds(arith, "theta0", exact, 256)]
-            angles = [sum(map(float, arith.ends(point.parameters[0]))) / 2 for point in points]
+        with balls.precision(256):
+            points = [fold.point for fold in fold_proofs.folds("theta0", exact, 256)]
+            angles = [sum(map(float, balls.ends(point.parameters[0]))) / 2 for point in points]
         proved = sorted(angle for angle in angles if 0 < angle < math.pi)
         crossed = _crossings(strands, float(mu0), fixed)
         assert len(crossed) == len(proved)

@@ -16,9 +16,8 @@ import spragsym as ss
 from spragsym.kang_nam.folds import cusp_proofs, fold_proofs
 from spragsym.kang_nam.folds.fold_enclosures import Angles, Point, SineRoot
 from spragsym.models.parameters import NAMES
-from spragsym.numerics import adaptive_bits, polynomials
-from spragsym.numerics.intervals import Arithmetic, Balls
-from spragsym.numerics.polynomials import Undecided
+from spragsym.numerics import adaptive_bits, balls, polynomials
+from spragsym.numerics.balls import Undecided
 from tests.oracles import reference
 from tests.support import as_mpf
 
@@ -28,29 +27,29 @@ from tests.support import as_mpf
 @pytest.mark.parametrize(
     "middle", [1 + Fraction(1, 2**53), 3 - Fraction(3, 2**53), Fraction(1, 3), -1 - Fraction(1, 2**53), Fraction(0)]
 )
-def test_the_error_of_a_float_covers_its_rounding(middle: Fraction, arith: Arithmetic) -> None:
+def test_the_error_of_a_float_covers_its_rounding(middle: Fraction) -> None:
     """Halfway between two floats, where half a unit is lost, to either end of an interval of any width that is allowed."""
     for width in (Fraction(0), Fraction(1, 2**70), Fraction(9, 10**16)):
-        with arith.precision(200):
-            ends = arith.ends(arith.between(middle - width, middle + width))
-            (value,), error = adaptive_bits.as_floats(arith, [arith.between(*ends)])
+        with balls.precision(200):
+            ends = balls.ends(balls.between(middle - width, middle + width))
+            (value,), error = adaptive_bits.as_floats([balls.between(*ends)])
         assert max(abs(Fraction(value) - end) for end in ends) <= Fraction(error) * max(1, abs(Fraction(value)))
 
 
 # ---------------------------------------------------------------------------------------------- folds and cusps
 
 
-def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
-    return as_mpf(sum(arith.ends(value)) / 2)
+def _middle(value: Any) -> mpmath.mpf:
+    return as_mpf(sum(balls.ends(value)) / 2)
 
 
-def _check(arith: Arithmetic, point: Point, orders: int, digits: int) -> None:
+def _check(point: Point, orders: int, digits: int) -> None:
     """f and its derivatives vanish there to this many digits, the state is that of the geometry, and it is in contact."""
     with mpmath.workprec(1000):
-        values = [_middle(arith, value) for value in point.parameters]
-        state = theta, L, _, y = [_middle(arith, value) for value in (point.theta, point.L, point.x, point.y)]
+        values = [_middle(value) for value in point.parameters]
+        state = theta, L, _, y = [_middle(value) for value in (point.theta, point.L, point.x, point.y)]
     for value in (*point.parameters, point.theta, point.L, point.x, point.y):
-        low, high = arith.ends(value)
+        low, high = balls.ends(value)
         assert high - low <= max(1, abs(low)) / Fraction(10) ** digits
     with mpmath.workdps(digits + 20):
         small = mpmath.mpf(10) ** -(digits - 8) * (1 + sum(map(abs, values[1:])))
@@ -80,7 +79,7 @@ def _scanned(vary: str, fixed: dict[str, float], values: np.ndarray) -> np.ndarr
 
 
 @pytest.mark.parametrize("vary", NAMES)
-def test_folds_are_enclosed_and_none_is_missed(vary: str, arith: Arithmetic) -> None:
+def test_folds_are_enclosed_and_none_is_missed(vary: str) -> None:
     """Against the counts over a grid, whose cells hold an odd number of folds where the count changes, otherwise an even one."""
     rng = np.random.default_rng(NAMES.index(vary))
     grids = {"theta0": np.linspace(1e-3, math.pi - 1e-3, 1500), "mu0": np.linspace(1e-5, 3, 1500)}
@@ -89,15 +88,15 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str, arith: Arithmetic) -> 
     for values in _rationals(NAMES.index(vary), 5):
         angle_and_friction = [Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)]
         exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
-        with arith.precision(300):
-            points = [fold.point for fold in fold_proofs.folds(arith, vary, exact, 300)]
+        with balls.precision(300):
+            points = [fold.point for fold in fold_proofs.folds(vary, exact, 300)]
             for point in points:
-                _check(arith, point, 2, 30)
+                _check(point, 2, 30)
                 for name, value in zip(NAMES, point.parameters, strict=True):
                     if name != vary:
-                        low, high = arith.ends(value)
-                        assert abs(_middle(arith, value) - mpmath.mpf(exact[name].numerator) / exact[name].denominator) < 1e-60
-            where = np.array([float(_middle(arith, point.parameters[NAMES.index(vary)])) for point in points])
+                        low, high = balls.ends(value)
+                        assert abs(_middle(value) - mpmath.mpf(exact[name].numerator) / exact[name].denominator) < 1e-60
+            where = np.array([float(_middle(point.parameters[NAMES.index(vary)])) for point in points])
         where = where[(where > grid[0]) & (where < grid[-1])]
         cells, number = np.unique(np.searchsorted(grid, where) - 1, return_counts=True)
         fixed = {name: float(value) for name, value in exact.items()}
@@ -109,15 +108,15 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str, arith: Arithmetic) -> 
 @pytest.mark.parametrize("vary", NAMES)
 def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str) -> None:
     """Against the equilibria on both sides of it."""
-    place, arith, seen = NAMES.index(vary), Balls(), set()
+    place, seen = NAMES.index(vary), set()
     rng = np.random.default_rng([8, place])
     for values in _rationals(70 + place, 10):
         angle_and_friction = [Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)]
         exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
-        with arith.precision(300):
-            found = list(fold_proofs.folds(arith, vary, exact, 300))
+        with balls.precision(300):
+            found = list(fold_proofs.folds(vary, exact, 300))
         for fold in found:
-            value, theta = (float(sum(arith.ends(one)) / 2) for one in (fold.point.parameters[place], fold.point.theta))
+            value, theta = (float(sum(balls.ends(one)) / 2) for one in (fold.point.parameters[place], fold.point.theta))
             if not 1e-3 < value < (3 if vary == "theta0" else 1e3):
                 continue
             fixed = {name: float(one) for name, one in exact.items()}
@@ -131,23 +130,23 @@ def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str)
 
 
 @pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
-def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
+def test_cusps_are_enclosed_and_paired(alpha: str) -> None:
     """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""
     stiffness, beta, *_ = [*map(Fraction, alpha.split()), Fraction(0)]
     exact = (Fraction(7, 1000), stiffness, Fraction(1, 10), beta)
-    with arith.precision(300):
-        points = list(cusp_proofs.cusps(arith, exact, 300))
+    with balls.precision(300):
+        points = list(cusp_proofs.cusps(exact, 300))
         assert len(points) >= {"0.007": 4, "0": 2}.get(alpha, 1)
         seen = []
         for point in points:
-            _check(arith, point, 3, 30)
-            angles = [arith.cos_sin(value) for value in (point.theta, point.parameters[0])]
-            seen.append([float(_middle(arith, v)) for v in (*angles[0], *angles[1], point.parameters[1])])
+            _check(point, 3, 30)
+            angles = [balls.cos_sin(value) for value in (point.theta, point.parameters[0])]
+            seen.append([float(_middle(v)) for v in (*angles[0], *angles[1], point.parameters[1])])
         for c, s, c0, s0, mu0 in seen:
             gaps = [max(map(abs, np.subtract(other, (-c, s, -c0, s0, -mu0)))) for other in seen]
             assert sum(gap < 1e-14 for gap in gaps) == 1
         if alpha != "0":
-            assert all(cusp_proofs.is_versal(arith, point) for point in points)
+            assert all(cusp_proofs.is_versal(point) for point in points)
 
 
 @pytest.mark.parametrize("values", [
@@ -180,11 +179,10 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
     exact = SineRoot(polynomial, Fraction(3, 5), Fraction(3, 5))
 
     def is_zero(root: SineRoot, numerator: Any) -> bool:
-        arith = Balls()
-        with arith.precision(100):
+        with balls.precision(100):
             try:
-                open_ = arith.between(Fraction(-1), Fraction(1))
-                return root.sign_of(arith, open_, lambda s: (2 + s**8) * numerator(s), 10, "it") == 0
+                open_ = balls.between(Fraction(-1), Fraction(1))
+                return root.sign_of(open_, lambda s: (2 + s**8) * numerator(s), 10, "it") == 0
             except Undecided:
                 return False
 
@@ -203,39 +201,37 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
 @pytest.mark.parametrize("vary", NAMES)
 def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str, beta: Fraction) -> None:
     values = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), beta)
-    arith = Balls()
-    with arith.precision(300):
-        cusps = list(cusp_proofs.cusps(arith, values, 300))
+    with balls.precision(300):
+        cusps = list(cusp_proofs.cusps(values, 300))
         for point in cusps:
-            _, friction = (sum(arith.ends(one)) / 2 for one in point.parameters[:2])
-            c, s = arith.cos_sin(point.theta / 2)
+            _, friction = (sum(balls.ends(one)) / 2 for one in point.parameters[:2])
+            c, s = balls.cos_sin(point.theta / 2)
             t = s / c
             exact = dict(zip(NAMES, (Fraction(1), friction, *values), strict=True))
-            at = [polynomials.evaluate(tuple(map(arith.exact, one)), t) for one in fold_proofs._curvature(vary, exact)]
-            sizes = [abs(float(sum(arith.ends(one)) / 2)) for one in at]
+            at = [polynomials.evaluate(tuple(map(balls.exact, one)), t) for one in fold_proofs._curvature(vary, exact)]
+            sizes = [abs(float(sum(balls.ends(one)) / 2)) for one in at]
             if vary in ("alpha", "beta"):  # μ₀ (3 s² − 2) and s c, times (1 + t²)²
-                c, s = arith.cos_sin(point.theta)
-                for one, other in zip(at, (arith.exact(friction) * (3 * s * s - 2), s * c), strict=True):
-                    low, high = arith.ends(one - other * (1 + t * t) ** 2)
+                c, s = balls.cos_sin(point.theta)
+                for one, other in zip(at, (balls.exact(friction) * (3 * s * s - 2), s * c), strict=True):
+                    low, high = balls.ends(one - other * (1 + t * t) ** 2)
                     assert -1e-60 < low <= 0 <= high < 1e-60
             else:
                 assert sizes[0] < 1e-60
                 moved = exact | {"mu0": friction + Fraction(1, 100)}
                 (other,) = fold_proofs._curvature(vary, moved)
-                assert abs(float(sum(arith.ends(polynomials.evaluate(tuple(map(arith.exact, other)), t))))) > 1e-4
+                assert abs(float(sum(balls.ends(polynomials.evaluate(tuple(map(balls.exact, other)), t))))) > 1e-4
 
 
 def test_kinds_of_double_roots() -> None:
     """Where f″ = 0 it is a cusp. Otherwise a touch, with the third state on the side that a fold at that point has it."""
-    arith = Balls()
     exact = dict(zip(NAMES, map(Fraction, (1.1, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
-    with arith.precision(300):
+    with balls.precision(300):
         uppers = set()
-        for fold in (fold for vary in ("theta0", "mu0") for fold in fold_proofs.folds(arith, vary, exact, 300)):
-            angles = Angles(*arith.cos_sin(fold.point.theta), *arith.cos_sin(fold.point.parameters[0]))
+        for fold in (fold for vary in ("theta0", "mu0") for fold in fold_proofs.folds(vary, exact, 300)):
+            angles = Angles(*balls.cos_sin(fold.point.theta), *balls.cos_sin(fold.point.parameters[0]))
             for flat in (False, True):
                 direction = fold_proofs._Direction(angles.s / (1 + angles.c), 2, flat)
-                found = fold_proofs._classified(arith, "theta0", fold.point, angles, direction)
+                found = fold_proofs._classified("theta0", fold.point, angles, direction)
                 assert (found.kind, found.side, found.upper) == (("cusp", 0, False) if flat else ("touch", 0, fold.upper))
             uppers.add(fold.upper)
     assert uppers == {False, True}
@@ -243,7 +239,7 @@ def test_kinds_of_double_roots() -> None:
 
 def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
     """α = 0, sin θ = 4/5 and sin θ₀ = 1, with μ₀ and σ from f = f′ = 0 by hand: y > 0 there, and no sign stays open."""
-    s, c, kappa, arith = Fraction(4, 5), Fraction(3, 5), Fraction(1, 10), Balls()
+    s, c, kappa = Fraction(4, 5), Fraction(3, 5), Fraction(1, 10)
     mu0 = (1 - s**3 + kappa) / (s * s * c)
     sigma = mu0 * kappa * s / (s * c - (1 + kappa) * c + mu0 * s * (1 - s))
     a, b, d, m = sigma, -sigma * (1 + kappa), mu0 * (sigma - kappa), mu0 * sigma
@@ -251,8 +247,8 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
     assert a * (c * c - s * s) - b * s + d * c - 2 * m * s * c == 0
     assert sigma * (1 - s) > kappa
     exact = {"mu0": mu0, "kappa": kappa, "alpha": Fraction(0), "sigma": sigma, "beta": Fraction(0)}
-    with arith.precision(300):
-        found = [sum(arith.ends(fold.point.parameters[0])) / 2 for fold in fold_proofs.folds(arith, "theta0", exact, 300)]
+    with balls.precision(300):
+        found = [sum(balls.ends(fold.point.parameters[0])) / 2 for fold in fold_proofs.folds("theta0", exact, 300)]
     assert all(abs(float(angle) - math.pi / 2) > 1e-6 for angle in found)
     grid = np.linspace(1e-3, math.pi - 1e-3, 3001)
     fixed = {name: float(value) for name, value in exact.items()}
@@ -260,10 +256,10 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
 
 
 @pytest.mark.parametrize("vary", NAMES[1:])
-def test_too_few_bits_find_no_folds_and_deny_none(vary: str, arith: Arithmetic) -> None:
+def test_too_few_bits_find_no_folds_and_deny_none(vary: str) -> None:
     exact = dict(zip(NAMES, map(Fraction, (0.7, 0.5, 0.007, 0.007, 0.1, 0.25)), strict=True))
-    with arith.precision(6), pytest.raises(Undecided):
-        list(fold_proofs.folds(arith, vary, exact, 6))
+    with balls.precision(6), pytest.raises(Undecided):
+        list(fold_proofs.folds(vary, exact, 6))
 
 
 def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -290,10 +286,10 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
         fold_proofs._independent_of_theta0("kappa", exact)
 
 
-def test_a_pitchfork_has_no_upper_pair(arith: Arithmetic) -> None:
+def test_a_pitchfork_has_no_upper_pair() -> None:
     exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (0, "1/10", 0, 1, 0))), strict=True))
-    with arith.precision(200):
-        found = [fold for vary in ("theta0", "kappa", "sigma") for fold in fold_proofs.folds(arith, vary, exact, 200)]
+    with balls.precision(200):
+        found = [fold for vary in ("theta0", "kappa", "sigma") for fold in fold_proofs.folds(vary, exact, 200)]
     forks = [fold for fold in found if fold.kind == "pitchfork"]
     assert forks
     assert not any(fold.upper for fold in forks)
@@ -302,12 +298,11 @@ def test_a_pitchfork_has_no_upper_pair(arith: Arithmetic) -> None:
 def test_what_is_not_isolated_along_theta0_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where all of the eliminated polynomial vanishes: no fold for μ₀ = 0 and α = 1 + β, else no answer."""
     monkeypatch.setattr(fold_proofs, "in_t", lambda *_: lambda t: Fraction(0))
-    arith = Balls()
     for mu0, alpha, none in ((0, "3/2", True), (1, "3/2", False), (0, "1/2", False), (0, 1, False)):
         exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (mu0, "1/10", alpha, 1, "1/2"))), strict=True))
-        with arith.precision(200):
+        with balls.precision(200):
             if none:
-                assert list(fold_proofs.folds(arith, "theta0", exact, 200)) == []
+                assert list(fold_proofs.folds("theta0", exact, 200)) == []
                 continue
             with pytest.raises(ss.ConvergenceError, match="not isolated"):
-                list(fold_proofs.folds(arith, "theta0", exact, 200))
+                list(fold_proofs.folds("theta0", exact, 200))

@@ -10,9 +10,8 @@ from typing import Any
 
 import pytest
 
-from spragsym.numerics import descartes, intervals, polynomials
-from spragsym.numerics.intervals import Arithmetic
-from spragsym.numerics.polynomials import Undecided, exact_sign
+from spragsym.numerics import balls, descartes, polynomials
+from spragsym.numerics.balls import Undecided
 
 # ----------------------------------------------------------------------------------------------- polynomials
 
@@ -41,13 +40,13 @@ def test_counts_are_those_of_known_roots() -> None:
     """Roots at the ends, multiple roots and none: a root at the upper end counts, one at the lower does not."""
     rng = random.Random(1)
     for roots, polynomial in _cases(rng, 60):
-        chain = polynomials.sturm_chain(polynomial, exact_sign)
+        chain = polynomials.sturm_chain(polynomial)
         ends = sorted([*(Fraction(rng.randint(-99, 99), 8) for _ in range(3)), *roots, Fraction(-100), Fraction(100)])
         for low, high in itertools.combinations(sorted(set(ends)), 2):
             known = sum(low < root <= high for root in roots)
             if len(chain[-1]) == 1 or all(polynomials.evaluate(polynomial, end) for end in (low, high)):
                 # at a multiple root the whole chain is 0
-                assert polynomials.count_between(chain, low, high, exact_sign) == known
+                assert polynomials.count_between(chain, low, high) == known
 
 
 @pytest.mark.thorough
@@ -55,9 +54,9 @@ def test_a_squarefree_part_has_the_same_roots_once() -> None:
     for roots, polynomial in _cases(random.Random(2), 60):
         simple = polynomials.squarefree(polynomial)
         assert [root for root in roots if polynomials.evaluate(simple, root)] == []
-        common = polynomials.sturm_chain(simple, exact_sign)[-1]
+        common = polynomials.sturm_chain(simple)[-1]
         assert len(common) == 1
-        assert len(polynomials.real_roots(simple, Fraction(-99), Fraction(99), exact_sign, Fraction, 30)) == len(roots)
+        assert len(descartes.real_roots(simple, Fraction(-99), Fraction(99), 30)) == len(roots)
         assert (len(simple) - 1 - len(roots)) % 2 == 0
     part = polynomials.squarefree(_product(*[(Fraction(-1), Fraction(2))] * 3, *[(Fraction(1), Fraction(0), Fraction(1))] * 2))
     assert len(part) == 4
@@ -72,7 +71,7 @@ def test_roots_are_enclosed_to_the_bits_asked_for() -> None:
         simple = polynomials.squarefree(polynomial)
         inside = [root for root in roots if -1 < root <= 1]
         bits = rng.choice([5, 20, 60])
-        found = polynomials.real_roots(simple, Fraction(-1), Fraction(1), exact_sign, Fraction, bits)
+        found = descartes.real_roots(simple, Fraction(-1), Fraction(1), bits)
         assert len(found) == len(inside)
         for (low, high), root in zip(found, inside, strict=True):
             assert low <= root <= high
@@ -83,7 +82,7 @@ def test_roots_are_enclosed_to_the_bits_asked_for() -> None:
                 assert end == root or end.denominator & (end.denominator - 1) == 0
 
 
-def test_interpolation_gives_the_polynomial_back(arith: Arithmetic) -> None:
+def test_interpolation_gives_the_polynomial_back() -> None:
     rng = random.Random(4)
     for degree in range(13):
         given = tuple(Fraction(rng.randint(-9, 9), rng.randint(1, 9)) for _ in range(degree + 1))
@@ -92,31 +91,28 @@ def test_interpolation_gives_the_polynomial_back(arith: Arithmetic) -> None:
             return polynomials.evaluate(given, t)
 
         assert polynomials.interpolate(value, degree, Fraction) == given
-        with arith.precision(120):
-            blurred = polynomials.interpolate(lambda t: arith.exact(value(t)), degree, arith.exact)  # called here
+        with balls.precision(120):
+            blurred = polynomials.interpolate(lambda t: balls.exact(value(t)), degree, balls.exact)  # called here
             for coefficient, exact in zip(blurred, given, strict=True):
-                low, high = arith.ends(coefficient)
+                low, high = balls.ends(coefficient)
                 assert low <= exact <= high
                 assert high - low < 1e-20
 
 
-def _blurred(arith: Arithmetic, polynomial: tuple[Fraction, ...], share: Fraction) -> tuple[Any, ...]:
-    return tuple(arith.between(value - abs(value) * share, value + abs(value) * share) for value in polynomial)
+def _blurred(polynomial: tuple[Fraction, ...], share: Fraction) -> tuple[Any, ...]:
+    return tuple(balls.between(value - abs(value) * share, value + abs(value) * share) for value in polynomial)
 
 
-def test_interval_coefficients_decide_or_say_that_they_cannot(arith: Arithmetic) -> None:
+def test_interval_coefficients_decide_or_say_that_they_cannot() -> None:
     """Whatever polynomial the intervals hold has the roots that are found; where they hold too many, nothing is."""
 
-    def sign(value: Any) -> int:
-        return intervals.sign(arith, value)
-
     decided, rng = 0, random.Random(5)
-    with arith.precision(200):
+    with balls.precision(200):
         for roots, polynomial in _cases(rng, 24):
             for bits in (12, 60, 150):
                 try:
-                    blurred = _blurred(arith, polynomial, Fraction(1, 2**bits))
-                    found = polynomials.real_roots(blurred, Fraction(-21, 8), Fraction(25, 8), sign, arith.exact, 10)
+                    blurred = _blurred(polynomial, Fraction(1, 2**bits))
+                    found = descartes.real_roots(blurred, Fraction(-21, 8), Fraction(25, 8), 10)
                 except (Undecided, ZeroDivisionError):
                     continue
                 decided += 1

@@ -14,12 +14,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from spragsym.numerics import intervals
-from spragsym.numerics.intervals import Arithmetic, Ball, Balls
-from spragsym.numerics.polynomials import Undecided
+from spragsym.numerics import balls
+from spragsym.numerics.balls import Ball, Undecided
 from tests.support import as_mpf
-
-ARITH = Balls()
 
 
 def _small_balls(bits: int) -> Iterator[Ball]:
@@ -29,7 +26,7 @@ def _small_balls(bits: int) -> Iterator[Ball]:
 
 
 def _holds(ball: Ball, value: Fraction) -> bool:
-    low, high = ARITH.ends(ball)
+    low, high = balls.ends(ball)
     return low <= value <= high
 
 
@@ -44,13 +41,13 @@ def test_operations_enclose_every_corner(operation: Callable[[Any, Any], Any], b
         try:
             result = operation(one, other)
         except Undecided:
-            low, high = ARITH.ends(other)
+            low, high = balls.ends(other)
             assert low <= 0 <= high
             continue
-        for a, b in itertools.product(ARITH.ends(one), ARITH.ends(other)):
+        for a, b in itertools.product(balls.ends(one), balls.ends(other)):
             assert _holds(result, operation(a, b)), (one, other, result)
         assert abs(result.mid) <= 1 << bits
-        assert result.rad.bit_length() <= intervals.RADIUS_BITS + 1
+        assert result.rad.bit_length() <= balls.RADIUS_BITS + 1
 
 
 def test_far_apart_terms_go_into_the_radius() -> None:
@@ -58,7 +55,7 @@ def test_far_apart_terms_go_into_the_radius() -> None:
         for exp in (0, -7, 6):
             large, small = Ball(5, 0, gap + exp, bits), Ball(sign * 3, 1, exp, bits)
             for result, turn in ((large + small, 1), (small - large, -1)):
-                for end in ARITH.ends(small):
+                for end in balls.ends(small):
                     assert _holds(result, turn * Fraction(5) * Fraction(2) ** (gap + exp) + end)
                 assert result.mid.bit_length() + result.rad.bit_length() < 200
     huge = Ball(1, 0, 1 << 62, 53) - Ball(1, 0, 0, 53)
@@ -67,22 +64,22 @@ def test_far_apart_terms_go_into_the_radius() -> None:
         assert (Ball(1, 0, gap, bits) + Ball(1, 0, 0, bits)).rad <= (0 if gap < bits else 1 if gap <= bits + 32 else 2)
     for bits, far in itertools.product((5, 53, 300), (0, 1, 20, 31)):
         one, other = Ball(1, 0, bits + far, bits), Ball((1 << bits) - 1, 0, far, bits)  # all but one bit cancels
-        assert ARITH.ends(one - other) == ARITH.ends(Ball(1, 0, far, bits)) == (2**far, 2**far)
-        assert ARITH.ends(other - one) == (-(2**far), -(2**far))
+        assert balls.ends(one - other) == balls.ends(Ball(1, 0, far, bits)) == (2**far, 2**far)
+        assert balls.ends(other - one) == (-(2**far), -(2**far))
     tiny = Ball(3, 0, -5000, 53)
-    assert ARITH.ends(tiny + Ball(0, 0, 0, 53)) == ARITH.ends(Ball(0, 0, 9, 53) + tiny) == ARITH.ends(tiny)
+    assert balls.ends(tiny + Ball(0, 0, 0, 53)) == balls.ends(Ball(0, 0, 9, 53) + tiny) == balls.ends(tiny)
 
 
 @pytest.mark.parametrize("bits", [5, 53, 300])
 def test_rationals_and_unions_are_enclosed(bits: int) -> None:
     values = [Fraction(n, d) for n in (-(10**30), -7, -1, 0, 1, 2, 10**30 + 1) for d in (1, 3, 8, 10**9 + 7, 2**400)]
-    with ARITH.precision(bits):
+    with balls.precision(bits):
         for one, other in itertools.combinations(values, 2):
-            assert _holds(ARITH.exact(one), one)
-            both = ARITH.between(min(one, other), max(one, other))
+            assert _holds(balls.exact(one), one)
+            both = balls.between(min(one, other), max(one, other))
             assert _holds(both, one)
             assert _holds(both, other)
-        assert ARITH.ends(ARITH.exact(Fraction(3, 8))) == (Fraction(3, 8),) * 2
+        assert balls.ends(balls.exact(Fraction(3, 8))) == (Fraction(3, 8),) * 2
 
 
 def test_numbers_of_other_types_are_exact() -> None:
@@ -105,10 +102,10 @@ def test_numbers_of_other_types_are_exact() -> None:
 
 
 FUNCTIONS: dict[str, Callable[[Ball], Ball]] = {
-    "cos": lambda ball: ARITH.cos_sin(ball)[0],
-    "sin": lambda ball: ARITH.cos_sin(ball)[1],
-    "atan": ARITH.atan,
-    "sqrt": ARITH.sqrt,
+    "cos": lambda ball: balls.cos_sin(ball)[0],
+    "sin": lambda ball: balls.cos_sin(ball)[1],
+    "atan": balls.atan,
+    "sqrt": balls.sqrt,
 }
 
 
@@ -126,11 +123,11 @@ def test_functions_enclose_and_are_sharp(name: str, bits: int) -> None:
     for value, sign, width in itertools.product(values, (1, -1), (0, Fraction(1, 2**9), Fraction(1, 2**70))):
         if sign < 0 and name == "sqrt":
             continue
-        with ARITH.precision(bits):
-            ball = ARITH.between(sign * value * (1 - width), sign * value * (1 + width))
+        with balls.precision(bits):
+            ball = balls.between(sign * value * (1 - width), sign * value * (1 + width))
         found = FUNCTIONS[name](ball)
-        low, high = (context.mpf(end.numerator) / end.denominator for end in ARITH.ends(found))
-        for end in ARITH.ends(ball):
+        low, high = (context.mpf(end.numerator) / end.denominator for end in balls.ends(found))
+        for end in balls.ends(ball):
             exact = getattr(context, name)(context.mpf(end.numerator) / end.denominator)
             assert low <= exact <= high, (value, sign, width)
         if not ball.rad:
@@ -139,34 +136,34 @@ def test_functions_enclose_and_are_sharp(name: str, bits: int) -> None:
 
 def test_functions_at_zero_and_pi() -> None:
     for exp in (-4, 0, 3):
-        cosine, sine = ARITH.cos_sin(Ball(0, 1, exp, 53))
+        cosine, sine = balls.cos_sin(Ball(0, 1, exp, 53))
         assert _holds(cosine, Fraction(1))
         assert _holds(sine, Fraction(0))
-        assert ARITH.ends(cosine)[0] <= Fraction(math.cos(min(2.0**exp, math.pi)) + 1e-9)
-    assert ARITH.ends(ARITH.atan(Ball(0, 1, 0, 53))) == (-1, 1)
-    assert ARITH.ends(ARITH.sqrt(Ball(0, 0, 0, 53))) == (0, 0)
+        assert balls.ends(cosine)[0] <= Fraction(math.cos(min(2.0**exp, math.pi)) + 1e-9)
+    assert balls.ends(balls.atan(Ball(0, 1, 0, 53))) == (-1, 1)
+    assert balls.ends(balls.sqrt(Ball(0, 0, 0, 53))) == (0, 0)
     for bits in (4, 53, 5000):
-        with ARITH.precision(bits), mpmath.workprec(6000):
-            low, high = map(as_mpf, ARITH.ends(ARITH.pi()))
+        with balls.precision(bits), mpmath.workprec(6000):
+            low, high = map(as_mpf, balls.ends(balls.pi()))
             assert low < mpmath.pi < high
             assert high - low < mpmath.ldexp(1, 5 - bits)
     for bad in (Ball(3, 4, 0, 53), Ball(-4, 0, 0, 53)):
         with pytest.raises(Undecided, match="negative"):
-            ARITH.sqrt(bad)
-    assert _holds(ARITH.sqrt(Ball(4, 4, 0, 53)), Fraction(0))
+            balls.sqrt(bad)
+    assert _holds(balls.sqrt(Ball(4, 4, 0, 53)), Fraction(0))
 
 
 def test_what_holds_0_has_no_sign_and_divides_nothing() -> None:
     """An end on 0 is no sign."""
     for divisor in (Ball(0, 0, 0, 53), Ball(3, 3, 0, 53), Ball(-3, 3, 0, 53), Ball(-1, 7, 5, 53)):
-        assert intervals.sign(ARITH, divisor) == 0
+        assert balls.sign(divisor) == 0
         with pytest.raises(Undecided, match="holds 0"):
             1 / divisor
 
 
 def test_signs_next_to_0() -> None:
-    assert [intervals.sign(ARITH, Ball(mid, 3, -9, 53)) for mid in (-4, -3, 3, 4)] == [-1, 0, 0, 1]
-    assert intervals.sign(ARITH, Ball(1, 0, -9999, 53)) == 1
+    assert [balls.sign(Ball(mid, 3, -9, 53)) for mid in (-4, -3, 3, 4)] == [-1, 0, 0, 1]
+    assert balls.sign(Ball(1, 0, -9999, 53)) == 1
 
 
 # ------------------------------------------------------------------------------------ bounds, in units of the last place
@@ -184,7 +181,7 @@ def test_cosine_and_sine_are_as_close_as_they_say(places: int) -> None:
     """And say hardly more than the unit that rounding down takes: an error of the series that shows is a fault."""
     with mpmath.workprec(2 * places + 500):
         for mid, exp in ANGLES:
-            cosine, sine, error = intervals._cos_sin(mid, exp, places)
+            cosine, sine, error = balls._cos_sin(mid, exp, places)
             angle = mpmath.ldexp(mid, exp)
             for value, true in ((cosine, mpmath.cos(angle)), (sine, mpmath.sin(angle))):
                 off = true * mpmath.mpf(2) ** places - value
@@ -196,38 +193,38 @@ def test_radii_are_no_unit_smaller_or_larger_than_they_must_be() -> None:
     """A middle that loses nearly a unit, and a radius that is rounded up by nearly another."""
     for shift, radius in itertools.product((1, 2, 9), (0, 1, 2, 3, 511, 512, 513)):
         needed = math.ceil(Fraction(radius, 1 << shift)) + 1
-        assert intervals._rounded(radius, shift) == needed
-        assert intervals._shifted(radius, -shift) == needed - 1
-        assert intervals._shifted(radius, shift) == radius << shift
-        assert intervals._shifted_down(-radius, -shift) == -math.ceil(Fraction(radius, 1 << shift))
+        assert balls._rounded(radius, shift) == needed
+        assert balls._shifted(radius, -shift) == needed - 1
+        assert balls._shifted(radius, shift) == radius << shift
+        assert balls._shifted_down(-radius, -shift) == -math.ceil(Fraction(radius, 1 << shift))
 
 
 @pytest.mark.parametrize("name", ["cos", "sin", "atan"])
 def test_bounds_hold_without_guard_bits(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Guard bits hide an error that is left out: without them it shows in the last place."""
-    monkeypatch.setattr(intervals, "GUARD_BITS", 0)
+    monkeypatch.setattr(balls, "GUARD_BITS", 0)
     with mpmath.workprec(400):
         for bits, mid, rad in itertools.product((3, 7, 12, 30), (-125, -77, -3, 1, 2, 9, 99, 127), (0, 1)):
             for exp in (-40, -9, -7, -6):
                 ball = Ball(mid, rad, exp, bits)
-                low, high = map(as_mpf, ARITH.ends(FUNCTIONS[name](ball)))
-                for end in map(as_mpf, ARITH.ends(ball)):
+                low, high = map(as_mpf, balls.ends(FUNCTIONS[name](ball)))
+                for end in map(as_mpf, balls.ends(ball)):
                     assert low <= getattr(mpmath, name)(end) <= high
 
 
 # -------------------------------------------------------------------------- both arithmetics
 
 
-def test_precision_is_that_asked_for_and_then_as_before(arith: Arithmetic) -> None:
+def test_precision_is_that_asked_for_and_then_as_before() -> None:
     def width() -> Fraction:
-        low, high = arith.ends(arith.exact(Fraction(1, 3)))
+        low, high = balls.ends(balls.exact(Fraction(1, 3)))
         return high - low
 
     before, digits = width(), mpmath.mp.prec
-    assert ARITH.exact(Fraction(1, 3)).bits == ARITH.pi().bits == 53
-    with arith.precision(80):
+    assert balls.exact(Fraction(1, 3)).bits == balls.pi().bits == 53
+    with balls.precision(80):
         eighty = width()
-        with contextlib.suppress(KeyError), arith.precision(30):
+        with contextlib.suppress(KeyError), balls.precision(30):
             thirty = width()
             raise KeyError
         assert width() == eighty

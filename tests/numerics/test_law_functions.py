@@ -11,9 +11,10 @@ import mpmath
 import numpy as np
 import pytest
 
+from spragsym.numerics import balls
 from spragsym.numerics.ball_functions import XP as BALLS
+from spragsym.numerics.balls import Ball
 from spragsym.numerics.interval_arrays import Intervals
-from spragsym.numerics.intervals import Ball, Balls
 from spragsym.numerics.jets import Jet
 from spragsym.statics.mechanics.laws import XP as BOXES
 
@@ -31,7 +32,7 @@ ARGUMENTS = {
 
 @pytest.fixture(autouse=True)
 def digits() -> Iterator[None]:
-    with mpmath.workdps(130), Balls().precision(160):
+    with mpmath.workdps(130), balls.precision(160):
         yield
 
 
@@ -42,14 +43,14 @@ def true(name: str, x: Any) -> mpmath.mpf:
 def ends(value: Any) -> tuple[mpmath.mpf, mpmath.mpf]:
     """Of the one number that it is."""
     if isinstance(value, Ball):
-        return tuple(mpmath.mpf(end.numerator) / end.denominator for end in Balls().ends(value))  # type: ignore[return-value]  # two
+        return tuple(mpmath.mpf(end.numerator) / end.denominator for end in balls.ends(value))  # type: ignore[return-value]  # two
     return mpmath.mpf(float(value.low[0])), mpmath.mpf(float(value.high[0]))
 
 
 #: How a float becomes a number of each type, its functions, and the width allowed, relative to what is larger, the value or 1.
 TYPES: dict[str, tuple[Callable[[float], Any], Any, float]] = {
     "intervals": (lambda x: Intervals.point([x]), BOXES, 2e-14),
-    "balls": (lambda x: Balls().exact(Fraction(x)), BALLS, 2.0**-150),
+    "balls": (lambda x: balls.exact(Fraction(x)), BALLS, 2.0**-150),
 }
 
 
@@ -85,7 +86,7 @@ def test_derivatives_of_a_function(kind: str, name: str) -> None:
 @pytest.mark.parametrize("name", ARGUMENTS)
 def test_balls_of_arguments_hold_all_values(name: str) -> None:
     for x, r in ((0.5, 1e-3), (0.3, 1e-12), (2.0, 1e-20), (1.0, 2.0**-60), (3.0, 1e-5)):
-        ball = Balls().between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
+        ball = balls.between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
         low, high = ends(getattr(BALLS, name)(ball))
         size = max(abs(true(name, x)), 1)
         for share in (-1, -0.3, 0.5, 1):

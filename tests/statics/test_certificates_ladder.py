@@ -15,8 +15,8 @@ import spragsym as ss
 from spragsym.kang_nam.folds import fold_proofs
 from spragsym.kang_nam.quartic import adaptive_precision, kernel
 from spragsym.models.parameters import NAMES
-from spragsym.numerics.intervals import Arithmetic
-from spragsym.numerics.polynomials import Undecided
+from spragsym.numerics import balls
+from spragsym.numerics.balls import Undecided
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES
 from tests.support import as_fraction
@@ -61,9 +61,9 @@ def _code(state: adaptive_precision.State, point: tuple[float, ...], contact: bo
 
 
 @pytest.mark.parametrize("contact", [True, False])
-def test_counts_codes_and_errors_of_the_ladder(contact: bool, arith: Arithmetic) -> None:
+def test_counts_codes_and_errors_of_the_ladder(contact: bool) -> None:
     for point in _points(3):
-        found = adaptive_precision.equilibria(*point, contact=contact, arith=arith)
+        found = adaptive_precision.equilibria(*point, contact=contact)
         assert not found.fold
         if contact:
             assert len(found.states) == reference.count_contact(*point)
@@ -84,17 +84,17 @@ def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("few_bits")
-def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
+def test_a_fold_stands_in_two_slots_within_its_error() -> None:
     """Both folds of the base values, left and right: the double root, the simple one, and what is stable."""
     fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], ("0.5", "0.007", "0.007", "0.1", "0"), strict=True)}
-    with arith.precision(600):
+    with balls.precision(600):
         points = [
-            [_middle(arith, value) for value in (point.parameters[0], point.theta, point.L, point.x, point.y)]
-            for point in (fold.point for fold in fold_proofs.folds(arith, "theta0", fixed, 600))
+            [_middle(value) for value in (point.parameters[0], point.theta, point.L, point.x, point.y)]
+            for point in (fold.point for fold in fold_proofs.folds("theta0", fixed, 600))
         ]
     assert len(points) == 2
     for theta0, *true in points:
-        found = adaptive_precision.equilibria(theta0, *fixed.values(), arith=arith)
+        found = adaptive_precision.equilibria(theta0, *fixed.values())
         assert found.fold
         assert len(found.states) == 3
         one, two = next(pair for pair in (found.states[:2], found.states[1:]) if pair[0].theta == pair[1].theta)
@@ -109,26 +109,26 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
 
 
 @pytest.mark.usefixtures("few_bits")
-def test_a_boundary_that_no_bits_settle_is_an_error(arith: Arithmetic) -> None:
+def test_a_boundary_that_no_bits_settle_is_an_error() -> None:
     """The mass at the anchor, θ = −π/2 and L = 0, but for a difference of preload and stiffness that 128 bits do not see."""
     stiffness = Fraction(1, 2) + Fraction(1, 10**60)
     with pytest.raises(ss.ConvergenceError, match=r"128 bits do not settle theta0=.*: L or y holds 0; move the point off"):
-        adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, stiffness, 0, contact=False, arith=arith)
+        adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, stiffness, 0, contact=False)
 
 
 @pytest.mark.parametrize("power", [20, 34, 50])
-def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int, arith: Arithmetic) -> None:
+def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int) -> None:
     """10^−power beside both folds: counts on either side, no fold, and the digits asked for."""
     fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)}
-    with arith.precision(600):
-        folds = sorted(_middle(arith, fold.point.parameters[0]) for fold in fold_proofs.folds(arith, "theta0", fixed, 600))
+    with balls.precision(600):
+        folds = sorted(_middle(fold.point.parameters[0]) for fold in fold_proofs.folds("theta0", fixed, 600))
     assert len(folds) == 2
     for fold, side in zip(folds, (1, -1), strict=True):
         outside, inside = fold + side * Fraction(1, 10**power), fold - side * Fraction(1, 10**power)
         counts = []
         for theta0 in (outside, inside):
             for digits in (17, 60):
-                found = adaptive_precision.equilibria(theta0, *fixed.values(), digits=digits, arith=arith)
+                found = adaptive_precision.equilibria(theta0, *fixed.values(), digits=digits)
                 assert not found.fold
                 with mpmath.workprec(700):
                     point = (mpmath.mpf(theta0.numerator) / theta0.denominator, *map(float, fixed.values()))
@@ -141,41 +141,35 @@ def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int, arith: A
         assert sorted(counts) == [1, 3]
 
 
-def _middle(arith: Arithmetic, value: Any) -> Fraction:
-    low, high = arith.ends(value)
+def _middle(value: Any) -> Fraction:
+    low, high = balls.ends(value)
     return (low + high) / 2
 
 
 # ------------------------------------------------------------------------------------------------------ its parts
 
 
-@pytest.fixture
-def held(arith: Arithmetic) -> Iterator[Arithmetic]:
-    """An arithmetic at 128 bits."""
-    with arith.precision(128):
-        yield arith
-
-
-def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
+def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch) -> None:
     plain = adaptive_precision._state
     monkeypatch.setattr(adaptive_precision, "_state", lambda *given: 2 * plain(*given))
     rational = list(map(Fraction, BASE[1:]))
-    assert len(adaptive_precision._settle(held, BASE[0], rational, False, 17, 128, False).states) % 2 == 0
-    with pytest.raises(Undecided, match="even number"):
-        adaptive_precision._settle(held, BASE[0], rational, True, 17, 128, False)
+    with balls.precision(128):
+        assert len(adaptive_precision._settle(BASE[0], rational, False, 17, 128, False).states) % 2 == 0
+        with pytest.raises(Undecided, match="even number"):
+            adaptive_precision._settle(BASE[0], rational, True, 17, 128, False)
 
 
-def _states(monkeypatch: pytest.MonkeyPatch, arith: Arithmetic, given: list[Any], digits: int, fold: bool = False) -> Any:
+def _states(monkeypatch: pytest.MonkeyPatch, given: list[Any], digits: int, fold: bool = False) -> Any:
     monkeypatch.setattr(kernel, "state", lambda *_: tuple(given))
     monkeypatch.setattr(adaptive_precision, "_stability", lambda *_: 1)
-    t, values = arith.exact(Fraction(1, 2)), (*[arith.exact(Fraction(1))] * 7, 1)
-    return adaptive_precision._state(arith, t, values[:4], values, digits, fold, shrunk=False)
+    t, values = balls.exact(Fraction(1, 2)), (*[balls.exact(Fraction(1))] * 7, 1)
+    return adaptive_precision._state(t, values[:4], values, digits, fold, shrunk=False)
 
 
-def test_lengths_and_sides_that_hold_0_are_undecided(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
-    one, minus, open_one = held.exact(Fraction(1)), held.exact(Fraction(-1)), held.between(Fraction(-1), Fraction(1))
+def test_lengths_and_sides_that_hold_0_are_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    one, minus, open_one = balls.exact(Fraction(1)), balls.exact(Fraction(-1)), balls.between(Fraction(-1), Fraction(1))
     for L, y, number in ((one, minus, 1), (minus, minus, 0), (one, one, 0), (minus, open_one, 0), (open_one, one, 0)):
-        assert len(_states(monkeypatch, held, [L, one, y], 0)) == number
+        assert len(_states(monkeypatch, [L, one, y], 0)) == number
     for L, y in ((open_one, minus), (one, open_one)):
         with pytest.raises(Undecided, match="L or y holds 0"):
-            _states(monkeypatch, held, [L, one, y], 0)
+            _states(monkeypatch, [L, one, y], 0)

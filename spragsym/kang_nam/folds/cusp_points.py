@@ -10,7 +10,6 @@ import numpy as np
 
 from ...models.parameters import Parameters
 from ...numerics.adaptive_bits import with_enough_bits
-from ...numerics.intervals import Arithmetic, arithmetic
 from ...questions import NotInClosedForm
 from ...results.points import Points, in_closed_form
 from . import cusp_proofs
@@ -23,7 +22,6 @@ def cusps(
     vary: Sequence[str] | None = None,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
-    arith: Arithmetic | None = None,
 ) -> Points:
     """The closed form of :func:`spragsym.cusps` in the plane of θ₀ and μ₀: proved complete.
 
@@ -35,12 +33,11 @@ def cusps(
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     exact = tuple(map(Fraction, p.scalars(*FIXED)))
-    arith = arith or arithmetic()
 
     def attempt(bits: int) -> list[tuple[float, ...]]:
-        return [point.row(arith) for point in cusp_proofs.cusps(arith, exact, bits)]
+        return [point.row() for point in cusp_proofs.cusps(exact, bits)]
 
-    rows = with_enough_bits(arith, 20, attempt, "cusps")
+    rows = with_enough_bits(20, attempt, "cusps")
     rows = sorted(((row[0], row[1], *row[6:]) for row in rows), key=lambda row: (row[1], row))
     *columns, error = np.array(rows, dtype=float).reshape(-1, 7).T.copy()
     values = dict(zip(("theta0", "mu0", *STATE), columns, strict=True))

@@ -8,9 +8,9 @@ from functools import lru_cache
 from typing import Any
 
 from ...generated import catastrophe as _catastrophe
-from ...numerics import polynomials
+from ...numerics import balls, descartes, polynomials
 from ...numerics.adaptive_bits import angle, decided
-from ...numerics.intervals import Arithmetic, Interval, sign
+from ...numerics.balls import Interval, sign
 from ...numerics.line_roots import roots_on_the_line
 from .fold_enclosures import Angles, Point, SineRoot, in_contact
 
@@ -20,14 +20,14 @@ _DEGREE = 10
 
 def cusp_sines(
     kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, *, bits: int
-) -> tuple[tuple[Fraction, ...], list[tuple[Fraction, Fraction]], int]:
+) -> tuple[tuple[Fraction, ...], list[descartes.Root], int]:
     """The polynomial of the cusps, an interval around each of its roots, and their number by Sturm. α ≠ 1 + β.
 
     Roots in [−1, 1]; for α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
     """
     polynomial, simple = _cusp_polynomial(kappa, alpha, sigma, beta)
-    chain = polynomials.sturm_chain(simple, polynomials.exact_sign)
-    count = polynomials.count_between(chain, -_ONE, _ONE, polynomials.exact_sign)
+    chain = polynomials.sturm_chain(simple)
+    count = polynomials.count_between(chain, -_ONE, _ONE)
     count += polynomials.evaluate(simple, -_ONE) == 0
     roots = _cusp_roots((kappa, alpha, sigma, beta), bits)
     if len(roots) != count:
@@ -48,38 +48,38 @@ def _cusp_polynomial(kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fr
     return polynomial, polynomials.squarefree(polynomial)
 
 
-def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[tuple[Fraction, Fraction]]:
+def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[descartes.Root]:
     """Intervals as of :func:`cusp_sines`."""
     _, simple = _cusp_polynomial(*exact)
-    roots = polynomials.real_roots(simple, -_ONE, _ONE, polynomials.exact_sign, Fraction, bits)
-    return [(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
+    roots = descartes.real_roots(simple, -_ONE, _ONE, bits)
+    return [descartes.Root(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
 
 
-def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
+def cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     """Every cusp in contact with L > 0, for exact κ, α, σ, β; both mirror images, θ₀ in (−π, π], μ₀ of either sign."""
     _, alpha, _, beta = exact
     if alpha == 1 + beta:
-        yield from _cusps_without_a(arith, tuple(map(arith.exact, exact)), bits)
+        yield from _cusps_without_a(tuple(map(balls.exact, exact)), bits)
         return
     polynomial, roots = _cusp_polynomial(*exact)[0], _cusp_roots(exact, bits - 32)
     if not alpha:
         # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = π/2. At −π/2 sin θ₀ would be
         # −1 − κ/(1 + β).
-        roots.append((_ONE, _ONE))
+        roots.append(descartes.Root(_ONE, _ONE))
     for low, high in roots:
-        yield from _cusps_at(arith, exact, SineRoot(polynomial, low, high))
+        yield from _cusps_at(exact, SineRoot(polynomial, low, high))
 
 
-def _cusps_at(arith: Arithmetic, exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
+def _cusps_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
     """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of parameters, is known to be."""
     alpha = exact[1]
-    values = tuple(map(arith.exact, exact))
-    s, zero = arith.between(sine.low, sine.high), arith.exact(Fraction(0))
+    values = tuple(map(balls.exact, exact))
+    s, zero = balls.between(sine.low, sine.high), balls.exact(Fraction(0))
     s0, friction = _catastrophe.cusp_sine(s, *values)
     L = _cusp_length(s, *values)
 
     def sign_of(value: Interval, exactly: Callable[[Fraction], Fraction], what: str) -> int:
-        return sine.sign_of(arith, value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, _DEGREE, what)
+        return sine.sign_of(value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, _DEGREE, what)
 
     sides = (
         sign_of(L, lambda s: _cusp_length(s, *exact), "L = 0 on a cusp"),
@@ -88,7 +88,7 @@ def _cusps_at(arith: Arithmetic, exact: tuple[Fraction, ...], sine: SineRoot) ->
     if sides != (1, -1):
         return
     upright = sine.low == sine.high and abs(sine.low) == 1
-    width = zero if upright else arith.sqrt(1 - s * s)
+    width = zero if upright else balls.sqrt(1 - s * s)
     flat = sign_of(s, lambda s: s, "sin θ = 0 on a cusp") == 0
     flat0 = sign_of(s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0
     for c in (width,) if upright else (width, -width):
@@ -97,17 +97,17 @@ def _cusps_at(arith: Arithmetic, exact: tuple[Fraction, ...], sine: SineRoot) ->
         else:
             gap = 1 - s0 * s0
             inside = sign_of(gap, lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2, "cos θ₀ = 0 on a cusp")
-            cosines = [] if inside < 0 else [arith.sqrt(gap), -arith.sqrt(gap)] if inside else [zero]
+            cosines = [] if inside < 0 else [balls.sqrt(gap), -balls.sqrt(gap)] if inside else [zero]
         for c0 in cosines:
-            angles = (_angle_or_level(arith, c0, s0, flat0), _angle_or_level(arith, c, s, flat))
+            angles = (_angle_or_level(c0, s0, flat0), _angle_or_level(c, s, flat))
             yield Point((angles[0], friction * c, *values), angles[1], L, c0 - L * c, s0 - L * s)
 
 
-def _angle_or_level(arith: Arithmetic, cosine: Interval, sine: Interval, level: bool) -> Interval:
+def _angle_or_level(cosine: Interval, sine: Interval, level: bool) -> Interval:
     """The angle in (−π, π], 0 or π where the sine is known to be 0."""
     if not level:
-        return angle(arith, cosine, sine)
-    return arith.exact(Fraction(0)) if decided(arith, cosine, "cos θ = 0") > 0 else arith.pi()
+        return angle(cosine, sine)
+    return balls.exact(Fraction(0)) if decided(cosine, "cos θ = 0") > 0 else balls.pi()
 
 
 def _cusp_length(s: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any) -> Any:
@@ -120,26 +120,26 @@ def _cusp_y(s: Fraction, *exact: Fraction) -> Fraction:
     return Fraction(_catastrophe.cusp_sine(s, *exact)[0] - _cusp_length(s, *exact) * s)
 
 
-def _cusps_without_a(arith: Arithmetic, values: tuple[Interval, ...], bits: int) -> Iterator[Point]:
+def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[Point]:
     """α = 1 + β: a = 0, and f″ = 0 on a fold means 3 sin² θ = 2, whatever the friction."""
-    third = arith.exact(Fraction(1, 3))
+    third = balls.exact(Fraction(1, 3))
     for s_sign in (1, -1):
-        s = s_sign * arith.sqrt(2 * third)
+        s = s_sign * balls.sqrt(2 * third)
         for c_sign in (1, -1):
-            c = c_sign * arith.sqrt(third)
+            c = c_sign * balls.sqrt(third)
             quartic = _catastrophe.fold_quartic(c, s, *values)
-            for root in roots_on_the_line(quartic, lambda v: sign(arith, v), arith.exact, bits // 2):
-                mu0 = root.interval(arith)
+            for root in roots_on_the_line(quartic, bits // 2):
+                mu0 = root.interval()
                 s0, c0 = _catastrophe.fold_angles(c, s, mu0, *values)
-                yield from in_contact(arith, Angles(c, s, c0, s0), mu0, values)
+                yield from in_contact(Angles(c, s, c0, s0), mu0, values)
 
 
-def is_versal(arith: Arithmetic, point: Point) -> bool:
+def is_versal(point: Point) -> bool:
     """Whether (θ₀, μ₀) unfold f fully there: then the cusp is one in the sense of catastrophe theory.
 
     f‴ ≠ 0 on every cusp: of the four roots of f in t, whose product is −1, three are equal, and the other has the other sign.
     """
     theta0, mu0, *values = point.parameters
-    angles = Angles(*arith.cos_sin(point.theta), *arith.cos_sin(theta0))
+    angles = Angles(*balls.cos_sin(point.theta), *balls.cos_sin(theta0))
     (f_theta0, slope_theta0), (f_mu, slope_mu), *_ = _catastrophe.unfolding(*angles, mu0, *values)
-    return sign(arith, f_theta0 * slope_mu - f_mu * slope_theta0) != 0
+    return sign(f_theta0 * slope_mu - f_mu * slope_theta0) != 0

@@ -16,7 +16,6 @@ from ...generated import kernel as solver
 from ...generated import stability as _stability
 from ...models.parameters import FloatArray, Parameters
 from ...numerics.adaptive_bits import as_floats, with_enough_bits
-from ...numerics.intervals import Arithmetic, arithmetic
 from ...questions import NotInClosedForm, of_article
 from ...results.points import in_closed_form
 from ...results.result import Result
@@ -33,7 +32,6 @@ def flutter_onsets(
     *,
     damping: bool | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
-    arith: Arithmetic | None = None,
 ) -> Onsets:
     """The closed form of :func:`spragsym.flutter_onsets` without damping, along θ₀: proved complete.
 
@@ -49,12 +47,11 @@ def flutter_onsets(
     rows = []
     if mu0 > 0:
         elimination = Elimination(*map(Fraction, (mu0, *fixed)))
-        arith = arith or arithmetic()
 
         def attempt(bits: int) -> list[tuple[float, ...]]:
-            return [_row(arith, onset) for onset in onsets(arith, elimination, bits)]
+            return [_row(onset) for onset in onsets(elimination, bits)]
 
-        rows = sorted(with_enough_bits(arith, 20, attempt, "flutter_onsets"))
+        rows = sorted(with_enough_bits(20, attempt, "flutter_onsets"))
     columns = dict(
         zip(("theta0", *STATE, "branch", "count", "side", "error"), np.array(rows, dtype=float).reshape(-1, 9).T, strict=True)
     )
@@ -75,9 +72,9 @@ def _frequency(theta: FloatArray, L: FloatArray, alpha: float, sigma: float, bet
     return omega
 
 
-def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:
+def _row(onset: Onset) -> tuple[float, ...]:
     """Middles as floats, rank, number and side, and the largest error, the rounding to float included."""
-    values, error = as_floats(arith, (onset.theta0, onset.theta, onset.L, onset.x, onset.y))
+    values, error = as_floats((onset.theta0, onset.theta, onset.L, onset.x, onset.y))
     return (*values, onset.branch, onset.count, onset.side, error)
 
 

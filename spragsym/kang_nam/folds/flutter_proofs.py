@@ -21,12 +21,11 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ...generated import stability as _stability
-from ...numerics import polynomials
+from ...numerics import balls, polynomials
 from ...numerics.adaptive_bits import angle, decided, sign_or_zero
+from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.descartes import Root, real_roots
 from ...numerics.half_angle import in_t, on_circle
-from ...numerics.intervals import Arithmetic, Interval, sign
-from ...numerics.polynomials import Undecided
 from ..quartic import kernel
 
 #: Degrees in cos θ, sin θ of the resultant and of L = X/Y over one denominator; half of the degrees in v.
@@ -137,14 +136,14 @@ def direction(v: Any) -> tuple[Any, Any]:
     return -s, c
 
 
-def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[Onset]:
+def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
     """Every onset with 0 < θ₀ < π, in contact."""
-    values = tuple(map(arith.exact, elimination.values))
+    values = tuple(map(balls.exact, elimination.values))
     for root in elimination.roots(bits - 32):
-        spring = _Spring(root, arith.between(*root), *direction(arith.between(*root)))
-        lengths = _lengths(arith, elimination, spring, values)
+        spring = _Spring(root, balls.between(*root), *direction(balls.between(*root)))
+        lengths = _lengths(elimination, spring, values)
         for L in lengths:
-            yield from _at_length(arith, elimination, spring, L, values, alone=len(lengths) == 1)
+            yield from _at_length(elimination, spring, L, values, alone=len(lengths) == 1)
 
 
 class _Spring(NamedTuple):
@@ -156,23 +155,23 @@ class _Spring(NamedTuple):
     s: Interval
 
 
-def _lengths(arith: Arithmetic, elimination: Elimination, spring: _Spring, values: tuple[Interval, ...]) -> list[Interval]:
+def _lengths(elimination: Elimination, spring: _Spring, values: tuple[Interval, ...]) -> list[Interval]:
     """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
     root, _, c, s = spring
     X, Y = elimination.length(c, s, values)
-    if sign_or_zero(arith, Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
+    if sign_or_zero(Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
         L = X / Y
-        return [L] if decided(arith, L, "L = 0") > 0 else []
+        return [L] if decided(L, "L = 0") > 0 else []
     mu0, _, alpha, sigma, beta = values
     e0, e1, e2 = _stability.flutter_quadratic(c, s, mu0, alpha, sigma, beta)
     square = e1 * e1 - 4 * e0 * e2
-    if decided(arith, square, "a double spring length") < 0 or decided(arith, e1, "e1 = 0") > 0:
+    if decided(square, "a double spring length") < 0 or decided(e1, "e1 = 0") > 0:
         return []
-    return [(-e1 + way * arith.sqrt(square)) / (2 * e2) for way in (1, -1)]
+    return [(-e1 + way * balls.sqrt(square)) / (2 * e2) for way in (1, -1)]
 
 
 def _at_length(
-    arith: Arithmetic, elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], *, alone: bool
+    elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], *, alone: bool
 ) -> Iterator[Onset]:
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
 
@@ -190,7 +189,7 @@ def _at_length(
         return u1 * Y + w1 * X
 
     degree, stationary = elimination.degree_of_length, False
-    if sign_or_zero(arith, s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, degree + 1)) <= 0:
+    if sign_or_zero(s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, degree + 1)) <= 0:
         return
     if elimination.alpha:
         cosines = [(u2 + w2 * L) / alpha]
@@ -199,34 +198,34 @@ def _at_length(
         def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
             return Y * Y - sine(c, s, X, Y) ** 2
 
-        above = sign_or_zero(arith, 1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (degree + 1)))
-        width = arith.sqrt(1 - s0 * s0) if above > 0 else arith.exact(Fraction(0))
+        above = sign_or_zero(1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (degree + 1)))
+        width = balls.sqrt(1 - s0 * s0) if above > 0 else balls.exact(Fraction(0))
         cosines = {1: [width, -width], 0: [width], -1: []}[above]
         stationary = above == 0
     for c0 in cosines:
         L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
         # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root, where the boundary is touched.
         change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, alpha, sigma, beta)
-        touches = stationary or (alone and sign(arith, change) == 0 and elimination.multiplicity(root) % 2 == 0)
-        side = 0 if touches else -decided(arith, change, "the discriminant's slope")
+        touches = stationary or (alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0)
+        side = 0 if touches else -decided(change, "the discriminant's slope")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
-        branch, count = rank(arith, quartic, (1 + v) / (1 - v), s0 - kappa / sigma)
-        yield Onset(angle(arith, c0, s0), angle(arith, c, s), L, x, y, branch, count, side)
+        branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / sigma)
+        yield Onset(angle(c0, s0), angle(c, s), L, x, y, branch, count, side)
 
 
 # ------------------------------------------------------------------------------------------------------- rank
 
 
-def rank(arith: Arithmetic, quartic: tuple[Interval, ...], t: Interval, edge: Interval) -> tuple[int, int]:
+def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval) -> tuple[int, int]:
     """Place among the equilibria from below in θ of the root t of f's quartic, and their number; contact is sin θ > ``edge``."""
     rest = _deflated(quartic, t)
-    chain = polynomials.sturm_chain(rest, lambda value: sign(arith, value))
+    chain = polynomials.sturm_chain(rest)
     start, end = [part[0] for part in chain], [part[-1] for part in chain]
-    if sign(arith, edge) >= 0:
-        tangent = edge / (1 + arith.sqrt(1 - edge * edge))
+    if sign(edge) >= 0:
+        tangent = edge / (1 + balls.sqrt(1 - edge * edge))
         start = [polynomials.evaluate(part, tangent) for part in chain]
         end = [polynomials.evaluate(part[::-1], tangent) for part in chain]  # at 1/tangent, times a positive power
-    low, here, high = (_variations(arith, values) for values in (start, [polynomials.evaluate(part, t) for part in chain], end))
+    low, here, high = (_variations(values) for values in (start, [polynomials.evaluate(part, t) for part in chain], end))
     below, above = low - here, here - high
     if (below, above) not in ((0, 0), (2, 0), (0, 2)):
         raise Undecided(f"{below} equilibria below an onset and {above} above")
@@ -241,9 +240,9 @@ def _deflated(polynomial: tuple[Interval, ...], t: Interval) -> tuple[Interval, 
     return tuple(reversed(quotient))
 
 
-def _variations(arith: Arithmetic, values: list[Interval]) -> int:
+def _variations(values: list[Interval]) -> int:
     """Changes of sign along Sturm's chain. Between two of opposite sign there is one, whatever the sign of what stands there."""
-    signs = [sign(arith, value) for value in values]
+    signs = [sign(value) for value in values]
     for place, value in enumerate(signs):
         if value == 0 and (place in (0, len(signs) - 1) or signs[place - 1] * signs[place + 1] != -1):
             raise Undecided("a Sturm function holds 0")

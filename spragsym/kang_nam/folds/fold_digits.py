@@ -10,8 +10,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from ...models.parameters import NAMES
+from ...numerics import balls
+from ...numerics.balls import Interval
 from ...numerics.half_angle import on_circle
-from ...numerics.intervals import Arithmetic, Interval, arithmetic
 from ..quartic import kernel
 
 #: Bits of the evaluation: enough for a value that loses half of the digits of float64, twice over.
@@ -43,36 +44,35 @@ def sharpened(vary: str, given: Mapping[str, float], t: tuple[float, float], val
     directions is off by at most their width times the largest \\|f′/f_v\\| over all of them; where that is too much, one step of
     Newton's rule for f′ = 0, in intervals, narrows the directions first.
     """
-    arith = arithmetic()
-    with arith.precision(_BITS):
-        directions, values = (_around(arith, *one) for one in (t, value))
-        cos0, sin0 = arith.cos_sin(arith.exact(Fraction(given["theta0"])))
-        others = [arith.exact(Fraction(given[name] if name != vary else 0)) for name in NAMES[1:]]
+    with balls.precision(_BITS):
+        directions, values = (_around(*one) for one in (t, value))
+        cos0, sin0 = balls.cos_sin(balls.exact(Fraction(given["theta0"])))
+        others = [balls.exact(Fraction(given[name] if name != vary else 0)) for name in NAMES[1:]]
         without = kernel.f_coefficients(cos0, sin0, *others, 1)
         change = kernel.f_changes(cos0, sin0, *others)[NAMES.index(vary)]
         for _ in range(_STEPS):
-            middle = arith.middle(directions)
+            middle = balls.middle(directions)
             trig = [one + values * other for one, other in zip(without, change, strict=True)]
             c, s, scale = on_circle(directions)
             drift = kernel.f_slope(c, s, *trig) / kernel.f(c, s, *change) * (2 * (directions - middle))  # dθ ≤ 2 dt
             here = on_circle(middle)[:2]
-            values = _narrower(arith, values, drift - kernel.f(*here, *without) / kernel.f(*here, *change))
-            found, error = _as_float(*arith.ends(values))
+            values = _narrower(values, drift - kernel.f(*here, *without) / kernel.f(*here, *change))
+            found, error = _as_float(*balls.ends(values))
             if error <= 2.0**-52 * abs(found):
                 break
             trig = [one + values * other for one, other in zip(without, change, strict=True)]
             step = kernel.f_slope(*here, *trig) / kernel.f_curvature(c, s, *trig) * scale / 2
-            directions = _narrower(arith, directions, middle - step)
+            directions = _narrower(directions, middle - step)
     return found, error
 
 
-def _around(arith: Arithmetic, value: float, error: float) -> Interval:
-    return arith.between(Fraction(value) - Fraction(error), Fraction(value) + Fraction(error))
+def _around(value: float, error: float) -> Interval:
+    return balls.between(Fraction(value) - Fraction(error), Fraction(value) + Fraction(error))
 
 
-def _narrower(arith: Arithmetic, one: Interval, other: Interval) -> Interval:
+def _narrower(one: Interval, other: Interval) -> Interval:
     """That of two which says more; the number is in both."""
-    (low, high), (begin, end) = arith.ends(one), arith.ends(other)
+    (low, high), (begin, end) = balls.ends(one), balls.ends(other)
     return one if high - low <= end - begin else other
 
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from ...numerics import polynomials
 from ...numerics.adaptive_bits import angle, as_floats, decided, sign_or_zero
-from ...numerics.intervals import Arithmetic, Interval
+from ...numerics.balls import Interval
 from ..quartic import kernel
 
 
@@ -32,9 +32,9 @@ class Point:
     x: Interval
     y: Interval
 
-    def row(self, arith: Arithmetic) -> tuple[float, ...]:
+    def row(self) -> tuple[float, ...]:
         """Middles as floats, and the largest error, the rounding to float included."""
-        values, error = as_floats(arith, (*self.parameters, self.theta, self.L, self.x, self.y))
+        values, error = as_floats((*self.parameters, self.theta, self.L, self.x, self.y))
         return (*values, error)
 
 
@@ -46,9 +46,7 @@ class SineRoot:
     low: Fraction
     high: Fraction
 
-    def sign_of(
-        self, arith: Arithmetic, value: Interval, numerator: Callable[[Fraction], Fraction], degree: int, what: str
-    ) -> int:
+    def sign_of(self, value: Interval, numerator: Callable[[Fraction], Fraction], degree: int, what: str) -> int:
         """The sign of an interval; 0 where what it encloses, a function of sin θ known by its numerator, is 0 exactly."""
 
         def vanishes() -> bool:
@@ -57,15 +55,15 @@ class SineRoot:
             other = polynomials.interpolate(numerator, degree, Fraction)
             return polynomials.has_root(polynomials.common_divisor(self.polynomial, other), self.low, self.high)
 
-        return sign_or_zero(arith, value, what, vanishes)
+        return sign_or_zero(value, what, vanishes)
 
 
-def in_contact(arith: Arithmetic, angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> Iterator[Point]:
+def in_contact(angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> Iterator[Point]:
     """The point at κ, α, σ, β with its state, if it is in contact with L > 0."""
     kappa, _, sigma, beta = values
     L, x, y = kernel.state(*angles, kappa, sigma, beta, 1)
-    if decided(arith, L, "L = 0") > 0 and decided(arith, y, "y = 0") < 0:
-        yield Point((angle(arith, angles.c0, angles.s0), mu0, *values), angle(arith, angles.c, angles.s), L, x, y)
+    if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
+        yield Point((angle(angles.c0, angles.s0), mu0, *values), angle(angles.c, angles.s), L, x, y)
 
 
 def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:

@@ -14,7 +14,7 @@ from functools import cache, partial
 from typing import Any, NamedTuple
 
 from ...generated import catastrophe as _catastrophe
-from ...numerics import descartes, polynomials
+from ...numerics import balls, polynomials
 from ...numerics.descartes import Root, real_roots
 from ...numerics.half_angle import of_sine_in_t, on_circle
 from ...numerics.polynomials import Polynomial
@@ -62,15 +62,15 @@ def _stretch(low: Fraction, high: Fraction, exact: Fixed) -> Stretch:
     number = _positive_roots(condition, None if exact.alpha else Fraction(1))
     at_zero, at_end = condition[0], condition[-1] if exact.alpha else sum(condition)
     begin, middle, end = (2 * math.atan(t) for t in (low, inside, high))
-    return Stretch(begin, end, middle, number, descartes.sign(at_zero), descartes.sign(at_end))
+    return Stretch(begin, end, middle, number, balls.sign(at_zero), balls.sign(at_end))
 
 
 def _positive_roots(condition: Polynomial, limit: Fraction | None) -> int:
     """How many roots a polynomial without multiple ones has in (0, limit], or above 0."""
     if limit is None:  # Cauchy's bound
         limit = 1 + max(map(abs, condition)) / Fraction(abs(condition[-1]))
-    chain = polynomials.sturm_chain(condition, polynomials.exact_sign)
-    return polynomials.count_between(chain, Fraction(0), limit, polynomials.exact_sign)
+    chain = polynomials.sturm_chain(condition)
+    return polynomials.count_between(chain, Fraction(0), limit)
 
 
 def _events(exact: Fixed) -> list[Root]:

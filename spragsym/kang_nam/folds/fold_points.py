@@ -13,9 +13,9 @@ import numpy as np
 
 from ...errors import ParameterError
 from ...models.parameters import NAMES, RANGES, Parameters
+from ...numerics import balls
 from ...numerics.adaptive_bits import as_floats, decided, with_enough_bits
-from ...numerics.intervals import Arithmetic, arithmetic
-from ...numerics.polynomials import Undecided
+from ...numerics.balls import Undecided
 from ...questions import NotInClosedForm
 from ...results.points import Ended, Points, in_closed_form
 from . import fold_proofs
@@ -47,7 +47,6 @@ def folds(
     vary: str | None = None,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
-    arith: Arithmetic | None = None,
 ) -> Points:
     """The closed form of :func:`spragsym.folds`: proved complete, to 1e-12 and better.
 
@@ -62,7 +61,7 @@ def folds(
     vary = vary or "theta0"
     if vary not in NAMES:
         raise NotInClosedForm
-    found = turns(p, vary, arith=arith)
+    found = turns(p, vary)
     columns: Any = np.array([turn.values for turn in found], dtype=float).reshape(-1, 11).T.copy()
     after: Any = np.array([turn.after for turn in found], dtype=float).reshape(-1, 4).T.copy()
     kind, ends, when = np.array([(turn.kind, *_words(turn)) for turn in found], dtype=np.str_).reshape(-1, 3).T.copy()
@@ -88,38 +87,37 @@ def _words(turn: Turn) -> tuple[str, str]:
     return "upper" if turn.upper else "lower", "up" if turn.side < 0 else "down"
 
 
-def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: Arithmetic | None = None) -> list[Turn]:
+def turns(p: Parameters, vary: str, *, negative_friction: bool = False) -> list[Turn]:
     """The rows of :func:`folds` along one parameter, sorted by it; along ``mu0`` those of a belt that runs back, too."""
     if vary not in NAMES:
         raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
     fixed = [name for name in NAMES if name != vary]
     exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
-    chosen = arith or arithmetic()
     allowed, place = RANGES[vary], NAMES.index(vary)
 
     def attempt(bits: int) -> list[Turn]:
         found = []
-        for fold in fold_proofs.folds(chosen, vary, exact, bits):
+        for fold in fold_proofs.folds(vary, exact, bits):
             value = fold.point.parameters[place]
-            wanted = decided(chosen, value, f"{vary} = 0 on a fold") > 0 or (negative_friction and vary == "mu0")
-            turn = _turn(chosen, fold, place) if wanted else None
+            wanted = decided(value, f"{vary} = 0 on a fold") > 0 or (negative_friction and vary == "mu0")
+            turn = _turn(fold, place) if wanted else None
             if turn and turn.values[place] < allowed.high:
-                found.append((chosen.ends(value), turn))
+                found.append((balls.ends(value), turn))
         found.sort(key=lambda one: one[0][0])
         # No two folds share a value: f has at most three positive roots, too few for two double roots.
         if any(one[0][1] >= two[0][0] for one, two in itertools.pairwise(found)):
             raise Undecided("the order of two folds")
         return [turn for _, turn in found]
 
-    return with_enough_bits(chosen, 20, attempt, "folds")
+    return with_enough_bits(20, attempt, "folds")
 
 
-def _turn(arith: Arithmetic, fold: fold_proofs.Fold, place: int) -> Turn:
-    values, after = fold.point.row(arith), [math.nan] * 4
+def _turn(fold: fold_proofs.Fold, place: int) -> Turn:
+    values, after = fold.point.row(), [math.nan] * 4
     if fold.after:
-        after, error = as_floats(arith, fold.after)
+        after, error = as_floats(fold.after)
         values = (*values[:-1], max(values[-1], error))
-    low, high = arith.ends(fold.point.parameters[place])
+    low, high = balls.ends(fold.point.parameters[place])
     if high - low > abs(low) / 10**25:
         raise Undecided("a fold to 25 digits")
     return Turn(values, fold.kind, fold.side, fold.upper, tuple(after))

@@ -15,12 +15,11 @@ from typing import Any
 from ...errors import ConvergenceError
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import NAMES
-from ...numerics import polynomials
+from ...numerics import balls, polynomials
 from ...numerics.adaptive_bits import angle, decided, sign_or_zero
+from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.half_angle import in_t, on_circle
-from ...numerics.intervals import Arithmetic, Interval, sign
 from ...numerics.line_roots import Root, roots_on_the_line
-from ...numerics.polynomials import Undecided
 from ..quartic import kernel
 from .fold_enclosures import Angles, Point, in_contact, landing
 
@@ -55,49 +54,47 @@ class _Direction:
     polynomial: polynomials.Polynomial = ()
     root: Root | None = None  #: of the polynomial, which is exact
 
-    def sign_of(self, arith: Arithmetic, value: Interval, exactly: Callable[[Any, Any], Any], what: str) -> int:
+    def sign_of(self, value: Interval, exactly: Callable[[Any, Any], Any], what: str) -> int:
         """The sign of an interval, and 0 where a function of cos θ and sin θ, of the degree of those eliminated, vanishes."""
 
         def vanishes() -> bool:
             other = polynomials.interpolate(in_t(exactly, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction)
             return self.root is not None and self.root.is_of(polynomials.common_divisor(self.polynomial, other))
 
-        return sign_or_zero(arith, value, what, vanishes)
+        return sign_or_zero(value, what, vanishes)
 
 
-def folds(arith: Arithmetic, vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
+def folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     """Every fold in contact with L > 0 along one parameter, the others given exactly; 0 < θ, θ₀ < π, where contact is."""
     if vary == "theta0":
-        yield from _folds_in_theta0(arith, exact, bits)
+        yield from _folds_in_theta0(exact, bits)
         return
-    fixed = {name: arith.exact(exact[name]) for name in NAMES if name != vary}
-    c0, s0 = arith.cos_sin(fixed.pop("theta0"))
+    fixed = {name: balls.exact(exact[name]) for name in NAMES if name != vary}
+    c0, s0 = balls.cos_sin(fixed.pop("theta0"))
     others = [fixed[name] for name in NAMES[1:] if name != vary]
-    for direction in _directions(arith, vary, exact, (c0, s0, *others), bits):
+    for direction in _directions(vary, exact, (c0, s0, *others), bits):
         c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, c0, s0)
         u1, w1, u2, w2 = _lines(vary, angles, others)
-        value = -u1 / w1 if sign(arith, w1) else -u2 / w2
+        value = -u1 / w1 if sign(w1) else -u2 / w2
         found = {**fixed, vary: value}
-        for point in in_contact(arith, angles, found["mu0"], tuple(found[name] for name in NAMES[2:])):
-            exactly = replace(point, parameters=(arith.exact(exact["theta0"]), *point.parameters[1:]))
-            yield _classified(arith, vary, exactly, angles, direction)
+        for point in in_contact(angles, found["mu0"], tuple(found[name] for name in NAMES[2:])):
+            exactly = replace(point, parameters=(balls.exact(exact["theta0"]), *point.parameters[1:]))
+            yield _classified(vary, exactly, angles, direction)
 
 
-def _directions(
-    arith: Arithmetic, vary: str, exact: dict[str, Fraction], values: tuple[Interval, ...], bits: int
-) -> list[_Direction]:
+def _directions(vary: str, exact: dict[str, Fraction], values: tuple[Interval, ...], bits: int) -> list[_Direction]:
     """All folds along a parameter other than θ₀, by their directions."""
     c0, s0, *others = values
     try:
         polynomial = _eliminated(vary, c0, s0, others)
-        roots = roots_on_the_line(polynomial, lambda v: sign(arith, v), arith.exact, bits // 2, positive=True)
-        return [_Direction(root.interval(arith)) for root in roots]
+        roots = roots_on_the_line(polynomial, bits // 2, positive=True)
+        return [_Direction(root.interval()) for root in roots]
     except Undecided:
         common = _independent_of_theta0(vary, exact)
         if common is None:
             raise
-        return _with_multiplicity(arith, common, _curvature(vary, exact), bits) if common else []
+        return _with_multiplicity(common, _curvature(vary, exact), bits) if common else []
 
 
 def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence[Any], Sequence[Any]]:
@@ -161,7 +158,7 @@ def _lines_meet(vary: str, others: list[Fraction]) -> bool:
         return polynomials.interpolate(in_t(lambda c, s: _lines(vary, (c, s, c0, s0), others)[place], _HALF), _DEGREE, Fraction)
 
     common = polynomials.squarefree(polynomials.common_divisor(slope(1), slope(3)))
-    return not common or bool(roots_on_the_line(common, polynomials.exact_sign, Fraction, 64, positive=True))
+    return not common or bool(roots_on_the_line(common, 64, positive=True))
 
 
 def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polynomial]:
@@ -174,23 +171,23 @@ def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polyno
 
 
 def _with_multiplicity(
-    arith: Arithmetic, polynomial: polynomials.Polynomial, curvature: list[polynomials.Polynomial], bits: int
+    polynomial: polynomials.Polynomial, curvature: list[polynomials.Polynomial], bits: int
 ) -> list[_Direction]:
     """The positive roots of an exact polynomial, each with its multiplicity."""
     repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
     again = polynomials.common_divisor(repeated, polynomials.derivative(repeated))
     found = []
     simple = polynomials.without(polynomial, repeated)
-    for root in roots_on_the_line(simple, polynomials.exact_sign, Fraction, bits - 32, positive=True):
+    for root in roots_on_the_line(simple, bits - 32, positive=True):
         multiplicity, flat = 1, False
         if root.is_of(repeated):
             multiplicity = 3 if root.is_of(again) else 2
             flat = all(root.is_of(polynomials.common_divisor(repeated, one)) for one in curvature)
-        found.append(_Direction(root.interval(arith), multiplicity, flat, polynomial, root))
+        found.append(_Direction(root.interval(), multiplicity, flat, polynomial, root))
     return found
 
 
-def _classified(arith: Arithmetic, vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
+def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
     """The kind of a fold, from signs of the derivatives of f by θ and by the parameter λ that varies.
 
     The multiplicity of its root is the number of times that f = 0 and f′ = 0 meet there. Once: then f_λ f″ ≠ 0, a fold.
@@ -203,24 +200,22 @@ def _classified(arith: Arithmetic, vary: str, point: Point, angles: Angles, dire
         return Fold(point, "cusp", 0, False)
     slope, cross = _catastrophe.unfolding(*angles, *point.parameters[1:])[NAMES.index(vary)]
     if direction.flat:
-        third = decided(arith, kernel.f_third(angles.c, angles.s, *trig), "f‴ on a pitchfork")
-        return Fold(point, "pitchfork", -third * decided(arith, cross, "f′ by the parameter on a pitchfork"), False)
-    curvature = decided(arith, kernel.f_curvature(angles.c, angles.s, *trig), "f″ on a fold")
+        third = decided(kernel.f_third(angles.c, angles.s, *trig), "f‴ on a pitchfork")
+        return Fold(point, "pitchfork", -third * decided(cross, "f′ by the parameter on a pitchfork"), False)
+    curvature = decided(kernel.f_curvature(angles.c, angles.s, *trig), "f″ on a fold")
     if direction.multiplicity > 1:
         return Fold(point, "touch", 0, curvature > 0)
-    side = -curvature * decided(arith, slope, "f by the parameter on a fold")
-    return Fold(point, "fold", side, curvature > 0, _after(arith, point, angles, direction, trig))
+    side = -curvature * decided(slope, "f by the parameter on a fold")
+    return Fold(point, "fold", side, curvature > 0, _after(point, angles, direction, trig))
 
 
-def _after(
-    arith: Arithmetic, point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]
-) -> tuple[Interval, ...]:
-    c, s, _ = on_circle(landing(direction.t, trig, arith.sqrt))
+def _after(point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]) -> tuple[Interval, ...]:
+    c, s, _ = on_circle(landing(direction.t, trig, balls.sqrt))
     kappa, _, sigma, beta = point.parameters[2:]
-    return (angle(arith, c, s), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
+    return (angle(c, s), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
 
 
-def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
+def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the second relation."""
     given = tuple(exact[name] for name in ("mu0", "kappa", "alpha", "sigma", "beta"))
     mu0, kappa, alpha, sigma, beta = given
@@ -239,11 +234,11 @@ def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -
     polynomial = polynomials.primitive(polynomials.interpolate(in_t(eliminated, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction))
     if not polynomial and (mu0 or alpha != 1 + beta):  # for μ₀ = 0 and α = 1 + β tan θ is a number: there is no fold
         raise ConvergenceError("folds along theta0 are not isolated at these parameters: change one of them a little")
-    values = tuple(map(arith.exact, given))
-    for direction in _with_multiplicity(arith, polynomial, _curvature("theta0", exact), bits):
+    values = tuple(map(balls.exact, given))
+    for direction in _with_multiplicity(polynomial, _curvature("theta0", exact), bits):
         c, s, _ = on_circle(direction.t)
         s0 = sine(c, s, values)
-        if direction.sign_of(arith, s0, lambda c, s: sine(c, s, given), "sin θ₀ = 0 on a fold") <= 0:
+        if direction.sign_of(s0, lambda c, s: sine(c, s, given), "sin θ₀ = 0 on a fold") <= 0:
             continue
         if alpha:
             cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
@@ -252,9 +247,9 @@ def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -
             # μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For μ₀ = 0 f = σ c (B s − B − κ)
             # is 0 at c = 0 only, where f′ = σ κ.
             gap = 1 - s0 * s0
-            inside = direction.sign_of(arith, gap, lambda c, s: 1 - sine(c, s, given), "sin θ₀ = 1 on a fold") > 0
-            cosines = [arith.sqrt(gap), -arith.sqrt(gap)] if inside else []
+            inside = direction.sign_of(gap, lambda c, s: 1 - sine(c, s, given), "sin θ₀ = 1 on a fold") > 0
+            cosines = [balls.sqrt(gap), -balls.sqrt(gap)] if inside else []
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)
-            for point in in_contact(arith, angles, values[0], values[1:]):
-                yield _classified(arith, "theta0", point, angles, direction)
+            for point in in_contact(angles, values[0], values[1:]):
+                yield _classified("theta0", point, angles, direction)

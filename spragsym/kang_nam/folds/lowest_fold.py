@@ -9,8 +9,9 @@ from fractions import Fraction
 import numpy as np
 
 from ...models.parameters import Parameters
+from ...numerics import balls
 from ...numerics.adaptive_bits import as_floats, decided, with_enough_bits
-from ...numerics.intervals import Arithmetic, Interval, arithmetic
+from ...numerics.balls import Interval
 from ...questions import NotInClosedForm
 from ...results.lowest_ends import LowestEnd
 from . import cusp_proofs, turning_proofs
@@ -46,38 +47,37 @@ def critical_friction(p: Parameters, vary: str | None = None, over: str | None =
 
 def _lowest(*values: float) -> tuple[float, float, str, float]:
     """Friction, angle, kind and error of one point."""
-    arith = arithmetic()
     exact = tuple(map(Fraction, values))
 
     def attempt(bits: int) -> tuple[float, float, str, float]:
         least: tuple[Fraction, Point, str] | None = None
-        for point, kind in _candidates(arith, exact, bits):
-            above = arith.ends(point.parameters[1])[1]
+        for point, kind in _candidates(exact, bits):
+            above = balls.ends(point.parameters[1])[1]
             if least is None or above < least[0] - abs(least[0]) / 10**25:
                 least = above, point, kind
         if least is None:
             return math.inf, math.nan, "", 0.0
-        (mu0, theta0), error = as_floats(arith, (least[1].parameters[1], least[1].parameters[0]))
+        (mu0, theta0), error = as_floats((least[1].parameters[1], least[1].parameters[0]))
         return mu0, theta0, least[2], error
 
-    return with_enough_bits(arith, 40, attempt, "the lowest fold")
+    return with_enough_bits(40, attempt, "the lowest fold")
 
 
-def _candidates(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[Point, str]]:
-    for point in cusp_proofs.cusps(arith, exact, bits):
-        if _leans_forward(arith, point.parameters[0]) and not _negative(arith, point.parameters[1]):
+def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[Point, str]]:
+    for point in cusp_proofs.cusps(exact, bits):
+        if _leans_forward(point.parameters[0]) and not _negative(point.parameters[1]):
             yield point, "cusp"
-    yield from ((point, "turn") for point in turning_proofs.turning_points(arith, exact, bits))
-    yield from ((point, "end") for point in turning_proofs.level_folds(arith, exact, bits))
+    yield from ((point, "turn") for point in turning_proofs.turning_points(exact, bits))
+    yield from ((point, "end") for point in turning_proofs.level_folds(exact, bits))
 
 
-def _leans_forward(arith: Arithmetic, theta0: Interval) -> bool:
+def _leans_forward(theta0: Interval) -> bool:
     """Whether 0 < θ₀ < π/2, of an angle in (−π, π]; exactly 0 and π are known as such."""
-    if not any(arith.ends(theta0)) or decided(arith, theta0, "θ₀ = 0 on a cusp") < 0:
+    if not any(balls.ends(theta0)) or decided(theta0, "θ₀ = 0 on a cusp") < 0:
         return False
-    return decided(arith, arith.pi() - 2 * theta0, "θ₀ = π/2 on a cusp") > 0
+    return decided(balls.pi() - 2 * theta0, "θ₀ = π/2 on a cusp") > 0
 
 
-def _negative(arith: Arithmetic, mu0: Interval) -> bool:
+def _negative(mu0: Interval) -> bool:
     """Whether the friction of a cusp is negative; 0, that of an upright one with α = 0, is known exactly."""
-    return any(arith.ends(mu0)) and decided(arith, mu0, "μ₀ = 0 on a cusp") < 0
+    return any(balls.ends(mu0)) and decided(mu0, "μ₀ = 0 on a cusp") < 0

@@ -21,7 +21,7 @@ from ...design.jump_ends import Ends
 from ...design.values import FIRST_ANGLE, FROM_LOWER_END
 from ...errors import ConvergenceError, ParameterError
 from ...models.parameters import NAMES, RANGES, FloatArray, Parameters
-from ...numerics.polynomials import Undecided
+from ...numerics.balls import Undecided
 from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Stability
 from ..folds import fold_arrays

@@ -15,10 +15,11 @@ from typing import Any
 import mpmath
 
 from ...errors import ConvergenceError
+from ...numerics import balls
 from ...numerics.adaptive_bits import as_numbers
+from ...numerics.balls import Interval, Undecided, as_mpf
 from ...numerics.half_angle import on_circle
-from ...numerics.intervals import Arithmetic, Interval, arithmetic, as_mpf
-from ...numerics.polynomials import Undecided, evaluate
+from ...numerics.polynomials import evaluate
 from . import kernel
 
 #: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it: where one is far below the
@@ -53,21 +54,19 @@ class Settled:
 
 def equilibria(
     theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, *, contact: bool = True, digits: int = 17,
-    arith: Arithmetic | None = None,
 ) -> Settled:  # fmt: skip
     """All equilibria of one point, to ``digits`` digits.
 
     Parameters are anything that :class:`fractions.Fraction` takes exactly: float, int, str, Fraction; ``theta0`` may be a
     function of the arithmetic that returns an interval.
     """
-    arith = arith or arithmetic()
     rational = [Fraction(value) for value in (mu0, kappa, alpha, sigma, beta)]
     spread = _spread(theta0, rational)
     bits, most = max(FIRST_BITS, ROOM + spread, int(3.4 * digits) + 64), MAXIMUM_BITS + BITS_A_SPREAD * spread
     while True:
-        with arith.precision(bits):
+        with balls.precision(bits):
             try:
-                return _settle(arith, theta0, rational, contact, digits, bits, bits >= most)
+                return _settle(theta0, rational, contact, digits, bits, bits >= most)
             except Undecided as reason:
                 if bits >= most:
                     raise ConvergenceError(
@@ -84,22 +83,20 @@ def _spread(theta0: Any, rational: list[Fraction]) -> int:
     return max(powers) - min(powers)
 
 
-def _settle(
-    arith: Arithmetic, theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool
-) -> Settled:
-    angle = theta0(arith) if callable(theta0) else arith.exact(Fraction(theta0))
-    values = (*arith.cos_sin(angle), *map(arith.exact, rational), int(contact))
+def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool) -> Settled:
+    angle = theta0() if callable(theta0) else balls.exact(Fraction(theta0))
+    values = (*balls.cos_sin(angle), *map(balls.exact, rational), int(contact))
     trig = kernel.f_coefficients(*values)
     P, Q = kernel.depressed(*kernel.resolvent(*trig))
-    discriminant = arith.sign(P * P * P + Q * Q)
+    discriminant = balls.sign(P * P * P + Q * Q)
     fold = discriminant == 0
     if fold and not last:
         raise Undecided("the discriminant holds 0")
-    roots = _fold_roots(arith, trig, bits) if fold else _enclosed_roots(arith, trig, bits, all_real=discriminant < 0)
+    roots = _fold_roots(trig, bits) if fold else _enclosed_roots(trig, bits, all_real=discriminant < 0)
     # With rational parameters equality is exact where θ₀ drops out: off the belt without other springs L = 1 ± κ/σ at θ = ±90°.
     mu0, kappa, alpha, sigma, beta = rational
     shrunk = not contact and alpha == beta == 0 and kappa == sigma
-    states = [state for root in roots for state in _state(arith, root, trig, values, digits, fold, shrunk)]
+    states = [state for root in roots for state in _state(root, trig, values, digits, fold, shrunk)]
     if contact and len(states) % 2 == 0:
         raise Undecided("an even number of equilibria in contact")
     return Settled(tuple(sorted(states, key=lambda state: state.theta)), fold, bits)
@@ -108,95 +105,95 @@ def _settle(
 # ------------------------------------------------------------------------------------------------------- roots
 
 
-def _split(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> tuple[Interval, ...]:
+def _split(trig: tuple[Interval, ...], bits: int) -> tuple[Interval, ...]:
     """p1, q1, p2, q2 of the two real quadratic factors of the quartic in t, about: as ``factors`` of the generated kernel."""
-    a, b, d, m = map(arith.middle, trig)
+    a, b, d, m = map(balls.middle, trig)
     r0, r1, r2 = kernel.resolvent(a, b, d, m)
-    P, Q = map(arith.middle, kernel.depressed(r0, r1, r2))
-    negative = arith.sign(Q) < 0
-    z = _farthest_root(arith, P, -Q if negative else Q, bits)
-    y = arith.middle(4 / b * ((z if negative else -z) - r2 / 3))
+    P, Q = map(balls.middle, kernel.depressed(r0, r1, r2))
+    negative = balls.sign(Q) < 0
+    z = _farthest_root(P, -Q if negative else Q, bits)
+    y = balls.middle(4 / b * ((z if negative else -z) - r2 / 3))
     _, e1, _, e3, e4 = kernel.t_quartic(a, b, d, m)
     A1, A3 = e1 / e4, e3 / e4
-    width = arith.sqrt(y * y + 4)
-    rising = arith.sign(y) > 0
+    width = balls.sqrt(y * y + 4)
+    rising = balls.sign(y) > 0
     large = (width + y if rising else width - y) / 2
     q1, q2 = (-1 / large, large) if rising else (-large, 1 / large)
-    p1, q1, p2, q2 = map(arith.middle, ((A1 - A3 * q1) / width, q1, (A3 * q2 - A1) / width, q2))
+    p1, q1, p2, q2 = map(balls.middle, ((A1 - A3 * q1) / width, q1, (A3 * q2 - A1) / width, q2))
     return p1, q1, p2, q2
 
 
-def _farthest_root(arith: Arithmetic, P: Interval, Q: Interval, bits: int) -> Interval:
+def _farthest_root(P: Interval, Q: Interval, bits: int) -> Interval:
     """The largest root of z³ + 3 P z = 2 Q, Q ≥ 0, about: the one farthest from the mean of the three, which is 0.
 
     Newton's method falls to it from above, where the cubic bends upward; once a step is small, the next error is its square.
     """
-    if arith.sign(Q) == 0 and arith.sign(P) >= 0:
+    if balls.sign(Q) == 0 and balls.sign(P) >= 0:
         return Q
-    z = arith.exact(Fraction(2) ** _power_above(arith, P, Q))
+    z = balls.exact(Fraction(2) ** _power_above(P, Q))
     while True:
         square = z * z
-        step = arith.middle((z * (square + 3 * P) - 2 * Q) / (3 * (square + P)))
-        z = arith.middle(z - step)
-        if not arith.sign(step) or arith.power(step) < arith.power(z) - bits // 2:
+        step = balls.middle((z * (square + 3 * P) - 2 * Q) / (3 * (square + P)))
+        z = balls.middle(z - step)
+        if not balls.sign(step) or balls.power(step) < balls.power(z) - bits // 2:
             return z
 
 
-def _power_above(arith: Arithmetic, P: Interval, Q: Interval) -> int:
+def _power_above(P: Interval, Q: Interval) -> int:
     """n with 2ⁿ above the largest root of z³ + 3 P z = 2 Q, not by much: where P > 0, below both (2 Q)^(1/3) and 2 Q/(3 P)."""
-    p, q = arith.power(P), arith.power(Q)
-    if not arith.sign(Q):
+    p, q = balls.power(P), balls.power(Q)
+    if not balls.sign(Q):
         return 1 + (p + 1) // 2
-    if not arith.sign(P):
+    if not balls.sign(P):
         return (q + 3) // 3
-    if arith.sign(P) < 0:
+    if balls.sign(P) < 0:
         return 1 + max((p + 1) // 2, (q + 2) // 3)
     return min((q + 3) // 3, q - p + 1)
 
 
-def _real_parts(arith: Arithmetic, p: Interval, q: Interval) -> tuple[Interval, Interval, Interval]:
+def _real_parts(p: Interval, q: Interval) -> tuple[Interval, Interval, Interval]:
     """Real parts of the roots of t² + p t + q, and half of their distance; q is never 0."""
-    half = arith.middle(p / 2)
-    square = arith.middle(half * half - q)
-    if arith.sign(square) <= 0:
-        return -half, -half, arith.sqrt(-square)
-    root = arith.sqrt(square)
-    large = arith.middle(-(half + root) if arith.sign(half) > 0 else root - half)
-    return large, arith.middle(q / large), root
+    half = balls.middle(p / 2)
+    square = balls.middle(half * half - q)
+    if balls.sign(square) <= 0:
+        return -half, -half, balls.sqrt(-square)
+    root = balls.sqrt(square)
+    large = balls.middle(-(half + root) if balls.sign(half) > 0 else root - half)
+    return large, balls.middle(q / large), root
 
 
-def _enclosed_roots(arith: Arithmetic, trig: tuple[Interval, ...], bits: int, *, all_real: bool) -> list[Interval]:
+def _enclosed_roots(trig: tuple[Interval, ...], bits: int, *, all_real: bool) -> list[Interval]:
     """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots, four or two, so one in each."""
-    p1, q1, p2, q2 = _split(arith, trig, bits)
+    p1, q1, p2, q2 = _split(trig, bits)
     factors = ((p1, q1), (p2, q2)) if all_real else ((p1, q1),)
     quartic = kernel.t_quartic(*trig)
-    found = [_enclose(arith, quartic, root, bits) for p, q in factors for root in _real_parts(arith, p, q)[:2]]
+    found = [_enclose(quartic, root, bits) for p, q in factors for root in _real_parts(p, q)[:2]]
     for (low, high), (other_low, other_high) in itertools.combinations(found, 2):
-        if arith.sign(low - other_high) <= 0 and arith.sign(other_low - high) <= 0:
+        if balls.sign(low - other_high) <= 0 and balls.sign(other_low - high) <= 0:
             raise Undecided("two roots share an interval")
-    return [arith.union(*ends) for ends in found]
+    return [balls.union(*ends) for ends in found]
 
 
-def _enclose(arith: Arithmetic, quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[Interval, Interval]:
+def _enclose(quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[Interval, Interval]:
     """Numbers below and above ``root`` at which the quartic has opposite signs."""
-    size = -root if arith.sign(root) < 0 else root
+    size = -root if balls.sign(root) < 0 else root
     for lost in range(16, bits, 16):
-        width = size * arith.exact(Fraction(1, 1 << bits - lost))
-        low, high = arith.middle(root - width), arith.middle(root + width)
-        if arith.sign(evaluate(quartic, low)) * arith.sign(evaluate(quartic, high)) < 0:
+        width = size * balls.exact(Fraction(1, 1 << bits - lost))
+        low, high = balls.middle(root - width), balls.middle(root + width)
+        if balls.sign(evaluate(quartic, low)) * balls.sign(evaluate(quartic, high)) < 0:
             return low, high
     raise Undecided("no change of sign around a root")
 
 
-def _fold_roots(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> list[Interval]:
+def _fold_roots(trig: tuple[Interval, ...], bits: int) -> list[Interval]:
     """Roots at a fold: the two that can't be told apart, those of the second factor, share one interval, twice."""
-    p1, q1, p2, q2 = _split(arith, trig, bits)
-    one, other, distance = _real_parts(arith, p2, q2)
-    middle = arith.middle((one + other) / 2)
-    width = 2 * distance + (-middle if arith.sign(middle) < 0 else middle) * arith.exact(Fraction(1, 1 << bits // 2))
-    double = arith.union(middle - width, middle + width)
+    p1, q1, p2, q2 = _split(trig, bits)
+    one, other, distance = _real_parts(p2, q2)
+    middle = balls.middle((one + other) / 2)
+    width = 2 * distance + (-middle if balls.sign(middle) < 0 else middle) * balls.exact(Fraction(1, 1 << bits // 2))
+    double = balls.union(middle - width, middle + width)
     quartic = kernel.t_quartic(*trig)
-    simple = [arith.union(*_enclose(arith, quartic, root, bits)) for root in _real_parts(arith, p1, q1)[:2]]
+    simple = [balls.union(*_enclose(quartic, root, bits)) for root in _real_parts(p1, q1)[:2]]
     return [double, double, *simple]
 
 
@@ -204,29 +201,27 @@ def _fold_roots(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> lis
 
 
 def _state(
-    arith: Arithmetic, t: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], digits: int, fold: bool,
+    t: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], digits: int, fold: bool,
     shrunk: bool,
 ) -> list[State]:  # fmt: skip
     """The equilibrium at t, none if the root is not one; nor is it where the spring has the length 0, ``shrunk``."""
     cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
     c, s, _ = on_circle(t)
     state = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
-    sides = arith.sign(state[0]), arith.sign(state[2]) * (-1 if nbar else 1)
+    sides = balls.sign(state[0]), balls.sign(state[2]) * (-1 if nbar else 1)
     if -1 in sides or (shrunk and not sides[0]):
         return []
     if 0 in sides:
         raise Undecided("L or y holds 0")
-    (theta, L, x, y), error, _ = as_numbers(arith, (2 * arith.atan(t), *state), None if fold else digits)
-    return [State(theta, L, x, y, _stability(arith, c, s, state[0], trig, values, fold), as_mpf(error))]
+    (theta, L, x, y), error, _ = as_numbers((2 * balls.atan(t), *state), None if fold else digits)
+    return [State(theta, L, x, y, _stability(c, s, state[0], trig, values, fold), as_mpf(error))]
 
 
-def _stability(
-    arith: Arithmetic, c: Interval, s: Interval, L: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], fold: bool
-) -> int:
+def _stability(c: Interval, s: Interval, L: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], fold: bool) -> int:
     _, _, mu0, _, alpha, sigma, beta, nbar = values
     (K11, K12), (K21, K22) = kernel.stiffness(c, s, L, mu0, alpha, sigma, beta, nbar)
-    trace, _, flutter = (arith.sign(value) for value in kernel.invariants(K11, K12, K21, K22))
-    slope = arith.sign(kernel.f_slope(c, s, *trig))
+    trace, _, flutter = (balls.sign(value) for value in kernel.invariants(K11, K12, K21, K22))
+    slope = balls.sign(kernel.f_slope(c, s, *trig))
     if flutter < 0:
         return 3
     if flutter == 0 or (slope == 0 and not fold) or (slope >= 0 and trace == 0):

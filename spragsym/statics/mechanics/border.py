@@ -14,12 +14,11 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ...numerics.balls import Ball, Undecided
 from ...numerics.boxes import System
 from ...numerics.certified_roots import Roots
 from ...numerics.interval_arrays import FloatArray, Intervals
-from ...numerics.intervals import Ball
 from ...numerics.krawczyk import as_intervals, narrowed
-from ...numerics.polynomials import Undecided
 from .precise_balance import ROOT_BITS
 
 

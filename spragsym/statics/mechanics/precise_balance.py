@@ -12,14 +12,13 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...numerics import contractors
+from ...numerics import balls, contractors
 from ...numerics.ball_functions import XP
+from ...numerics.balls import Undecided, ball
 from ...numerics.boxes import POLE, System
 from ...numerics.certified_roots import Roots, concatenated, different
 from ...numerics.interval_arrays import FloatArray, Intervals
-from ...numerics.intervals import Balls
-from ...numerics.krawczyk import Digits, as_intervals, ball, narrowed, outward
-from ...numerics.polynomials import Undecided
+from ...numerics.krawczyk import Digits, as_intervals, narrowed, outward
 from ...numerics.reduction import Reduced, reduced_roots
 from .balance import Balance
 
@@ -48,8 +47,8 @@ class PreciseBalance(Digits):
 
     def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
         self.balance, self.bits = balance, bits
-        with Balls().precision(bits):
-            between = {name: Balls().between(*ends) for name, ends in spans.items()}
+        with balls.precision(bits):
+            between = {name: balls.between(*ends) for name, ends in spans.items()}
         numbers = zip(balance.parameters, given, strict=True)
         values = {name: between[name] if name in spans else ball(float(number), bits) for name, number in numbers}
         self.arguments = balance.arguments_of(values, XP)

@@ -6,7 +6,7 @@ to, and every rounding goes into ``rad``. Integers are exact, so nothing here de
 python-flint's Arb and mpmath's intervals keep theirs in one variable for all threads (``flint.ctx.prec``, ``mpmath.iv.prec``, and
 mpmath's memory of π in another): to set it changes what the user's other threads compute meanwhile, which no lock of this package
 can prevent. At fifty digits most of the time is Python's own, and a point costs 1.6 times what it would with Arb, at a thousand
-digits 3.4 times (``python -m tests.oracles.arb``).
+digits 3.4 times.
 All precisions are in bits.
 """
 
@@ -18,13 +18,11 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import mpmath
 
-from .polynomials import Undecided
-
-#: What an :class:`Arithmetic` calculates with: a :class:`Ball`, or another one's numbers.
+#: A :class:`Ball`, or what is made of balls and numbers beside them.
 Interval: TypeAlias = Any
 
 #: Bits of a radius: more would be of no use, and fewer would make it grow by rounding.
@@ -35,44 +33,8 @@ GUARD_BITS = 16
 _BITS: ContextVar[int] = ContextVar("bits", default=53)
 
 
-class Arithmetic(Protocol):
-    """What a proof needs of interval arithmetic: + − × ÷ and integer powers of its intervals, and these."""
-
-    def precision(self, bits: int) -> Any:
-        """A context in which results carry ``bits`` bits, in this thread only."""
-
-    def exact(self, value: Fraction) -> Interval:
-        """A small interval around a rational: the number itself where its digits fit."""
-
-    def between(self, low: Fraction, high: Fraction) -> Interval:
-        """An interval that holds [low, high]."""
-
-    def union(self, one: Interval, other: Interval) -> Interval:
-        """An interval that holds both."""
-
-    def middle(self, value: Interval) -> Interval:
-        """Its middle, as an interval without width."""
-
-    def cos_sin(self, angle: Interval) -> tuple[Interval, Interval]:
-        """Cosine and sine."""
-
-    def sqrt(self, value: Interval) -> Interval:
-        """Square root; :class:`Undecided` where the interval holds negative numbers."""
-
-    def atan(self, value: Interval) -> Interval:
-        """Arc tangent."""
-
-    def pi(self) -> Interval:
-        """π."""
-
-    def ends(self, value: Interval) -> tuple[Fraction, Fraction]:
-        """Lower and upper end, exactly."""
-
-    def sign(self, value: Interval) -> int:
-        """−1 or 1 where an interval has that sign, 0 where it holds 0."""
-
-    def power(self, value: Interval) -> int:
-        """n with 2ⁿ⁻¹ ≤ |middle| < 2ⁿ, for a middle that is not 0."""
+class Undecided(ArithmeticError):
+    """A sign that the precision can't decide."""
 
 
 class Ball:
@@ -147,14 +109,15 @@ def _rounded(radius: int, shift: int) -> int:
     return 1 - (-radius >> shift)
 
 
+def ball(value: float, bits: int) -> Ball:
+    """An integer or float, exactly."""
+    numerator, denominator = value.as_integer_ratio()
+    return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
+
+
 def _as_ball(value: Any, bits: int) -> Ball | None:
     """A number that is exactly an integer over a power of two."""
-    if isinstance(value, int):
-        return Ball(value, 0, 0, bits)
-    if isinstance(value, float):
-        numerator, denominator = value.as_integer_ratio()
-        return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
-    return None
+    return ball(value, bits) if isinstance(value, int | float) else None
 
 
 def _sum(m: int, r: int, e: int, n: int, s: int, f: int, bits: int) -> Ball:
@@ -189,102 +152,112 @@ def _quotient(one: Ball, other: Ball) -> Ball:
     return Ball(quotient, rad, one.exp - other.exp - shift, one.bits)
 
 
-class Balls:
-    """Arithmetic with :class:`Ball`; it has no state, and any number of threads may share one."""
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Numbers made inside carry ``bits`` bits; each thread and each asynchronous task has its own."""
+    token = _BITS.set(bits)
+    try:
+        yield
+    finally:
+        _BITS.reset(token)
 
-    @contextmanager
-    def precision(self, bits: int) -> Iterator[None]:
-        """Numbers made inside carry ``bits`` bits; each thread and each asynchronous task has its own."""
-        token = _BITS.set(bits)
-        try:
-            yield
-        finally:
-            _BITS.reset(token)
 
-    def exact(self, value: Fraction) -> Ball:
-        """A small interval around a rational: the number itself where its digits fit."""
-        numerator, denominator, bits = value.numerator, value.denominator, _BITS.get()
-        if denominator & (denominator - 1) == 0:
-            return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
-        shift = max(0, bits + denominator.bit_length() - numerator.bit_length())
-        return Ball((numerator << shift) // denominator, 1, -shift, bits)
+def exact(value: Fraction) -> Ball:
+    """A small interval around a rational: the number itself where its digits fit."""
+    numerator, denominator, bits = value.numerator, value.denominator, _BITS.get()
+    if denominator & (denominator - 1) == 0:
+        return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
+    shift = max(0, bits + denominator.bit_length() - numerator.bit_length())
+    return Ball((numerator << shift) // denominator, 1, -shift, bits)
 
-    def between(self, low: Fraction, high: Fraction) -> Ball:
-        """An interval that holds [low, high]."""
-        return self.union(self.exact(low), self.exact(high))
 
-    def union(self, one: Ball, other: Ball) -> Ball:
-        """An interval that holds both."""
-        exp = min(one.exp, other.exp)
-        m, r = one.mid << one.exp - exp, one.rad << one.exp - exp
-        n, s = other.mid << other.exp - exp, other.rad << other.exp - exp
-        low, high = min(m - r, n - s), max(m + r, n + s)
-        return Ball(low + high, high - low, exp - 1, one.bits)
+def between(low: Fraction, high: Fraction) -> Ball:
+    """An interval that holds [low, high]."""
+    return union(exact(low), exact(high))
 
-    def middle(self, value: Ball) -> Ball:
-        """Its middle, as an interval without width."""
-        return Ball(value.mid, 0, value.exp, value.bits)
 
-    def cos_sin(self, angle: Ball) -> tuple[Ball, Ball]:
-        """Cosine and sine: each changes by no more than the angle does."""
-        if not angle.mid:
-            return 1 + angle, angle
-        wanted = angle.bits + GUARD_BITS
-        places = wanted + _leading_zeros(angle)
+def union(one: Ball, other: Ball) -> Ball:
+    """An interval that holds both."""
+    exp = min(one.exp, other.exp)
+    m, r = one.mid << one.exp - exp, one.rad << one.exp - exp
+    n, s = other.mid << other.exp - exp, other.rad << other.exp - exp
+    low, high = min(m - r, n - s), max(m + r, n + s)
+    return Ball(low + high, high - low, exp - 1, one.bits)
+
+
+def middle(value: Ball) -> Ball:
+    """Its middle, as an interval without width."""
+    return Ball(value.mid, 0, value.exp, value.bits)
+
+
+def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
+    """Cosine and sine: each changes by no more than the angle does."""
+    if not angle.mid:
+        return 1 + angle, angle
+    wanted = angle.bits + GUARD_BITS
+    places = wanted + _leading_zeros(angle)
+    cosine, sine, error = _cos_sin(angle.mid, angle.exp, places)
+    # Near a multiple of π/2 one of them is small: again, with the bits that it lacks, if the angle is known so well.
+    lacking = wanted - min(cosine.bit_length(), sine.bit_length())
+    if not angle.rad and lacking > GUARD_BITS // 2:
+        places += lacking
         cosine, sine, error = _cos_sin(angle.mid, angle.exp, places)
-        # Near a multiple of π/2 one of them is small: again, with the bits that it lacks, if the angle is known so well.
-        lacking = wanted - min(cosine.bit_length(), sine.bit_length())
-        if not angle.rad and lacking > GUARD_BITS // 2:
-            places += lacking
-            cosine, sine, error = _cos_sin(angle.mid, angle.exp, places)
-        spread = error + _shifted(angle.rad, angle.exp + places)
-        return Ball(cosine, spread, -places, angle.bits), Ball(sine, spread, -places, angle.bits)
+    spread = error + _shifted(angle.rad, angle.exp + places)
+    return Ball(cosine, spread, -places, angle.bits), Ball(sine, spread, -places, angle.bits)
 
-    def sqrt(self, value: Ball) -> Ball:
-        """Square root; :class:`Undecided` where the interval holds negative numbers."""
-        if value.mid < value.rad:
-            raise Undecided("the square root of an interval that holds negative numbers")
-        if not value.mid:
-            return value
-        shift = max(0, 2 * value.bits - value.mid.bit_length())
-        shift += (value.exp - shift) % 2
-        root = math.isqrt(value.mid << shift)
-        # |√a − √m| = |a − m| / (√a + √m) ≤ |a − m| / √m
-        return Ball(root, 1 - (-(value.rad << shift) // root), (value.exp - shift) // 2, value.bits)
 
-    def atan(self, value: Ball) -> Ball:
-        """Arc tangent, which changes by no more than its argument does; of a large one through its reciprocal."""
-        if value.mid.bit_length() + value.exp > 1 and abs(value.mid) > value.rad:
-            half = self._pi(value.bits) * 0.5
-            return (half if value.mid > 0 else -half) - self.atan(1 / value)
-        if not value.mid:
-            return value
-        places = value.bits + GUARD_BITS + _leading_zeros(value)
-        result, error = _atan(_shifted_down(value.mid, value.exp + places), places)
-        return Ball(result, error + _shifted(value.rad, value.exp + places), -places, value.bits)
+def sqrt(value: Ball) -> Ball:
+    """Square root; :class:`Undecided` where the interval holds negative numbers."""
+    if value.mid < value.rad:
+        raise Undecided("the square root of an interval that holds negative numbers")
+    if not value.mid:
+        return value
+    shift = max(0, 2 * value.bits - value.mid.bit_length())
+    shift += (value.exp - shift) % 2
+    root = math.isqrt(value.mid << shift)
+    # |√a − √m| = |a − m| / (√a + √m) ≤ |a − m| / √m
+    return Ball(root, 1 - (-(value.rad << shift) // root), (value.exp - shift) // 2, value.bits)
 
-    def pi(self) -> Ball:
-        """π."""
-        return self._pi(_BITS.get())
 
-    @staticmethod
-    def _pi(bits: int) -> Ball:
-        return Ball(_pi_fixed(bits + GUARD_BITS), 2, -(bits + GUARD_BITS), bits)
+def atan(value: Ball) -> Ball:
+    """Arc tangent, which changes by no more than its argument does; of a large one through its reciprocal."""
+    if value.mid.bit_length() + value.exp > 1 and abs(value.mid) > value.rad:
+        half = _pi(value.bits) * 0.5
+        return (half if value.mid > 0 else -half) - atan(1 / value)
+    if not value.mid:
+        return value
+    places = value.bits + GUARD_BITS + _leading_zeros(value)
+    result, error = _atan(_shifted_down(value.mid, value.exp + places), places)
+    return Ball(result, error + _shifted(value.rad, value.exp + places), -places, value.bits)
 
-    def ends(self, value: Ball) -> tuple[Fraction, Fraction]:
-        """Lower and upper end, exactly."""
-        low, high = value.mid - value.rad, value.mid + value.rad
-        if value.exp >= 0:
-            return Fraction(low << value.exp), Fraction(high << value.exp)
-        return Fraction(low, 1 << -value.exp), Fraction(high, 1 << -value.exp)
 
-    def sign(self, value: Ball) -> int:
-        """−1 or 1 where an interval has that sign, 0 where it holds 0."""
+def pi() -> Ball:
+    """π."""
+    return _pi(_BITS.get())
+
+
+def _pi(bits: int) -> Ball:
+    return Ball(_pi_fixed(bits + GUARD_BITS), 2, -(bits + GUARD_BITS), bits)
+
+
+def ends(value: Ball) -> tuple[Fraction, Fraction]:
+    """Lower and upper end, exactly."""
+    low, high = value.mid - value.rad, value.mid + value.rad
+    if value.exp >= 0:
+        return Fraction(low << value.exp), Fraction(high << value.exp)
+    return Fraction(low, 1 << -value.exp), Fraction(high, 1 << -value.exp)
+
+
+def sign(value: Ball | Fraction | int) -> int:
+    """−1 or 1 where a ball or rational has that sign; 0 for 0, and where a ball holds 0."""
+    if isinstance(value, Ball):
         return 1 if value.mid > value.rad else -1 if value.mid < -value.rad else 0
+    return (value > 0) - (value < 0)
 
-    def power(self, value: Ball) -> int:
-        """n with 2ⁿ⁻¹ ≤ |middle| < 2ⁿ, for a middle that is not 0."""
-        return value.mid.bit_length() + value.exp
+
+def power(value: Ball) -> int:
+    """n with 2ⁿ⁻¹ ≤ |middle| < 2ⁿ, for a middle that is not 0."""
+    return value.mid.bit_length() + value.exp
 
 
 def _leading_zeros(value: Ball) -> int:
@@ -387,13 +360,3 @@ def rounded_up(bound: Fraction) -> Fraction:
     """A number of few bits that is not below ``bound`` ≥ 0."""
     shift = bound.denominator.bit_length() - bound.numerator.bit_length() + RADIUS_BITS
     return math.ceil(bound * Fraction(2) ** shift) * Fraction(2) ** -shift
-
-
-def arithmetic() -> Arithmetic:
-    """The arithmetic of the proofs."""
-    return Balls()
-
-
-def sign(arith: Arithmetic, value: Interval) -> int:
-    """−1 or 1 where an interval has that sign, 0 where it holds 0 or is not a number."""
-    return arith.sign(value)

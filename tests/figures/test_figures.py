@@ -81,24 +81,6 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
 # ----------------------------------------------------------------------------------------------------- curves
 
 
-@pytest.mark.parametrize("changes", [{}, {"mu0": 0.7}, {"sigma": 1.0}, {"alpha": 0.07}, {"beta": 2.0}])
-def test_branches_are_complete_and_break_where_they_end(changes: dict[str, float]) -> None:
-    p = P.replace(**changes)
-    found = curves.branches(p)
-    for angle in np.radians(np.linspace(0.7, 179.3, 97)):
-        eq = ss.equilibria(p.replace(theta0=angle))
-        passing = [branch for branch in found if branch.values[0] <= angle <= branch.values[-1]]
-        assert len(passing) == eq.count
-        for branch in passing:
-            x = np.interp(angle, branch.values, branch.x)
-            slot = int(np.nanargmin(np.abs(eq.x - x)))
-            assert x == pytest.approx(eq.x[slot], abs=2e-3)
-            assert branch.stability == eq.stability[slot]
-    for branch in found:
-        step = np.hypot(np.diff(branch.values), np.diff(branch.x))
-        assert step.max() < 0.1
-
-
 def test_branches_end_at_the_exact_folds() -> None:
     turns = ss.folds(P)
     ends = [(end, branch.values[end], branch.x[end]) for branch in curves.branches(P) for end in (0, -1)]

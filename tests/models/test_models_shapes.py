@@ -1,4 +1,4 @@
-"""Pages of other shapes than the shipped ones: angles that move, full mass matrices, no contact, no friction, curved gaps.
+"""Pages of other shapes than the shipped ones: angles that move, full mass matrices, a curved gap.
 
 Each against the same mechanics written by hand: Lagrange's equations of a double pendulum from a textbook, balances in mpmath.
 """
@@ -49,38 +49,6 @@ c = page.parameter("c", "1", "what breaks the mirror", ">= 0", 0.0)
 a = page.coordinate("a", "rad", "angle")
 page.kinetic(m * L_0**2 * page.rate(a)**2 / 2)
 page.potential(k_c * L_0**2 * (cos(a) + b * cos(2 * a) + c * sin(a)))
-""",
-    "arm": HEAD + BELT + f"""
-theta0 = page.parameter("theta0", "rad", "angle at rest", "(0, pi)", 1.3)
-k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.3, becomes="tau")
-h = page.parameter("h", "m", "height", "> 0", 0.9, becomes="eta")
-phi = page.coordinate("phi", "rad", "angle")
-page.kinetic(m * L_0**2 * page.rate(phi)**2 / 2)
-page.potential(k_t * (phi - theta0)**2 / 2)
-page.contact(h - L_0 * sin(phi), lambda depth: k_c * depth)
-page.friction(L_0 * cos(phi), V, {FRICTION})
-""",
-    "rubbing_arm": HEAD + BELT + """
-h = page.parameter("h", "m", "height", "> 0", 0.9, becomes="eta")
-k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.0025, becomes="tau")
-phi = page.coordinate("phi", "rad", "angle from below")
-page.kinetic(m * L_0**2 * page.rate(phi)**2 / 2)
-page.potential(k_t * phi**2 / 2)
-page.contact(h - L_0 * cos(phi), lambda depth: k_c * L_0 * (depth / L_0) ** (4 / 3))
-page.friction(L_0 * sin(phi), V, lambda v: mu0 * 2 / pi * atan(d * v), at_rest=mu0)
-""",
-    "still": HEAD + """
-theta0 = page.parameter("theta0", "rad", "inclination", "(0, pi)", 0.8)
-F_L = page.parameter("F_L", "N", "preload", "> 0", 0.007, becomes="kappa")
-k = page.parameter("k", "N/m", "stiffness", "> 0", 0.1, becomes="sigma")
-unfelt = page.parameter("unfelt", "N", "a load without effect", ">= 0", 0.2)
-x = page.coordinate("x", "m", "along")
-y = page.coordinate("y", "m", "across")
-page.kinetic(m * (page.rate(x)**2 + page.rate(x) * page.rate(y) / 2 + page.rate(y)**2) / 2)
-page.spring(k, (x, y), (L_0 * cos(theta0), L_0 * sin(theta0)), length=L_0)
-page.force(0, -F_L, at=(x, y))
-page.potential(unfelt * L_0)
-page.contact(y, lambda depth: k_c * depth)
 """,
     "bumps": HEAD + BELT + f"""
 k = page.parameter("k", "N/m", "stiffness along", "> 0", 0.4, becomes="sigma")

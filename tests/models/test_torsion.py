@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from typing import Any
 
@@ -19,9 +18,6 @@ from tests.support import ROOT
 pytest.importorskip("sympy")
 
 PAGE = ROOT / "tests/oracles/pages/soft_brake.py"
-#: Places (x, y) and angles θ₀: near rest, far turned, beside the ray φ = ±π, close to the anchor.
-PLACES = [(0.1, -0.02, 0.8), (1.3, 0.2, 0.8), (1.5, 1.2, 0.8), (1.4, 1.46, 0.7), (0.69, 0.72, 0.8), (-0.5, 2.0, 2.2)]
-VALUES = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "tau": 0.03, "gamma": 5.0, "V": 0.5, "d": 10.0}
 
 
 @pytest.fixture(scope="module")
@@ -46,49 +42,6 @@ def forces(x: Any, y: Any, p: dict[str, Any], mu: Any, pushing: bool, xp: Any = 
         pull * dx / length - torque * dy / square - p["alpha"] * x + mu * normal,
         pull * dy / length + torque * dx / square - p["kappa"] + normal,
     )
-
-
-def energy(x: Any, y: Any, theta0: Any) -> Any:
-    """Springs, torsion spring, preload and contact."""
-    it = {name: mpmath.mpf(value) for name, value in VALUES.items()}
-    length = mpmath.hypot(mpmath.cos(theta0) - x, mpmath.sin(theta0) - y)
-    depth = max(-y, mpmath.mpf(0))
-    total = it["alpha"] * x**2 / 2 + it["sigma"] * (length - 1) ** 2 / 2 + it["tau"] * turning(x, y, theta0) ** 2 / 2
-    return total + it["kappa"] * y + depth**2 / 2 + it["gamma"] * depth**3 / 3
-
-
-def state(model: Any, x: Any, y: Any, theta0: Any) -> tuple[list[Any], list[Any]]:
-    """Arguments of the functions of statics up to μ and pushing, in 50 digits, and those of motion."""
-    known = {
-        **{name: mpmath.mpf(value) for name, value in VALUES.items()},
-        "cos0": mpmath.cos(theta0),
-        "sin0": mpmath.sin(theta0),
-    }
-    given, moving = ([known[name] for name in model.about["arguments"][kind]] for kind in ("statics", "motion"))
-    length = mpmath.hypot(known["cos0"] - x, known["sin0"] - y)
-    direction = [(known["cos0"] - x) / length, (known["sin0"] - y) / length, length]
-    return [x, y, *direction, turning(x, y, theta0), *given], moving
-
-
-@pytest.mark.parametrize("place", PLACES)
-def test_forces_and_stiffness_are_derivatives_of_the_energy(model: Any, place: tuple[float, float, float]) -> None:
-    with mpmath.workdps(50):
-        x, y, theta0 = map(mpmath.mpf, place)
-        taken, moving = state(model, x, y, theta0)
-        pushing = int(y < 0)
-        forces = model.algebra.forces(*taken, 0, pushing, xp=mpmath)
-        stiffness = model.algebra.forces_jacobian(*taken, 0, pushing, xp=mpmath)
-        by_angle = model.algebra.forces_by_parameters(*taken, 0, pushing, xp=mpmath)
-        at = x, y, theta0
-        for row in range(2):
-            order = tuple(int(i == row) for i in range(3))
-            assert abs(forces[row] - mpmath.diff(energy, at, order)) < 1e-20
-            for column in range(2):
-                second = tuple(a + int(i == column) for i, a in enumerate(order))
-                assert abs(stiffness[row][column] - mpmath.diff(energy, at, second)) < 1e-12
-            assert abs(by_angle[row][0] - mpmath.diff(energy, at, (*order[:2], 1))) < 1e-12
-        stored = model.algebra.energy(x, y, 0, 0, *moving, pushing, xp=mpmath)
-        assert abs(stored - energy(*at)) < 1e-40
 
 
 def behind(p: Any, off: float, speed: float) -> list[float]:
@@ -131,35 +84,6 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, b
     assert np.count_nonzero(np.abs(np.diff(phi)) > 6) == 1
     work = float(np.sum((tr.power()[1:] + tr.power()[:-1]) / 2 * np.diff(tr.t)))
     assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-5)
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize(("vary", "between"), [("tau", (0.0, 0.5)), ("theta0", (0.1, 3.0))])
-def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tuple[float, float]) -> None:
-    """Where the determinant of the derivatives of the balance by hand is 0; between them as many equilibria as they say."""
-    p = model.Parameters()
-    found = ss.folds(p, vary, between={vary: between})
-    assert found.complete
-    assert found.kind.tolist() == ["fold", "fold"]
-    values = {name: mpmath.mpf(float(value)) for name, value in zip(model.parameters, p.scalars(*model.parameters), strict=True)}
-
-    def fold(x: Any, y: Any, value: Any) -> list[Any]:
-        def force(x: Any, y: Any) -> tuple[Any, Any]:
-            given = values | {vary: value}
-            return forces(x, y, given, given["mu0"], True)
-
-        rows = [
-            [mpmath.diff(lambda x, y, row=row: force(x, y)[row], (x, y), order) for order in ((1, 0), (0, 1))] for row in (0, 1)
-        ]
-        return [*force(x, y), rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]]
-
-    with mpmath.workdps(40):
-        for x, y, value in zip(found.x, found.y, getattr(found, vary), strict=True):
-            exact = mpmath.findroot(fold, (float(x), float(y), float(value)), tol=1e-20)
-            assert max(abs(a - float(b)) for a, b in zip(exact, (x, y, value), strict=True)) < 1e-11
-    ends = [between[0], *getattr(found, vary).tolist(), between[1]]
-    counts = [int(ss.equilibria(model.Parameters(**{vary: (low + high) / 2})).count) for low, high in itertools.pairwise(ends)]
-    assert sorted(abs(one - other) for one, other in itertools.pairwise(counts)) == [2, 2]
 
 
 # ---------------------------------------------------------------------------------------------- number types

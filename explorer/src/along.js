@@ -14,7 +14,6 @@ const MARKS = {
   stable: (ctx, x, y, r) => ctx.arc(x, y, r, 0, 7),
   divergent: (ctx, x, y, r) => { ctx.moveTo(x - r, y + r); ctx.lineTo(x, y - r); ctx.lineTo(x + r, y + r); ctx.closePath(); },
   flutter: (ctx, x, y, r) => ctx.rect(x - r, y - r / 2, 2 * r, r),
-  marginal: (ctx, x, y, r) => ctx.rect(x - r / 2, y - r, r, 2 * r),
 };
 
 /**
@@ -81,7 +80,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
       const end = performance.now() + BUDGET;
       while (i < COLUMNS && performance.now() < end) {
         const x = low + ((high - low) * (i + 0.5)) / COLUMNS; // off the ends, which may not be allowed
-        points.push(...states(inward(field(), x)).map(({ q, word, contact }) => ({ x, y: q[0], kind: word, contact })));
+        points.push(...states(inward(field(), x)).map(({ q, stability, contact }) => ({ x, y: q[0], kind: stability, contact })));
         i += 1;
       }
       if (i < COLUMNS) {

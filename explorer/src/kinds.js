@@ -18,20 +18,20 @@ export function kindOf(mass, stiffness) {
 
 /** From where on eigenvalues are lost without a scale of rates. */
 const STIFF = 1e6;
-/** A growth rate below this share of the largest root is none that floats see. */
-const SEEN = 1e-12;
+/** A growth rate below this share of the frequency is practically neutral, as in the Python package. */
+const NEUTRAL = 1e-4;
 
-/** What a page calls a state: "stable" only where nothing grows, with dampers and the slope of the friction law; and at what rate. */
-export function wordOf(mass, damping, stiffness, undamped) {
+/** What small deviations do with dampers and the slope of the friction law: decays, grows or neutral, and at what rate. */
+export function dampedOf(mass, damping, stiffness, stability) {
   if (![damping, stiffness].flat(2).every(Number.isFinite)) {
-    return { word: "marginal", rate: NaN };
+    return { damped: "", rate: NaN };
   }
   if (!damping.flat().some(Boolean)) {
-    return { word: undamped, rate: undamped === "stable" ? 0 : withoutDamping(mass, stiffness) };
+    const rate = stability === "stable" ? 0 : withoutDamping(mass, stiffness);
+    return { damped: rate ? "grows" : "neutral", rate };
   }
-  const { rate, swings, size } = fastest(mass, damping, stiffness);
-  const seen = Math.abs(rate) > SEEN * size;
-  return { word: seen ? (rate < 0 ? "stable" : swings ? "flutter" : "divergent") : "marginal", rate };
+  const { rate, frequency } = fastest(mass, damping, stiffness);
+  return { damped: Math.abs(rate) <= NEUTRAL * frequency ? "neutral" : rate < 0 ? "decays" : "grows", rate };
 }
 
 /** The largest real part of the roots λ of λ² = −κ, of which the linearization has no others. */
@@ -50,8 +50,10 @@ function fastest(mass, damping, stiffness) {
   companion.setSubMatrix(Matrix.eye(n).mul(scale), 0, n).setSubMatrix(from_stiffness.div(scale), n, 0).setSubMatrix(from_damping, n, n);
   const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(companion);
   const rate = Math.max(...realEigenvalues);
-  const size = Math.max(...realEigenvalues.map((real, i) => Math.hypot(real, imaginaryEigenvalues[i])));
-  return { rate, swings: Math.abs(imaginaryEigenvalues[realEigenvalues.indexOf(rate)]) > 1e-9 * size, size };
+  const frequencies = imaginaryEigenvalues.map((imaginary, i) => (Math.abs(imaginary) > 1e-9 * Math.hypot(realEigenvalues[i], imaginary) ? Math.abs(imaginary) : Infinity));
+  const own = frequencies[realEigenvalues.indexOf(rate)];
+  const frequency = Number.isFinite(own) ? own : Math.min(...frequencies); // the lowest, where the fastest does not oscillate
+  return { rate, frequency: Number.isFinite(frequency) ? frequency : 0 };
 }
 
 /** Solves the linear system of a Newton step; null where the matrix is singular. */

@@ -83,7 +83,7 @@ export function start({ algebra, closed = null }) {
     }
     const now = store.get();
     const [x, y] = position(q);
-    const others = now.found.states.filter((one) => one !== current(now) && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], word: one.word }));
+    const others = now.found.states.filter((one) => one !== current(now) && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], stability: one.stability }));
     mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others, ...more });
   }
 
@@ -91,7 +91,7 @@ export function start({ algebra, closed = null }) {
   function still(now, q = null) {
     const state = current(now);
     draw(q ?? state?.q ?? rest, {
-      kind: state?.word ?? "", note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
+      kind: state?.stability ?? "", note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
       forces: state && !q ? at(now.point).acting(state.q, state.contact).vectors : null,
     });
   }

@@ -1,6 +1,6 @@
 // The states of a model, searched by Newton's method from many starts. What is found is a state; that it is all is not proved.
 
-import { kindOf, wordOf, solved } from "./kinds.js";
+import { kindOf, dampedOf, solved } from "./kinds.js";
 
 /** Directions of the springs that a search looks at, all together, and how close they are to a state where all begin. */
 const STARTS = 576;
@@ -109,7 +109,7 @@ export function described(balance, q, contact, told = null) {
   const along = balance.directions(q);
   const [mass, stiffness] = [balance.mass(q), balance.stiffness(q, contact, along)];
   const stability = told ?? kindOf(mass, stiffness);
-  return { q, contact, stability, ...wordOf(mass, balance.damping(q, contact), stiffness, stability), along };
+  return { q, contact, stability, ...dampedOf(mass, balance.damping(q, contact), stiffness, stability), along };
 }
 
 /**

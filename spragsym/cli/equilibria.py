@@ -144,10 +144,10 @@ def _states(case: Case, point: dict[str, float]) -> dict[str, Any]:
 def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> Iterator[dict[str, Any]]:
     """Of each state of a point words, directions and lengths of springs, coordinates, and what is known of it.
 
-    ``stability`` is that with dampers and the slope of the friction law; ``undamped`` and ``eigenvalues`` are without, as (27).
+    ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of the friction law.
     """
     names = (*eq.columns, "eigenvalues", "damped_eigenvalues", "growth")
     for slot in ((*point, number) for number in range(int(eq.count[point]))):
-        words = {"state": eq.regime, "stability": str(eq.kind[slot]), "undamped": Stability(int(eq.stability[slot])).name.lower()}
+        words = {"state": eq.regime, "stability": Stability(int(eq.stability[slot])).name.lower(), "damped": str(eq.damped[slot])}
         known = {"error": float(eq.error[slot]), "marginal": bool(eq.marginal[slot])}
         yield words | case.row({name: getattr(eq, name)[slot] for name in names}) | known

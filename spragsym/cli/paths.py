@@ -53,8 +53,8 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
         found = ss.quasi_static_path(case.following(case.set(along.name), near), along.name, along.values, **case.ask)
     states = [
         case.row({
-            along.name: found.values[row], "stability": str(found.kind[row]),
-            "undamped": Stability(int(found.stability[row])).name.lower(), "growth": found.growth[row],
+            along.name: found.values[row], "stability": Stability(int(found.stability[row])).name.lower(),
+            "damped": str(found.damped[row]), "growth": found.growth[row],
             **{name: found.places[name][row] for name in found.columns},
         })
         for row in range(found.values.size)

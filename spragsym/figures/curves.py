@@ -22,6 +22,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Path
 from ..results.points import Points
+from ..statics.stability import REAL
 from .labels import as_drawn, window, with_unit
 from .style import BLACK, LINES, Table, own_axes, styled
 
@@ -166,9 +167,10 @@ def _pieces(
     states = {name: getattr(eq, name)[at] for name in eq.columns}
     values = np.asarray(getattr(eq.parameters, vary))[at[0]]
     kinds = list(map(Stability, eq.stability[at]))
-    if damping:  # what is marginal keeps its type by (27)
-        words = Stability.__members__
-        kinds = [words.get(word.upper(), kind) for word, kind in zip(eq.kind[at].tolist(), kinds, strict=True)]
+    if damping:  # where the sign of the growth is not proved, the type by (27) stays
+        sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
+        grows = np.where(np.abs(fastest.imag) <= REAL * np.abs(fastest), Stability.DIVERGENT, Stability.FLUTTER)
+        kinds = [Stability(code) for code in np.select([sign < 0, sign > 0], [Stability.STABLE, grows], eq.stability[at])]
     starts = [place for place, kind in enumerate(kinds) if place == 0 or kind != kinds[place - 1]]
     pieces = []
     for start, stop in itertools.pairwise([*starts, len(kinds)]):

@@ -14,12 +14,10 @@ from ..errors import ConvergenceError
 from ..models import Model
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion.pictures import in_letters
+from ..statics.stability import NEUTRAL
 from .curves import chains_between, folds_between, range_of
 from .labels import as_drawn, label
 from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, panels, styled
-
-#: A λ whose real part is up to this share of its size is drawn as one that does not grow: practically neutral.
-NEUTRAL = 1e-4
 
 
 def plot_eigenvalues(

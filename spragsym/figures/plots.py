@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..errors import ParameterError
+from ..results.equilibria import Stability
 from .curves import draw_path, mark_folds, name_axes
 from .diagrams import diagram_figure
 from .labels import as_drawn
@@ -16,8 +17,8 @@ from .oscillation import branch_figure, fate_map_figure
 from .planes import draw_bifurcation_set, draw_onset_curves
 from .style import BLACK, own_axes, styled
 
-#: Marks of equilibria by what the full linearization says of them.
-_MARKS = {"stable": "o", "divergent": "x", "flutter": "^", "marginal": "s"}
+#: Marks of equilibria by their stability.
+_MARKS = {Stability.STABLE: ("o", "stable"), Stability.DIVERGENT: ("x", "divergent"), Stability.FLUTTER: ("^", "flutter")}
 
 
 @styled
@@ -75,10 +76,16 @@ def _equilibria(eq: Any, ax: Axes | None, quantity: str | None = None, **options
     if across is None:
         ax.set_xlabel("state")
     lines = []
-    for kind, mark in _MARKS.items():
+    for kind, (mark, word) in _MARKS.items():
         here = rows["stability"] == kind
         if here.any():
-            style: dict[str, Any] = {"linestyle": "none", "marker": mark, "color": BLACK, "markersize": 3, "label": kind}
+            style: dict[str, Any] = {
+                "linestyle": "none",
+                "marker": mark,
+                "color": BLACK,
+                "markersize": 3,
+                "label": word,
+            }
             lines += ax.plot(along[here], as_drawn(model, up, rows[up][here]), **(style | options))
     return lines
 

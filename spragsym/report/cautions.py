@@ -173,6 +173,6 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
         law = "the friction law alone gives"
         whose = "the dampers and the friction law together leave" if study.kind.about["dampers"] else law
         yield (
-            f"{whose} one motion a damping ratio of {least:.1g}, {what}; that is next to nothing, and the damping of the "
-            "real brake, which the model leaves out, decides"
+            f"{whose} one motion a damping ratio of {least:.1g}, {what}; the state is practically neutral: the damping "
+            "of the real brake, which the model leaves out, decides"
         )

@@ -20,13 +20,11 @@ from ..names import hint
 from ..results.equilibria import Equilibria, Stability
 from ..results.result import Result
 from ..statics.mechanics.balance import Balance
-from ..statics.stability import linearization, roots
+from ..statics.stability import NEUTRAL, linearization, roots
 from .study import Study
 
 #: What the eigenvalues of a matrix of some rows are off by, relative to the largest, generously.
 ROUNDING = 1e-14
-#: Damping ratio below which a state is neither damped nor driven to speak of.
-NEUTRAL = 1e-3
 #: A speed of the belt at which no friction law has a slope.
 LEVEL = 1e9
 #: What the coordinates of one state differ by.

@@ -276,11 +276,11 @@ def _state(report: Report) -> Rows:
 
 
 def _described(state: State) -> str:
-    word = "stable" if state.stable else f"unstable ({state.statics})"
+    word = state.statics
     if state.settles is None:
-        word = "stable but for damping, which is next to nothing: whether it settles is up to that of the real brake"
-    elif not state.stable and state.statics == "stable":
-        word = "unstable by the friction law's own damping"
+        word += ", practically neutral: the damping of the real brake decides whether it settles"
+    elif state.statics == "stable" and not state.stable:
+        word += ", but with the friction law's own damping it grows"
     springs = [f"; {name.removeprefix('the ')} at {at}" for name, at in _springs(state.direction_deg, "{:.4g} deg".format, "")]
     return f"{word}{''.join(springs)}{',' if springs else ';'} {_places(dict(list(state.places.items())[:1]))}"
 

@@ -85,11 +85,11 @@ class Equilibria(Result):
         The λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law, on one more axis by falling real part.
     growth : ndarray
         Largest real part of the λ of it.
-    stable : ndarray of bool
-        Where it is proved that nothing grows by that linearization.
-    kind : ndarray of str
-        ``"stable"`` where nothing grows; where something does ``"divergent"`` or ``"flutter"``, by the λ that grows fastest; or
-        ``"marginal"`` where 256 bits do not tell whether something grows. Empty beyond ``count``.
+    damped : ndarray of str
+        What small deviations do by that linearization: ``"decays"``, ``"grows"``, or ``"neutral"``, practically neutral: growth
+        below 1e-4 of the frequency, so that damping that no model knows decides. Empty beyond ``count``.
+    growth_sign : ndarray of int8
+        1 where it is proved that something grows by it, −1 that nothing does, 0 where 256 bits do not tell.
     error : ndarray
         Bound on |error| / max(1, |value|), of coordinates and, in closed forms, of theta and L, the largest of them.
     region : ndarray
@@ -102,7 +102,7 @@ class Equilibria(Result):
         Of closed forms only: points that are a fold to the last digit that could be tried: one state stands in two slots.
     """
 
-    table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {"undamped": Stability}
+    table_codes: ClassVar[Mapping[str, type[enum.IntEnum]]] = {"stability": Stability}
 
     parameters: Any
     contact: bool
@@ -174,14 +174,14 @@ class Equilibria(Result):
         return self._rows(self.states)
 
     def _rows(self, states: tuple[NDArray[np.int64], ...]) -> dict[str, NDArray[Any]]:
-        p, (kinds, growth) = self.parameters, self.told(states)
+        p, (damped, growth) = self.parameters, self.told(states)
         vary = [name for name in p.ranges if getattr(p, name) is not None and getattr(p, name).size > 1]
         given = {name: np.broadcast_to(getattr(p, name), p.shape)[states[:-1]] for name in vary}
         where = {name: getattr(self, name)[states] for name in self.columns}
         return {
             **given,
-            "stability": kinds,
-            "undamped": self.stability[states],
+            "stability": self.stability[states],
+            "damped": damped,
             **where,
             "growth": growth,
             "error": self.error[states],
@@ -200,9 +200,9 @@ class Equilibria(Result):
         return tuple(dict.fromkeys([*self.columns, *self._made]))
 
     def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:
-        """``kind`` and ``growth`` of some states only, by their indices into the columns."""
+        """``damped`` and ``growth`` of some states only, by their indices into the columns."""
         found = self._source.linearized(self, states)
-        return found.kind, found.growth
+        return found.damped, found.growth
 
     @cached_property
     def error(self) -> FloatArray:
@@ -248,14 +248,14 @@ class Equilibria(Result):
         return self._placed(self._all.growth, np.nan)
 
     @cached_property
-    def stable(self) -> NDArray[np.bool_]:
-        """Where nothing grows."""
-        return self._placed(self._all.kind == "stable", False)
+    def growth_sign(self) -> NDArray[np.int8]:
+        """The proved sign of it."""
+        return self._placed(self._all.sign, 0)
 
     @cached_property
-    def kind(self) -> NDArray[np.str_]:
-        """What grows, in a word."""
-        return self._placed(self._all.kind, "")
+    def damped(self) -> NDArray[np.str_]:
+        """What small deviations do, in a word."""
+        return self._placed(self._all.damped, "")
 
     @property
     def _model(self) -> Any:

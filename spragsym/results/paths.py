@@ -36,8 +36,7 @@ class Path(Columns, Rows, held_in="places"):
 
     Each coordinate is an attribute under its own name, of the shape of ``values``; so are the direction and the length of each
     inclined spring, as of :class:`spragsym.Equilibria`. Angles are radians. ``stability`` has the codes of (27); ``growth``,
-    ``stable`` and ``kind`` are those of the full linearization, made when they are asked for; on a fold ``kind`` is
-    ``"marginal"`` unless something else grows there.
+    ``growth_sign`` and ``damped`` are those of the full linearization, made when they are asked for.
     """
 
     table_codes: ClassVar[Mapping[str, type[Stability]]] = {"stability": Stability}
@@ -66,14 +65,14 @@ class Path(Columns, Rows, held_in="places"):
         return self._along.growth[:, 0]
 
     @property
-    def stable(self) -> NDArray[np.bool_]:
-        """Where it is proved that nothing grows."""
-        return self._along.stable[:, 0]
+    def growth_sign(self) -> NDArray[np.int8]:
+        """1 where it is proved that something grows by it, −1 that nothing does."""
+        return self._along.growth_sign[:, 0]
 
     @property
-    def kind(self) -> NDArray[np.str_]:
-        """What grows, in a word."""
-        return self._along.kind[:, 0]
+    def damped(self) -> NDArray[np.str_]:
+        """What small deviations do by it: decays, grows or neutral."""
+        return self._along.damped[:, 0]
 
 
 def followed(

@@ -17,6 +17,8 @@ from .mechanics.balance import Balance
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
+#: Growth rate over the frequency below which a state is practically neutral.
+NEUTRAL = 1e-4
 #: States that are looked at together: few enough for arrays of intervals to stay in cache.
 TOGETHER = 1 << 14
 
@@ -35,8 +37,20 @@ class Linearized:
     """Of N states by the full linearization, with dampers and the slope of the friction law."""
 
     growth: FloatArray  #: largest real part of the λ
-    kind: NDArray[np.str_]  #: what grows, in a word; the sign is proved
+    sign: NDArray[np.int8]  #: 1 where it is proved that something grows, −1 that nothing does, 0 where neither is
     eigenvalues: NDArray[np.complex128]  #: all λ, shape (N, 2 n), by falling real part
+
+    @property
+    def damped(self) -> NDArray[np.str_]:
+        """``"decays"``, ``"grows"``, or ``"neutral"`` where the rate is below :data:`NEUTRAL` of the frequency.
+
+        That is the frequency of the λ of the largest real part, or the lowest one where that λ does not oscillate.
+        """
+        frequency = np.abs(self.eigenvalues.imag)
+        frequency = np.where(frequency > REAL * np.abs(self.eigenvalues), frequency, np.inf)
+        own = np.where(np.isfinite(frequency[:, 0]), frequency[:, 0], frequency.min(axis=1))
+        neutral = np.abs(self.growth) <= NEUTRAL * np.where(np.isfinite(own), own, 0.0)
+        return np.where(neutral, "neutral", np.where(self.growth < 0, "decays", "grows"))
 
 
 def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
@@ -68,15 +82,12 @@ def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tu
 
 def _linearized(
     balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.int8]
-) -> tuple[FloatArray, NDArray[np.str_], NDArray[np.complex128]]:
+) -> tuple[FloatArray, NDArray[np.int8], NDArray[np.complex128]]:
     every = _damped(balance, q, given)
-    fastest = every[:, 0].real + 1j * np.abs(every[:, 0].imag)
-    decay = spectrum.decay(balance, given, ends, alone, undamped, fastest.real)
-    real = fastest.imag <= REAL * np.abs(fastest)
-    grows = np.where(real, "divergent", "flutter")
+    fastest = every[:, 0].real
+    sign = -spectrum.decay(balance, given, ends, alone, undamped, fastest)
     # What rounding leaves is on the side that is proved.
-    growth = np.where(decay > 0, np.minimum(fastest.real, 0.0), np.where(decay < 0, np.maximum(fastest.real, 0.0), fastest.real))
-    return growth, np.where(decay > 0, "stable", np.where(decay == 0, "marginal", grows)), every
+    return np.where(sign < 0, np.minimum(fastest, 0.0), np.where(sign > 0, np.maximum(fastest, 0.0), fastest)), sign, every
 
 
 def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:

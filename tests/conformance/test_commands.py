@@ -41,7 +41,7 @@ def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, run: R
     rows = [(state, eq, slot) for state, eq in _states(p) for slot in range(int(eq.count))]
     assert len(told["equilibria"]) == len(rows) > 0
     for row, (state, eq, slot) in zip(told["equilibria"], rows, strict=True):
-        assert list(row)[:3] == ["state", "stability", "undamped"]
+        assert list(row)[:3] == ["state", "stability", "damped"]
         assert list(row)[-4:] == ["damped_eigenvalues", "growth", "error", "marginal"]
         assert row["state"] == state
         for entry in model.about["coordinates"]:
@@ -181,7 +181,7 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -
     places = [_title(model, column) for column in found.columns]
     assert [row[vary] for row in told["states"]] == pytest.approx(found.values, rel=1e-15)
     for row in told["states"]:
-        assert list(row) == [vary, "stability", "undamped", "growth", *places]
+        assert list(row) == [vary, "stability", "damped", "growth", *places]
     for column, place in zip(found.columns, places, strict=True):
         unit = math.degrees(1.0) if place.endswith("_deg") else 1.0
         assert [row[place] for row in told["states"]] == pytest.approx(unit * found.places[column], rel=1e-12)

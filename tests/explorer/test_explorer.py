@@ -204,8 +204,8 @@ def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
     assert page.is_disabled("#still")
 
 
-def test_a_state_is_called_stable_only_where_nothing_grows(explorer: Explorer) -> None:
-    """The article's state after the jump grows by 4.9e-6: word and rate in the table are Python's, (27)'s word stands beside."""
+def test_words_and_rates_are_those_of_python(explorer: Explorer) -> None:
+    """The article's state after the jump grows by 4.9e-6: words and rate in the table are Python's."""
     explorer.open("theta0_deg=30&mu0=0.5")
     said = explorer.page.evaluate(
         "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent.trim()))"
@@ -218,8 +218,8 @@ def test_a_state_is_called_stable_only_where_nothing_grows(explorer: Explorer) -
         for slot in range(int(eq.count)):
             word = column["stability"][rows].split()[-1]
             assert column["regime"][rows] == name
-            assert word == eq.kind[slot]
-            assert column["undamped"][rows] == ss.Stability(int(eq.stability[slot])).name.lower()
+            assert word == ss.Stability(int(eq.stability[slot])).name.lower()
+            assert column["with damping"][rows] == eq.damped[slot]
             written = column["growth"][rows].replace("\u2212", "-")
             assert float(written) == pytest.approx(float(eq.growth[slot]), rel=0.05)
             rows += 1

@@ -15,4 +15,4 @@ def test_growth_is_proved_though_the_slope_of_the_law_is_not_told_from_0(mu0: fl
     eq = ss.equilibria(model_of(page, "mode_coupling_tanh").Parameters(mu0=[mu0], V=1.0, d=100.0))
     K = np.array([[1.3 + 0.25, mu0 - 0.25], [-0.25, 1.25]])
     assert eq.growth[0, 0] == pytest.approx(np.sqrt(-np.linalg.eigvals(K).astype(complex)).real.max(), rel=1e-9)
-    assert eq.kind[0, 0] == "flutter"
+    assert (eq.growth_sign[0, 0], eq.damped[0, 0]) == (1, "grows")

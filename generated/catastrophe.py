@@ -8,11 +8,11 @@ kappa : preload F_L / (k_c L_0)
 alpha : stiffness ratio k_x / k_c
 sigma : stiffness ratio k / k_c
 beta : stiffness ratio k_y / k_c
+mu0 : friction coefficient at full slip
 a_f : coefficient of sin θ cos θ in f
 b_f : coefficient of cos θ in f
 d_f : coefficient of sin θ in f
 m_f : coefficient of −sin² θ in f
-mu0 : friction coefficient at full slip
 a_v : derivative of a of f by the parameter that varies
 b_v : derivative of b of f by the parameter that varies
 d_v : derivative of d of f by the parameter that varies
@@ -34,12 +34,6 @@ def surface(cos, sin, cos0, sin0, kappa, alpha, sigma, beta):
     return (a_f*cos*sin + alpha*cos0*q*sin + b_f*cos)/(sin*(kappa - sigma*(-sin + sin0)))
 
 
-def fold_residuals(cos, sin, a_f, b_f, d_f, m_f):
-    """Both are zero exactly where f = f′ = 0. Returns b − b(fold), d − d(fold). Source: f = f′ = 0. Operations: 14."""
-    cos_2 = cos*cos
-    return (b_f + (sin*sin)*(a_f*sin + cos*m_f), a_f*(cos*cos_2) + d_f - m_f*sin*(cos_2 + 1))
-
-
 def fold_lines_mu0(cos, sin, cos0, sin0, kappa, alpha, sigma, beta):
     """The two fold relations as lines in mu0: u1 + w1 mu0 = 0 and u2 + w2 mu0 = 0. Returns u1, w1, u2, w2. Source: f = f′ =
     0. Operations: 41."""
@@ -56,81 +50,6 @@ def fold_lines_mu0(cos, sin, cos0, sin0, kappa, alpha, sigma, beta):
         cos*sigma*sin_2,
         -alpha*w3 + beta*w2 + beta*w3 + sigma*w2 + w2 + w3,
         -cos_2*w4 - kappa + w1 - w4,
-    )
-
-
-def fold_lines_kappa(cos, sin, cos0, sin0, mu0, alpha, sigma, beta):
-    """The two fold relations as lines in kappa: u1 + w1 kappa = 0 and u2 + w2 kappa = 0. Returns u1, w1, u2, w2. Source: f =
-    f′ = 0. Operations: 44."""
-    sin_2 = sin*sin
-    sin_3 = sin*sin_2
-    w0 = alpha*sin0
-    w1 = sigma*sin0
-    cos_2 = cos*cos
-    w2 = alpha*cos0
-    w3 = (cos*cos_2)*sigma
-    w4 = mu0*sigma*sin
-    return (
-        -alpha*sigma*sin_3 + beta*sigma*sin_3 - beta*w0 - beta*w1 + cos*mu0*sigma*sin_2 + sigma*sin_3 - w0 - w1,
-        -alpha - sigma,
-        -alpha*w3 + beta*w2 + beta*w3 - cos_2*w4 + mu0*w1 + sigma*w2 + w2 + w3 - w4,
-        -mu0,
-    )
-
-
-def fold_lines_alpha(cos, sin, cos0, sin0, mu0, kappa, sigma, beta):
-    """The two fold relations as lines in alpha: u1 + w1 alpha = 0 and u2 + w2 alpha = 0. Returns u1, w1, u2, w2. Source: f =
-    f′ = 0. Operations: 34."""
-    sin_2 = sin*sin
-    sin_3 = sin*sin_2
-    w0 = beta*sin0 + kappa + sin0
-    cos_2 = cos*cos
-    w1 = (cos*cos_2)*sigma
-    w2 = mu0*sigma
-    w3 = sin*w2
-    return (
-        sigma*(beta*sin_3 + cos*mu0*sin_2 + sin_3 - w0),
-        -sigma*sin_3 - w0,
-        beta*w1 - cos_2*w3 - kappa*mu0 + sin0*w2 + w1 - w3,
-        beta*cos0 + cos0*sigma + cos0 - w1,
-    )
-
-
-def fold_lines_sigma(cos, sin, cos0, sin0, mu0, kappa, alpha, beta):
-    """The two fold relations as lines in sigma: u1 + w1 sigma = 0 and u2 + w2 sigma = 0. Returns u1, w1, u2, w2. Source: f =
-    f′ = 0. Operations: 33."""
-    w0 = beta*sin0 + kappa + sin0
-    sin_2 = sin*sin
-    sin_3 = sin*sin_2
-    w1 = alpha*cos0
-    cos_2 = cos*cos
-    cos_3 = cos*cos_2
-    w2 = mu0*sin
-    return (
-        -alpha*w0,
-        -alpha*sin_3 + beta*sin_3 + cos*mu0*sin_2 + sin_3 - w0,
-        beta*w1 - kappa*mu0 + w1,
-        -alpha*cos_3 + beta*cos_3 - cos_2*w2 + cos_3 + mu0*sin0 + w1 - w2,
-    )
-
-
-def fold_lines_beta(cos, sin, cos0, sin0, mu0, kappa, alpha, sigma):
-    """The two fold relations as lines in beta: u1 + w1 beta = 0 and u2 + w2 beta = 0. Returns u1, w1, u2, w2. Source: f = f′
-    = 0. Operations: 37."""
-    sin_2 = sin*sin
-    sin_3 = sin*sin_2
-    w0 = sigma*sin0
-    w1 = alpha*sin0 - sigma*sin_3 + w0
-    cos_2 = cos*cos
-    w2 = alpha*cos0
-    w3 = (cos*cos_2)*sigma
-    w4 = mu0*sigma*sin
-    w5 = w2 + w3
-    return (
-        -alpha*kappa - alpha*sigma*sin_3 + cos*mu0*sigma*sin_2 - kappa*sigma - w1,
-        -w1,
-        -alpha*w3 - cos_2*w4 - kappa*mu0 + mu0*w0 + sigma*w2 - w4 + w5,
-        w5,
     )
 
 

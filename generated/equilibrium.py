@@ -101,12 +101,6 @@ def liftoff_quartic(cos0, sin0, kappa, alpha, sigma, beta):
     )
 
 
-def singular_lengths(alpha, sigma, beta, nbar):
-    """Spring lengths at which D is singular and (20) cannot give the state. Returns L at which D11 = 0, L at which D22 = 0.
-    Source: (17). Operations: 5."""
-    return (sigma/(alpha + sigma), sigma/(beta + nbar + sigma))
-
-
 def f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar):
     """a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)). Returns a, b, d, m. Source:
     (12), (13) eliminated. Operations: 17."""

@@ -23,16 +23,6 @@ def module() -> Module:
     contact = shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa)
     s0, c0 = catastrophe.fold_angles()
     spelled = [sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()]
-    in_parameters = (*ANGLE, *ANGLE0, nm.mu0, nm.kappa, *STIFFNESS)
-    lines = tuple(
-        Function(
-            f"fold_lines_{symbol}",
-            f"The two fold relations as lines in {symbol}: u1 + w1 {symbol} = 0 and u2 + w2 {symbol} = 0.", "f = f′ = 0",
-            tuple(other for other in in_parameters if other != symbol),
-            tuple(part for relation in spelled for part in _line(relation, symbol)), "u1, w1, u2, w2",
-        )
-        for symbol in nm.PARAMETERS
-    )  # fmt: skip
     friction, quartic, quartic_names = _fold_quartic(s0, c0)
     events, events_without_alpha, conic_names, line_names = _fold_events()
     sextic, sextic_names = _fold_sextic()
@@ -46,9 +36,9 @@ def module() -> Module:
             Function("surface", "μ₀ on the equilibrium surface over (θ, θ₀): f is linear in μ₀.", "(14), (15)",
                      (*ANGLE, *ANGLE0, nm.kappa, *STIFFNESS), catastrophe.surface_in_coefficients(), "mu0",
                      {**contact, nm.fb: shorthands()[nm.fb]}),
-            Function("fold_residuals", "Both are zero exactly where f = f′ = 0.", "f = f′ = 0", (nm.c, nm.s, *F_COEFFICIENTS),
-                     tuple(symbol - value for symbol, value in catastrophe.fold_relations().items()), "b − b(fold), d − d(fold)"),
-            *lines,
+            Function("fold_lines_mu0", "The two fold relations as lines in mu0: u1 + w1 mu0 = 0 and u2 + w2 mu0 = 0.", "f = f′ = 0",
+                     (*ANGLE, *ANGLE0, nm.kappa, *STIFFNESS), tuple(part for it in spelled for part in _line(it, nm.mu0)),
+                     "u1, w1, u2, w2"),
             Function("fold_angles", "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.", "f = f′ = 0",
                      (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS), friction, "sin0, cos0", contact),
             Function("fold_sine", "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.", "f = f′ = 0",

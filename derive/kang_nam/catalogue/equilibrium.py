@@ -49,7 +49,6 @@ def module() -> Module:
     liftoff_quartic, liftoff_names = _quartic(liftoff)
     state = elimination.state()
     along, across = equilibrium.balance()
-    singular = elimination.singular_lengths()
     f = elimination.f_form
     return Module(
         "equilibrium",
@@ -68,8 +67,6 @@ def module() -> Module:
             Function("liftoff_quartic", "Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived.",
                      "(26), (A1) corrected, (A6)–(A9)", (*ANGLE0, nm.kappa, *STIFFNESS), liftoff_quartic,
                      "d0, d1, d2, d3, d4", liftoff_names),
-            Function("singular_lengths", "Spring lengths at which D is singular and (20) cannot give the state.", "(17)",
-                     (*STIFFNESS, nm.nbar), singular, "L at which D11 = 0, L at which D22 = 0"),
             Function("f_coefficients", "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).",
                      "(12), (13) eliminated", (*ANGLE0, *nm.PARAMETERS, nm.nbar), F_COEFFICIENTS, "a, b, d, m", shorthands()),
             Function("f_magnitudes", "Sums of the absolute values of the terms of a and d, against which their rounding errors are "

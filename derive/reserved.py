@@ -10,9 +10,9 @@ from __future__ import annotations
 RESULTS = frozenset((
     "after", "amplitude", "angles", "as_table", "between", "columns", "complete", "contact", "contact_lost", "coordinates", "count",
     "criticality", "crossing", "crossing_error", "cycle", "damped_eigenvalues", "cycle_mean", "cycle_rms", "data", "decided",
-    "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "growth", "held_in", "jumps", "kind", "largest",
+    "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "given", "growth", "held_in", "jumps", "kind", "largest",
     "lyapunov", "lyapunov_error", "marginal", "mean", "measured", "model", "mu", "normal_forms", "offered", "omega", "parameters", "period", "places", "plot",
-    "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "save", "select", "side", "slip_reversed", "spread", "stability",
+    "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "save", "select", "side", "slip_reversed", "spread", "stability", "state",
     "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "table_varied",
     "to_dataframe", "to_xarray", "told", "undecided", "values", "vary", "when", "whole", "why",
 ))  # fmt: skip

@@ -25,7 +25,7 @@ def export(model_name: str | None, language: str, out: Path, force: bool) -> Non
     """Write the solver in another language, with an example that runs.
 
     All equilibria with their stability, an error bound and a status, the generated algebra, the right-hand side, and a
-    step in time across the kinks. JavaScript and MATLAB have folds, cusps and the surface as well. Of another model:
+    step in time across the kinks. JavaScript has folds, cusps and the surface as well. Of another model:
     its forces with first and second derivatives, its motion with Jacobians, borders, energy and powers, derived anew from
     its page (extra derive).
 

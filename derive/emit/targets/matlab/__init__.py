@@ -23,7 +23,7 @@ from . import algebra, kernel
 _EXAMPLE = "example_"
 _ALGEBRA = "Generated algebra, for arrays of any one size; nested results come one after the other."
 _PRIMITIVES = ("where.m", "larger.m", "smaller.m", "cube_root.m")
-_INPUT = ("parameters.m", "numbers.m", "shown.m", "whole.m")
+_INPUT = ("parameters.m", "numbers.m", "shown.m")
 
 
 def render(material: Material) -> dict[str, str]:

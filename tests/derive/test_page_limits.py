@@ -16,7 +16,7 @@ import spragsym as ss
 from spragsym.derive import limits, pages, reserved
 from spragsym.derive.model import PageError
 from tests.oracles.user_pages import model_of, replaced
-from tests.support import ROOT, few
+from tests.support import ROOT
 
 PAGE = '''r"""A mass on a belt."""
 import sympy as sp
@@ -138,16 +138,15 @@ def test_a_statement_that_does_not_fit_is_refused_by_its_line(said: str, words: 
 # ------------------------------------------------------------------------------------------------ names
 
 
-@pytest.mark.parametrize("name", few(sorted(reserved.OF_COMMANDS | reserved.OF_SETS | reserved.OF_CODE), "json", "model", "abs"))
+@pytest.mark.parametrize("name", ["json", "model", "abs"])
 def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -> None:
-    if name == "from":
-        pytest.skip("no name in Python")
+    assert name in reserved.OF_COMMANDS | reserved.OF_SETS | reserved.OF_CODE
     with pytest.raises(PageError, match=r"line 13: .*give it another name"):
         pages.read(written(tmp_path, ('"a", "1"', f'"{name}", "1"')))
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", few(["w0", "w1", "v", "u", "x_2", "root0", "base0", "speed", "creep"], "v"))
+@pytest.mark.parametrize("name", ["w0", "v"])
 def test_no_name_of_a_parameter_changes_the_model(name: str) -> None:
     """Generated code names its own shorthands around it."""
     law = ("1 - exp(-d * Abs(v))", "(1 + a**2 * exp(-a * d * Abs(v))) * (1 - exp(-d * Abs(v)))")

@@ -20,18 +20,9 @@ WIDER, ROOM = 0.25, 1e-11
 
 
 def shared(system: Augmented, given: FloatArray, span: FloatArray, left: FloatArray) -> NDArray[np.bool_]:
-    """Boxes whose only root is proved to be at an end of the range where all states are roots.
+    """Boxes of coordinates and parameter whose only root is proved to be at an end of the range where all states are roots.
 
-    Parameters
-    ----------
-    system : Augmented
-        Along one parameter, with a condition of order 0.
-    given : ndarray
-        Parameters, shape (parameters, 1).
-    span : ndarray
-        Both ends.
-    left : ndarray
-        Boxes of coordinates and parameter, shape (2, n + 1, N).
+    ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n + 1, N).
     """
     out = np.zeros(left.shape[2], dtype=np.bool_)
     if system.condition.order or not out.size:

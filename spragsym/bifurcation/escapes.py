@@ -95,19 +95,8 @@ class _Chart(boxes.System):
 def escapes(balance: Balance, p: ParameterSet, vary: Sequence[str], spans: FloatArray) -> Points:
     """Values of a parameter at which a state in contact runs to infinity; of two, those at which they are extreme in the second.
 
-    Parameters
-    ----------
-    vary : sequence of str
-        One parameter, or two: the second one is extreme over the first.
-    spans : ndarray
-        Their ranges, shape (number, 2).
-
-    Returns
-    -------
-    Points
-        Of the kind ``"infinity up"`` where the state is there above the value, else ``"infinity down"``, with infinite
-        coordinates, NaN for those that do not run away. Those that are not proved are missing: what is proved is that a state
-        runs to infinity, not that no other one does.
+    The kind is ``"infinity up"`` where the state is there above the value, else ``"infinity down"``; coordinates are infinite,
+    NaN those that stay. What is not proved is missing: a state runs to infinity there, others may elsewhere.
     """
     given = given_column(p, balance.parameters, vary)
     found: dict[str, list[float]] = {name: [] for name in (*vary, *balance.coordinates, "error", "side")}

@@ -22,24 +22,10 @@ def extrema(
     p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]],
     within: Mapping[str, tuple[float, float]] | None = None,
 ) -> Iterator[tuple[str, Points]]:  # fmt: skip
-    """Where curves of folds have extreme values of the second parameter or end, by kind, each proved.
+    """Where curves of folds have extreme values of the second parameter or end, by kind, each proved; arguments as of ``folds``.
 
-    Parameters
-    ----------
-    p : Parameters
-        Scalars; those that vary are not used.
-    vary : pair of str
-        Two parameters.
-    between : mapping
-        Ranges of the two, as for :func:`spragsym.bifurcation.folds.folds`.
-    within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.statics.equilibria.equilibria`.
-
-    Yields
-    ------
-    str, Points
-        ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v, with w K = 0; ``"end"``, at either
-        end of the range of v; and ``"border"``, where folds leave a contact that opens.
+    Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v, with w K = 0; ``"end"``, at
+    either end of the range of v; and ``"border"``, where folds leave a contact that opens.
     """
     over, along = vary
     spans, rest = ranges(p.model, vary, between), {name: ends for name, ends in between.items() if name != over}

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from ..results.result import Result
 from ..statics import stability
 from ..statics.damping import is_conservative, only_damped, slope_ends
 from ..statics.mechanics.balance import Balance
-from .bifurcation import on_lines, rows_of
+from .bifurcation import OnLines, on_lines, rows_of
 from .bifurcation_conditions import FLUTTER, HOPF, KINDS, no_damping, undamped_mode
 from .defining_systems import Condition
 from .flutter import meeting
@@ -33,7 +34,7 @@ from .onsets import told
 from .points import arranged, given_column, nothing, ranges, search
 
 if TYPE_CHECKING:
-    from ..models.model import Model
+    pass
 
 #: Points of the plane that are nearer than this share of its scales are one.
 SAME = 1e-9
@@ -43,6 +44,15 @@ UNPROVED = "no generic Hopf point is proved there"
 HALVINGS = 30
 #: C over K below which a state is as good as undamped.
 UNDAMPED = 1e-6
+#: What is said of slopes of the friction law that vanish, and of boxes in whose middle hardly anything damps.
+NO_SLOPE_HERE = (
+    "where the slope of the friction law is 0 nothing damps and every pair crosses: flutter_onsets lists these onsets; "
+    "the slope is between {:.3g} and {:.3g} here"
+)
+HARDLY = (
+    "on lines: in {} of {} undecided boxes C is at most {:g} times K: where it vanishes every pair crosses at once, "
+    "and such onsets are not isolated"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,119 +165,8 @@ def onset_curves(
     model = model_of(p)
     vary = model.two(vary)
     as_count("n", n, 2)
-    balance = Balance(model, contact=True)
-    spans = ranges(model, vary, between or {})
-    given = given_column(p, balance.parameters, vary)
-    ranged = {name: (float(low), float(high)) for name, (low, high) in zip(vary, spans, strict=True)}
-    if not damping:
-        return _without_damping(model, balance, p, tuple(vary), given, spans, n, ranged)
-    only = only_damped(balance, given, vary, spans) if balance.n > 1 else None
-    dampers = bool(model.about["dampers"])
-    points = _points(balance, p, vary, given, spans, only)
-    ends = rows_of(balance, vary, points)[:, points.kind == "BT"]
-    free = _hardly_damped(balance, vary, given, ends) & (only is not None)
-    rest, ends = ends[:, free], ends[:, ~free]
-    found = on_lines(balance, vary, HOPF if only is None else undamped_mode(only), given, spans, n, ends)
-    lines = _Lines(model, balance, tuple(vary), given, found.curves, ends)
-    curves, changes = [], []
-    for chain in found.chains:
-        for states in lines.oscillating(chain):
-            forms = lines.forms(states)
-            curves.append(lines.curve(states, lines.omegas(states), forms))
-            changes += lines.changes(states, forms)
-    undecided, whole, said = found.undecided, found.whole, found.remarks
-    if only is not None and not dampers:
-        low, high = slope_ends(balance, given, vary, spans)
-        if low < 0 < high:  # an end of the range at which friction vanishes is none
-            text = (
-                "where the slope of the friction law is 0 nothing damps and every pair crosses: flutter_onsets lists these onsets"
-            )
-            whole, said = False, (*said, f"{text}; the slope is between {low:.3g} and {high:.3g} here")
-    if only is not None and dampers:
-        flat = on_lines(balance, vary, no_damping(only), given, spans, n, rest)
-        lines = _Lines(model, balance, tuple(vary), given, flat.curves, rest)
-        curves += [curve for chain in flat.chains for curve in lines.of_all_pairs(chain)]
-        undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
-    names = (*vary, *balance.coordinates, "error")
-    rows = np.array(changes).reshape(-1, len(names)).T
-    complete = points.complete and whole and not len(undecided)
-    remarks = (*said, *_undamped(balance, vary, given, undecided), *(Remark("of points: {}", it) for it in points.remarks))
-    return OnsetCurves(
-        tuple(vary), True, ranged, tuple(curves), points, dict(zip(names, rows, strict=True)), found.lines, complete, undecided,
-        remarks,
-    )  # fmt: skip
-
-
-def _without_damping(
-    model: Model, balance: Balance, p: ParameterSet, vary: tuple[str, ...], given: FloatArray, spans: FloatArray, n: int,
-    ranged: Mapping[str, tuple[float, float]],
-) -> OnsetCurves:  # fmt: skip
-    """Curves on which two modes meet; none where there are not two, or where forces have a potential."""
-    none, curves = np.empty((balance.n + 2, 0)), list[OnsetCurve]()
-    points = arranged(balance, p, vary, given, nothing(balance, vary, given, spans), np.empty(0, dtype=np.str_))
-    changes = {name: np.empty(0) for name in (*vary, *balance.coordinates, "error")}
-    if balance.n < 2 or is_conservative(balance, given, spans):
-        return OnsetCurves(vary, False, ranged, (), points, changes, {}, True, np.empty((0, balance.n + 2, 2)), ())
-    found = on_lines(balance, vary, FLUTTER, given, spans, n, none)
-    lines = _Lines(model, balance, vary, given, found.curves, none)
-    for chain in found.chains:
-        omega = np.array([sum(meeting(*lines.matrices(state))) for state in chain.T])
-        parts = np.split(np.arange(omega.size), np.flatnonzero(np.diff(omega > 0)) + 1)
-        curves += [lines.curve(chain[:, part], omega[part], [UNPROVED] * len(part)) for part in parts if omega[part].any()]
-    complete = found.whole and not len(found.undecided)
-    return OnsetCurves(vary, False, ranged, tuple(curves), points, changes, found.lines, complete, found.undecided, found.remarks)
-
-
-def _hardly_damped(balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
-    """Where C is next to nothing beside K."""
-    if not states.shape[1]:
-        return np.zeros(0, dtype=np.bool_)
-    point = np.repeat(given, states.shape[1], axis=1)
-    point[[balance.parameters.index(name) for name in vary]] = states[balance.n :]
-    with np.errstate(all="ignore"):
-        _, C, K = stability.linearization(balance, states[: balance.n], point)
-        hardly: NDArray[np.bool_] = np.abs(C).max(axis=(0, 1)) <= UNDAMPED * np.abs(K).max(axis=(0, 1))
-    return hardly
-
-
-def _undamped(balance: Balance, vary: Sequence[str], given: FloatArray, undecided: FloatArray) -> tuple[str, ...]:
-    """Of boxes in whose middle hardly anything damps: where C is 0 every pair crosses at once, and no root is isolated."""
-    number = int(_hardly_damped(balance, vary, given, undecided.mean(axis=2).T).sum()) if len(undecided) else 0
-    if not number:
-        return ()
-    text = f"of {len(undecided)} undecided boxes C is at most {UNDAMPED:g} times K: where it vanishes every pair crosses at once"
-    return (f"on lines: in {number} {text}, and such onsets are not isolated",)
-
-
-def _points(
-    balance: Balance, p: Any, vary: Sequence[str], given: FloatArray, spans: FloatArray, only: int | None
-) -> Points:  # fmt: skip
-    """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
-    kinds, parts = [], []
-    sought: list[tuple[str, Condition]] = [(kind, condition(only)) for kind, condition in KINDS.items()]
-    if only is not None and balance.model.about["dampers"]:
-        sought.insert(1, ("BT", no_damping(only, on_fold=True)))
-    for kind, condition in sought:
-        # With one coordinate damped the coefficient of λ³ is that damping times a mass.
-        if (kind == "HH" and (balance.n != 2 or only is not None)) or (kind == "ZH" and balance.n < 2):
-            continue
-        found = search(balance, vary, condition, given, spans)
-        middle = found.roots.middle
-        kept = np.array([kind == "BT" or _oscillates(balance, given, vary, state, kind) for state in middle.T], dtype=np.bool_)
-        parts.append(replace(found, roots=found.roots.kept(kept)))
-        kinds += [kind] * int(kept.sum())
-    every = concatenated([part.roots for part in parts], balance.n + 2)
-    return arranged(balance, p, vary, given, replace(parts[0], roots=every), np.array(kinds, dtype=np.str_))
-
-
-def _matrices(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray) -> Iterator[FloatArray]:
-    point = given.copy()
-    point[[balance.parameters.index(name) for name in vary], 0] = state[balance.n :]
-    return (part[:, :, 0] for part in stability.linearization(balance, state[: balance.n, None], point))
-
-
-def _roots(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray) -> NDArray[np.complex128]:
-    return stability.roots(*_matrices(balance, given, vary, state))
+    plane = _Plane(p, tuple(vary), Balance(model, contact=True), ranges(model, vary, between or {}))
+    return plane.damped(n) if damping else plane.undamped(n)
 
 
 def frequencies(roots: NDArray[np.complex128]) -> list[float]:
@@ -275,49 +174,134 @@ def frequencies(roots: NDArray[np.complex128]) -> list[float]:
     return sorted(abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag)
 
 
-def _oscillates(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray, kind: str) -> bool:
-    """Whether the pair with the sum 0 is imaginary: both of them at a double Hopf point."""
-    roots = _roots(balance, given, vary, state)
-    pairs = 2 if kind == "HH" else 1
-    return int((np.abs(roots.real) < 1e-5 * np.abs(roots.imag)).sum()) >= 2 * pairs
-
-
 @dataclass(frozen=True)
-class _Lines:
-    """What is asked of the points of curves."""
+class _Plane:
+    """The plane of two parameters, and what is asked of states there, shape (n + 2, N): coordinates, then both parameters."""
 
-    model: Model
-    balance: Balance
+    p: Any
     vary: tuple[str, ...]
-    given: FloatArray
-    curves: FoldCurves
-    ends: FloatArray  #: Bogdanov–Takens points, one a column
+    balance: Balance
+    spans: FloatArray
 
-    def oscillating(self, states: FloatArray) -> list[FloatArray]:
+    @cached_property
+    def given(self) -> FloatArray:
+        """All parameters, NaN for the two."""
+        return given_column(self.p, self.balance.parameters, self.vary)
+
+    def on_lines(self, condition: Condition, n: int, more: FloatArray) -> OnLines:
+        """Points of a kind on lines, joined to curves."""
+        return on_lines(self.balance, self.vary, condition, self.given, self.spans, n, more)
+
+    def told(self, damping: bool, curves: Sequence[OnsetCurve], points: Points, changes: Any, *known: Any) -> OnsetCurves:
+        """The result; of what is ``known`` the lines, whether it is complete, what is undecided, and remarks."""
+        names = (*self.vary, *self.balance.coordinates, "error")
+        rows = np.array(changes).reshape(-1, len(names)).T
+        ranged = {name: (float(low), float(high)) for name, (low, high) in zip(self.vary, self.spans, strict=True)}
+        return OnsetCurves(self.vary, damping, ranged, tuple(curves), points, dict(zip(names, rows, strict=True)), *known)
+
+    def damped(self, n: int) -> OnsetCurves:
+        """Curves of Hopf points."""
+        balance = self.balance
+        only = only_damped(balance, self.given, self.vary, self.spans) if balance.n > 1 else None
+        points = self.points(only)
+        ends = rows_of(balance, self.vary, points)[:, points.kind == "BT"]
+        free = self.hardly_damped(ends) & (only is not None)
+        found = self.on_lines(HOPF if only is None else undamped_mode(only), n, ends[:, ~free])
+        curves, changes = list[OnsetCurve](), list[list[float]]()
+        for chain in found.chains:
+            for states in self.oscillating(chain, _at_ends(found.curves, chain, ends[:, ~free])):
+                forms = self.forms(found.curves, states)
+                curves.append(self.curve(states, self.omegas(states), forms))
+                changes += self.changes(found.curves, states, forms)
+        undecided, whole, said = found.undecided, found.whole, found.remarks
+        if only is not None and balance.model.about["dampers"]:
+            flat = self.on_lines(no_damping(only), n, ends[:, free])
+            for chain in flat.chains:
+                curves += self.of_all_pairs(chain, _at_ends(flat.curves, chain, ends[:, free]))
+            undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
+        elif only is not None:
+            low, high = slope_ends(balance, self.given, self.vary, self.spans)
+            if low < 0 < high:  # an end of the range at which friction vanishes is none
+                whole, said = False, (*said, NO_SLOPE_HERE.format(low, high))
+        hardly = int(self.hardly_damped(undecided.mean(axis=2).T).sum()) if len(undecided) else 0
+        said += (HARDLY.format(hardly, len(undecided), UNDAMPED),) if hardly else ()
+        remarks = (*said, *(Remark("of points: {}", it) for it in points.remarks))
+        complete = points.complete and whole and not len(undecided)
+        return self.told(True, curves, points, changes, found.lines, complete, undecided, remarks)
+
+    def undamped(self, n: int) -> OnsetCurves:
+        """Curves on which two modes meet; none where there are not two, or where forces have a potential."""
+        balance, curves = self.balance, list[OnsetCurve]()
+        none = nothing(balance, self.vary, self.given, self.spans)
+        points = arranged(balance, self.p, self.vary, self.given, none, np.empty(0, dtype=np.str_))
+        if balance.n < 2 or is_conservative(balance, self.given, self.spans):
+            return self.told(False, (), points, (), {}, True, np.empty((0, balance.n + 2, 2)), ())
+        found = self.on_lines(FLUTTER, n, np.empty((balance.n + 2, 0)))
+        for chain in found.chains:
+            omega = np.array([sum(meeting(*each)) for each in zip(*self.matrices(chain), strict=True)])
+            parts = np.split(np.arange(omega.size), np.flatnonzero(np.diff(omega > 0)) + 1)
+            curves += [self.curve(chain[:, part], omega[part], [UNPROVED] * len(part)) for part in parts if omega[part].any()]
+        complete = found.whole and not len(found.undecided)
+        return self.told(False, curves, points, (), found.lines, complete, found.undecided, found.remarks)
+
+    def points(self, only: int | None) -> Points:
+        """All points of all kinds; ``only`` one coordinate is damped, if it is given."""
+        kinds, parts = list[str](), []
+        sought: list[tuple[str, Condition]] = [(kind, condition(only)) for kind, condition in KINDS.items()]
+        if only is not None and self.balance.model.about["dampers"]:
+            sought.insert(1, ("BT", no_damping(only, on_fold=True)))
+        for kind, condition in sought:
+            # With one coordinate damped the coefficient of λ³ is that damping times a mass.
+            if (kind == "HH" and (self.balance.n != 2 or only is not None)) or (kind == "ZH" and self.balance.n < 2):
+                continue
+            found = search(self.balance, self.vary, condition, self.given, self.spans)
+            roots = self.roots(found.roots.middle)
+            # The pair with the sum 0 is imaginary, both of them at a double Hopf point.
+            imaginary = (np.abs(roots.real) < 1e-5 * np.abs(roots.imag)).sum(axis=1)
+            kept = (imaginary >= (4 if kind == "HH" else 2)) | (kind == "BT")
+            parts.append(replace(found, roots=found.roots.kept(kept)))
+            kinds += [kind] * int(kept.sum())
+        every = concatenated([part.roots for part in parts], self.balance.n + 2)
+        found = replace(parts[0], roots=every)
+        return arranged(self.balance, self.p, self.vary, self.given, found, np.array(kinds, dtype=np.str_))
+
+    def matrices(self, states: FloatArray) -> tuple[FloatArray, ...]:
+        """M, C and K, each of shape (N, n, n)."""
+        point = np.repeat(self.given, states.shape[1], axis=1)
+        point[[self.balance.parameters.index(name) for name in self.vary]] = states[self.balance.n :]
+        with np.errstate(all="ignore"):
+            parts = stability.linearization(self.balance, states[: self.balance.n], point)
+        return tuple(np.moveaxis(part, -1, 0) for part in parts)
+
+    def roots(self, states: FloatArray) -> NDArray[np.complex128]:
+        """All λ, shape (N, 2 n)."""
+        return stability.roots(*self.matrices(states))
+
+    def omegas(self, states: FloatArray) -> FloatArray:
+        """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
+        return np.array([stability.frequency(row) for row in self.roots(states)])
+
+    def hardly_damped(self, states: FloatArray) -> NDArray[np.bool_]:
+        """Where C is next to nothing beside K."""
+        _, C, K = self.matrices(states)
+        hardly: NDArray[np.bool_] = np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
+        return hardly
+
+    def oscillating(self, states: FloatArray, ends: NDArray[np.bool_]) -> list[FloatArray]:
         """The parts of a chain on which a pair is imaginary; on the others two real eigenvalues have the sum 0.
 
-        At a Bogdanov–Takens point both are 0, and rounding would say what they are: it belongs to the curve that ends there.
+        At the ``ends``, Bogdanov–Takens points, both are 0, and rounding would say what they are: it belongs to the curve.
         """
-        if not states.shape[1]:
-            return []
-        omega = self.omegas(states)
-        kept = (omega > 0) | self._at_ends(states)
+        kept = (self.omegas(states) > 0) | ends
         cuts = np.flatnonzero(np.diff(kept)) + 1
-        return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[0]]
+        return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[:1].any()]
 
-    def _at_ends(self, states: FloatArray) -> NDArray[np.bool_]:
-        """Which states are Bogdanov–Takens points."""
-        off = np.abs(states[:, :, None] - self.ends[:, None]) / self.curves.scale[:, None, None]
-        here: NDArray[np.bool_] = (off.max(axis=0) < SAME).any(axis=1)
-        return here
-
-    def of_all_pairs(self, chain: FloatArray) -> list[OnsetCurve]:
+    def of_all_pairs(self, chain: FloatArray, ends: NDArray[np.bool_]) -> list[OnsetCurve]:
         """A curve for each pair, on the parts of a chain of states without damping that have as many."""
         modes = []
-        for state, ends in zip(chain.T, self._at_ends(chain), strict=True):
-            roots = _roots(self.balance, self.given, self.vary, state)
+        for roots, end in zip(self.roots(chain), ends, strict=True):
             others = roots[np.argsort(np.abs(roots))[2:]]
-            modes.append([0.0, *frequencies(others)] if ends else frequencies(roots))
+            modes.append([0.0, *frequencies(others)] if end else frequencies(roots))
         cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
         return [
             self.curve(chain[:, part], np.array([modes[row][mode] for row in part]), [UNPROVED] * len(part))
@@ -325,23 +309,11 @@ class _Lines:
             for mode in range(len(modes[part[0]]) if len(part) else 0)
         ]
 
-    def matrices(self, state: FloatArray) -> Iterator[FloatArray]:
-        """M, C and K at a point."""
-        return _matrices(self.balance, self.given, self.vary, state)
-
-    def omegas(self, states: FloatArray) -> FloatArray:
-        """ω at each point."""
-        return np.array([self.omega(state) for state in states.T])
-
-    def omega(self, state: FloatArray) -> float:
-        """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
-        return stability.frequency(_roots(self.balance, self.given, self.vary, state))
-
-    def forms(self, states: FloatArray) -> list[NormalForm | str]:
+    def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | str]:
         """The normal form at each point, over a box that is proved to hold one, or why there is none."""
         if not states.shape[1]:
             return []
-        ends, good = self.curves.enclosed(states, np.abs(self.curves.tangents(states)).argmax(axis=0))
+        ends, good = curves.enclosed(states, np.abs(curves.tangents(states)).argmax(axis=0))
         middle = Intervals(ends).middle
         radii = contractors.distance(ends, middle)
         return [
@@ -352,7 +324,7 @@ class _Lines:
         n, point = self.balance.n, self.given[:, 0].copy()
         point[[self.balance.parameters.index(name) for name in self.vary]] = state[n:]
         try:
-            return normal_form(self.model, point, state[:n], self.vary, radii)
+            return normal_form(self.p.model, point, state[:n], self.vary, radii)
         except Undecided as reason:
             return str(reason)
 
@@ -368,28 +340,33 @@ class _Lines:
         values["criticality"] = np.array([told(form)[0] for form in forms], dtype=np.str_)
         return OnsetCurve(values)
 
-    def changes(self, states: FloatArray, forms: Sequence[NormalForm | str]) -> list[list[float]]:
+    def changes(self, curves: FoldCurves, states: FloatArray, forms: Sequence[NormalForm | str]) -> list[list[float]]:
         """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""
         kinds = [told(form)[0] for form in forms]
         known = [k for k, kind in enumerate(kinds) if kind != "undecided"]
-        rows = []
-        for one, two in itertools.pairwise(known):
-            # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
-            if kinds[one] != kinds[two] and self._side(states[:, one]) == self._side(states[:, two]):
-                rows.append(self._between(states[:, one], states[:, two], kinds[one]))
-        return rows
+        # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
+        side = np.prod(self.roots(states), axis=1).real > 0
+        return [
+            self._between(curves, states[:, one], states[:, two], kinds[one])
+            for one, two in itertools.pairwise(known)
+            if kinds[one] != kinds[two] and side[one] == side[two]
+        ]
 
-    def _side(self, state: FloatArray) -> bool:
-        return bool(np.prod(_roots(self.balance, self.given, self.vary, state)).real > 0)
-
-    def _between(self, one: FloatArray, two: FloatArray, first: str) -> list[float]:
+    def _between(self, curves: FoldCurves, one: FloatArray, two: FloatArray, first: str) -> list[float]:
         for _ in range(HALVINGS):
-            chord = (two - one) / self.curves.scale
+            chord = (two - one) / curves.scale
             length = float(np.linalg.norm(chord))
-            found, good = self.curves.on_curve((0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length]))
-            kind = told(self.forms(found)[0])[0] if good[0] else "undecided"
+            found, good = curves.on_curve((0.5 * (one + two))[:, None], (chord / length)[:, None], np.array([length]))
+            kind = told(self.forms(curves, found)[0])[0] if good[0] else "undecided"
             if kind == "undecided":
                 break
             one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])
         middle, n = 0.5 * (one + two), self.balance.n
         return [*middle[n:], *middle[:n], float(np.abs(two - one).max())]
+
+
+def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> NDArray[np.bool_]:
+    """Which states of a chain are Bogdanov–Takens points, one a column."""
+    off = np.abs(states[:, :, None] - ends[:, None]) / curves.scale[:, None, None]
+    here: NDArray[np.bool_] = (off.max(axis=0) < SAME).any(axis=1)
+    return here

@@ -39,15 +39,7 @@ class Logarithmic(Augmented):
 
 
 def begins(system: Augmented, given: FloatArray, around: FloatArray) -> bool:
-    """Whether the range of the parameter begins at 0, which it never is, and nothing is known of a state there.
-
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (parameters, 1).
-    around : ndarray
-        The region, shape (2, n + 1, 1).
-    """
+    """Whether the range of the parameter in the region ``around`` begins at 0, which it never is, and nothing is known there."""
     (entry,) = [entry for entry in system.balance.model.about["parameters"] if entry["name"] == system.vary[0]]
     if entry["low"] != 0 or not entry["low_open"] or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
         return False

@@ -95,16 +95,8 @@ def search(
 ) -> Found:
     """All points of a kind.
 
-    Parameters
-    ----------
-    given : ndarray
-        Shape (parameters, points); rows of parameters that vary are not used.
-    spans : ndarray
-        Their ranges, shape (number, 2).
-    budget : int, optional
-        Boxes looked at for one point.
-    asked : ndarray, optional
-        The box of coordinates by hand, as for :func:`spragsym.statics.regions.region`.
+    ``given`` are the parameters, shape (parameters, points), of which those that vary are not used, ``spans`` their ranges,
+    shape (number, 2), ``budget`` the boxes looked at for one point, ``asked`` a region by hand.
     """
     places = [balance.parameters.index(name) for name in vary]
     if condition.singular and is_affine(balance, given, spans, places):

@@ -29,15 +29,7 @@ CLUSTERS = 12
 
 
 def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roots) -> Roots:
-    """What a search along one parameter has left open, or knows to few digits only, looked at again with many digits.
-
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (parameters, 1), the one that varies included, whose value is not used.
-    region : ndarray
-        Shape (2, n + 1, 1).
-    """
+    """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
     points = unsettled(found)
     if not points.size or system.condition.order or found.left.shape[2] > MANY:
         return found

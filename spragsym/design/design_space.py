@@ -162,9 +162,7 @@ def _design(base: ParameterSet | PhysicalParameters) -> Design:
 
 
 def dimensionless(values: Mapping[str, Any]) -> dict[str, Any]:
-    """The six parameters from themselves, or from physical quantities, which the name of the contact's stiffness shows."""
-    if "k_c" not in values:
-        return {name: values[name] for name in NAMES}
+    """The six parameters from physical quantities."""
     # Mass, speed and creep enter their own groups only.
     kappa, alpha, sigma, beta, *_ = _groups(
         1.0, values["k_c"], values["L_0"], values["F_L"], values["k_x"], values["k"], values["k_y"], 0.0, 0.0

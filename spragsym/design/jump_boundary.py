@@ -1,34 +1,73 @@
-"""A point on the border of what jumps, brought to the nearest one of its sheet of folds."""
+"""The fold that ends a followed state as the design moves, and a point on it brought to the nearest one of its sheet.
+
+In floats: predictions for searches that verify what they find.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
+from ..bifurcation.tubes.tube_regions import Parts
+from ..bifurcation.tubes.tubes import SMALL
+from ..bifurcation.tubes.turning_points import secants
 from ..errors import ConvergenceError
-from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import FloatArray
 from .design_space import Space
 from .gradients import JumpGradient
+from .jump_ends import Ends, told
+from .jumps import Followed, first_ends, slopes_of
 
-#: The jump value of one set of a model, and its slopes; it may take the set for a near neighbour of the last one.
-Gradient: TypeAlias = Callable[[Any], JumpGradient]
 #: Steps at most, the last of them over the size, and how much shorter the next one is where they don't get smaller.
 STEPS, LAST, SHORTER = 40, 1e-8, 0.3
 #: How near to its limit a jump value is on the border, over the slopes by z.
 ON = 1e-9
 
 
-def on_border(
-    designs: Space, z: FloatArray, vary: str, gradient: Gradient, limit: float | None = None
-) -> FloatArray | None:  # fmt: skip
+class MovedFold:
+    """Jump value and gradient of one design after the other, each near the last.
+
+    The first fold is the one of :func:`spragsym.design.jumps.jump_gradient`, by tubes from where ``vary`` begins. The next
+    one is found from the last by secants along the curve of states of the new design, in milliseconds; that the followed state
+    ends there is not known then. Where secants end nowhere it is found by tubes again.
+    """
+
+    def __init__(self, vary: str, begin: float | None) -> None:
+        self.vary, self.begin = vary, begin
+        self.last: FloatArray | None = None
+
+    def __call__(self, p: Any) -> JumpGradient:
+        asked = Followed(p, self.vary, "up", self.begin, None)
+        found = None if self.last is None else self._next(asked, self.last)
+        if found is None:
+            found = told(first_ends(p, self.vary, begin=self.begin))
+        z = np.append(found.state, found.value)
+        self.last = z if np.isfinite(z).all() else None
+        return JumpGradient(self.vary, found.value, slopes_of(p, self.vary, found))
+
+    def _next(self, asked: Followed, last: FloatArray) -> Ends | None:
+        """The fold near (q, v), if there is one within what the parameter may be."""
+        n, tubes, z = asked.balance.n, asked.tubes, last[:, None]
+        none = np.zeros((0, 1))
+        parts = Parts(asked.fixed, none, none)
+        # At a fold the null vector of K is the direction of the curve: nothing else of z changes there.
+        along = np.linalg.svd(tubes.floats(parts, z)[1][:, :n, 0])[2][-1]
+        pivot = int(np.argmax(np.abs(along) / np.maximum(np.abs(last[:n]), SMALL)))
+        z, met = secants(tubes, parts, tubes.corrected(parts, z, pivot), pivot, np.ones(1))
+        value = z[n].reshape(asked.shape)
+        if not met[0] or not asked.begin[0] <= value <= asked.until[0]:
+            return None
+        return Ends(value, np.zeros(asked.shape), z[:n].reshape(n, *asked.shape), {})
+
+
+def on_border(designs: Space, z: FloatArray, gradient: MovedFold, limit: float | None = None) -> FloatArray | None:
     """The z of smallest size near a given one where the state ends at a limit, or at the design's own value, if there is one.
 
     Source: g(z) = 0, how far beyond the limit the state ends. Each step goes to the point of smallest size of the plane
-    g + ∇g · (z′ − z) = 0, by jump values along ``vary`` and their gradients, or a part of the way where steps don't get smaller.
+    g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a part of the way where steps don't get smaller.
     """
-    limits = designs.limits()
+    limits, vary = designs.limits(), gradient.vary
 
     def step(z: FloatArray) -> tuple[FloatArray, float]:
         """The point of smallest size of the plane at z, and how far z is from the plane, over the slopes."""

@@ -1,11 +1,18 @@
-"""Where followed states end, of many points: what jump values and their gradients are told from."""
+"""Where followed states end, of many points, of some of which nothing may be known, and from where parameters rise."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from ..errors import ConvergenceError, UndecidedWarning
 from ..models.parameters import FloatArray
+
+#: Where θ₀ begins to rise; folds below it are looked for exactly.
+FIRST_ANGLE = 2.0**-40
+#: Parameters that rise from their lower end; the others move from the value that they have.
+FROM_LOWER_END = {"theta0": FIRST_ANGLE, "mu0": 0.0}
 
 
 @dataclass(frozen=True)
@@ -20,3 +27,14 @@ class Ends:
     error: FloatArray
     state: FloatArray
     reasons: Mapping[int, str]
+
+
+def told(found: Ends) -> Ends:
+    """The values themselves; an error if nothing is known of a single point, a warning if nothing is known of some of many."""
+    for reason in found.reasons.values():
+        if not found.value.shape:
+            raise ConvergenceError(reason)
+        what = f"{len(found.reasons)} points have no answer and are NaN; the first: {reason}"
+        warnings.warn(what, UndecidedWarning, stacklevel=3)
+        break
+    return found

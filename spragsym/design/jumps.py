@@ -21,8 +21,7 @@ from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import reference_state
 from ..statics.stability import filled
 from .gradients import JumpGradient
-from .jump_ends import Ends
-from .values import FROM_LOWER_END, told
+from .jump_ends import FROM_LOWER_END, Ends, told
 
 #: Points at a time.
 BLOCK = 4096

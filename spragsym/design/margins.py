@@ -13,9 +13,8 @@ from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters
 from ..questions import Method, model_of, question
 from ..results.result import Result
 from .design_space import Design, Space, space
-from .jump_boundary import on_border
+from .jump_boundary import MovedFold, on_border
 from .jumps import have_jumped
-from .moved_folds import MovedFold
 from .nearest import nearest
 from .tube_certificates import certify
 
@@ -103,7 +102,7 @@ def jump_margin(
     gradient = MovedFold(name, first)
 
     def on_fold(z: FloatArray) -> FloatArray | None:
-        better = on_border(designs, z, name, gradient)
+        better = on_border(designs, z, gradient)
         if better is None:
             return None
         # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.

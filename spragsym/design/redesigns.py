@@ -13,9 +13,8 @@ from ..models.parameters import FloatArray, ParameterSet, PhysicalParameters, as
 from ..questions import Method, model_of, question
 from ..results.result import Result
 from .design_space import Design, space
-from .jump_boundary import on_border
+from .jump_boundary import MovedFold, on_border
 from .jumps import have_jumped, jump_value
-from .moved_folds import MovedFold
 from .nearest import nearest
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
@@ -120,7 +119,7 @@ def redesign(
         """The nearest design on a fold at one of the targets, verified."""
         candidates = []
         for name, limit in wanted.items():
-            better = on_border(designs, z, name, along[name], limit)
+            better = on_border(designs, z, along[name], limit)
             if better is not None:
                 outward = better * (1 + _OUTWARD)[:, None]
                 candidates += list(outward[keeps(outward)][:1])

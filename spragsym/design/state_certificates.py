@@ -8,6 +8,7 @@ those of the whole do.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
@@ -93,7 +94,7 @@ def certify_states(low: Any, high: Any, claim: str, max_boxes: int, refute: bool
     box = _Box(low, high, claim)
     if claim == "no flutter" and box.without_flutter():
         return Certificate(claim, "proved", None, 0.0, 1)
-    if refute and (found := box.refuting(box.corners())) is not None:
+    if refute and (found := box.refuting(corners(box.whole.low[:, 0], box.whole.high[:, 0]))) is not None:
         return Certificate(claim, "refuted", found, 1.0, 1)
     pending, seen, proved, thin = box.whole, 0, 0.0, 0.0
     while pending.share.size and seen < max_boxes:
@@ -142,16 +143,6 @@ class _Box:
         """Whether no state of the box can flutter, wherever it is."""
         bounds = self.balance.prepared(Intervals.between(self.whole.low, self.whole.high))
         return bool(spectrum.without_flutter(self.balance, bounds).all())
-
-    def corners(self) -> FloatArray:
-        """The middle and corners of the box, shape (P, N)."""
-        low, high = self.whole.low, self.whole.high
-        free = np.flatnonzero(low[:, 0] < high[:, 0])[: CORNERS.bit_length() - 1]
-        out = np.repeat(0.5 * (low + high), 1 + (1 << free.size), axis=1)
-        for place, row in enumerate(free):
-            upper = (np.arange(1 << free.size) >> place) & 1
-            out[row, 1:] = np.where(upper == 1, high[row], low[row])
-        return out
 
     def refuting(self, points: FloatArray) -> Any:
         """The first of some points at which the claim is proved to be false, or None."""
@@ -212,6 +203,12 @@ class _Box:
                 moved = np.einsum("Nij,jN->iN", back, pushed) / np.maximum(1.0, np.abs(q))
                 np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))
         return np.asarray(out)
+
+
+def corners(low: FloatArray, high: FloatArray) -> FloatArray:
+    """The middle and corners of a box, shape (P, N)."""
+    sides = [(one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)]
+    return np.array([0.5 * (low + high), *itertools.islice(itertools.product(*sides), CORNERS)]).T
 
 
 def corner_values(names: Sequence[str], low: Any, high: Any) -> tuple[FloatArray, FloatArray]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
@@ -23,7 +22,7 @@ from ..statics.equilibria import equilibria
 from ..statics.mechanics.varying_units import BalanceInUnits
 from ..statics.reference_state import reference_state
 from .certificates import Certificate
-from .state_certificates import STATES, certify_states, corner_values
+from .state_certificates import STATES, certify_states, corner_values, corners
 
 #: Parts at a time, and points at a time.
 BATCH, POINTS = 1024, 1024
@@ -33,8 +32,6 @@ FEW = 256
 WIDE, THIN = 2.0**-6, 2.0**-14
 #: What the relative width of a side counts beside its effect on the state.
 SLIGHT = 1e-6
-#: Most corners of a box that are looked at for a counterexample.
-CORNERS = 64
 #: Outcomes of a part.
 OPEN, SAFE, ENDS = 0, 1, -1
 
@@ -226,13 +223,6 @@ class Splitting:
         return self.point(values[:, ends[0]]) if ends.size else None
 
 
-def corners(low: FloatArray, high: FloatArray) -> FloatArray:
-    """The middle and corners of a box, shape (free + 1, N), what moves at its upper end."""
-    sides = [(one,) if one == other else (one, other) for one, other in zip(low[:-1], high[:-1], strict=True)]
-    some = list(itertools.islice(itertools.product(*sides), CORNERS))
-    return np.array([[*(0.5 * (low + high))[:-1], high[-1]], *((*one, high[-1]) for one in some)]).T
-
-
 @question
 def certify(
     low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None, begin: float | None = None,
@@ -308,7 +298,8 @@ def certify(
     # What goes on to the upper end goes on to every value below.
     box.whole.low[-1] = box.whole.high[-1]
     volume = _volume(box.whole)[0]
-    found = box.ending(corners(box.whole.low[:, 0], box.whole.high[:, 0])) if refute else None
+    points = corners(box.whole.low[:-1, 0], box.whole.high[:-1, 0])
+    found = box.ending(np.vstack([points, np.full(points.shape[1], box.whole.high[-1])])) if refute else None
     if found is not None:
         return Certificate(claim, "refuted", found, 1.0, 1)
     seen, proved, left, decided = 0, 0.0, 0.0, True

@@ -101,7 +101,7 @@ def test_halves_make_up_the_box() -> None:
     weight[:, 20:40] = 0.0  # nothing is known
     halves = certificates.halved(boxes, weight)
     assert np.abs(halves.share - np.tile(boxes.share / 2, 2)).max() < 1e-16
-    lower, upper = halves.rows(np.arange(60)), halves.rows(np.arange(60, 120))
+    lower, upper = halves[:60], halves[60:]
     assert (lower.low == boxes.low).all()
     assert (upper.high == boxes.high).all()
     changed = lower.high != boxes.high

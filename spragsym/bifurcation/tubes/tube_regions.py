@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
@@ -20,21 +21,22 @@ UP = 1 + 2.0**-40
 
 @dataclass(frozen=True)
 class ByColumn:
-    """Arrays of which each column, along the last axis, is of one box."""
+    """Arrays of which each column, along the last axis, is of one box; what is no array is of all."""
 
     def __getitem__(self, rows: Any) -> Self:
-        parts = {field.name: getattr(self, field.name) for field in fields(self)}
-        return replace(
-            self, **{name: part[rows] if isinstance(part, ByColumn) else part[..., rows] for name, part in parts.items()}
-        )
+        return self._made(lambda part: part[rows] if isinstance(part, ByColumn) else part[..., rows])
 
     def then(self, others: Self) -> Self:
         """These, and others."""
-        parts = {field.name: (getattr(self, field.name), getattr(others, field.name)) for field in fields(self)}
-        return replace(self, **{
-            name: one.then(other) if isinstance(one, ByColumn) else np.concatenate([one, other], axis=-1)
-            for name, (one, other) in parts.items()
-        })  # fmt: skip
+
+        def joined(one: Any, other: Any) -> Any:
+            return one.then(other) if isinstance(one, ByColumn) else np.concatenate([one, other], axis=-1)
+
+        return self._made(joined, others)
+
+    def _made(self, of: Callable[..., Any], *others: Self) -> Self:
+        parts = {field.name: [getattr(each, field.name) for each in (self, *others)] for field in fields(self)}
+        return replace(self, **{name: of(*each) for name, each in parts.items() if not isinstance(each[0], Mapping)})
 
 
 def halves(low: FloatArray, high: FloatArray, weight: FloatArray) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...bifurcation.tubes.tube_regions import ByColumn
 from ...models.parameters import NAMES, FloatArray
 from ...numerics.affine import Affine, cosine_and_sine, sides
 
@@ -21,7 +22,7 @@ _SHARE = 0.25
 
 
 @dataclass(frozen=True)
-class Boxes:
+class Boxes(ByColumn):
     """Corners of boxes, of shape (sides, n), and the share of the whole that each of them is.
 
     Sides are the parameters in the order of ``NAMES``, and then units of measure over their base values; ``powers`` are, for each
@@ -32,18 +33,6 @@ class Boxes:
     high: FloatArray
     share: FloatArray
     powers: Mapping[str, tuple[tuple[int, int], ...]] = field(default_factory=dict)
-
-    def rows(self, index: NDArray[Any]) -> Boxes:
-        """Some of them."""
-        return replace(self, low=self.low[:, index], high=self.high[:, index], share=self.share[index])
-
-    def then(self, others: Boxes) -> Boxes:
-        """These, and then others of the same sides."""
-        low, high, share = (
-            np.concatenate(both, axis=-1)
-            for both in ((self.low, others.low), (self.high, others.high), (self.share, others.share))
-        )
-        return Boxes(low, high, share, self.powers)
 
     def parameters(self, sides: Iterable[Any]) -> dict[str, Any]:
         """Parameters by name from one value of each side, of any number type."""
@@ -97,15 +86,12 @@ class Ground:
         return [self.parameters[name] for name in NAMES[1:]]
 
 
-class Line(NamedTuple):
+@dataclass(frozen=True)
+class Line(ByColumn):
     """A direction of the spring for each box that changes linearly over it: ``value`` in its middle, ``slopes`` to its sides."""
 
     value: FloatArray
     slopes: FloatArray
-
-    def rows(self, index: NDArray[Any]) -> Line:
-        """Those of some boxes."""
-        return Line(self.value[index], self.slopes[:, index])
 
     def reach(self) -> FloatArray:
         """How far it goes from its value."""
@@ -156,7 +142,7 @@ def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdic
         if not box.size:
             break
         with np.errstate(all="ignore"):
-            done, decisive = test(over(boxes.rows(box), low.rows(box), high.rows(box), begin, end))
+            done, decisive = test(over(boxes[box], low[box], high[box], begin, end))
         parts = [np.abs(np.nan_to_num(quantity.terms[:, ~done])) for quantity in decisive]
         useful = [part[-1] > _SHARE * part[:-1].sum(axis=0) for part in parts]
         hopeless = (~np.logical_or.reduce(useful) & (halving >= _ALWAYS)) | (halving == _HALVINGS)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
+from ...bifurcation.tubes.tube_regions import halves
 from ...design.certificates import Certificate
 from ...errors import ParameterError
 from ...models.parameters import NAMES, FloatArray, Parameters
@@ -44,10 +46,7 @@ def certify(
     pending = _whole(low, high, chosen, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
     seen, open_share = 0, 0.0
     while pending.share.size:
-        batch, rest = (
-            pending.rows(np.arange(min(_BATCH, pending.share.size))),
-            pending.rows(np.arange(_BATCH, pending.share.size)),
-        )
+        batch, rest = pending[:_BATCH], pending[_BATCH:]
         seen += batch.share.size
         point = chosen.refute(batch) if refute else None
         if point is not None:
@@ -57,7 +56,7 @@ def certify(
         if seen + rest.share.size >= max_boxes:
             open_share = float(batch.share[open_ones].sum() + rest.share.sum())
             break
-        pending = rest.then(halved(batch.rows(open_ones), weight[:, open_ones]))
+        pending = rest.then(halved(batch[open_ones], weight[:, open_ones]))
     return Certificate(claim, "undecided" if open_share else "proved", None, open_share, seen)
 
 
@@ -94,15 +93,12 @@ def _whole_number(name: str, power: float) -> int:
 
 
 def halved(boxes: Boxes, weight: FloatArray) -> Boxes:
-    """Each box cut across the side that matters most; one without width is not cut, and where none is known the widest is."""
+    """Each box cut across the side that matters most; one without width is not cut, and where none is known the widest is.
+
+    A box that is a point, or as thin as floats are, has no halves: both are the same, and it stays open.
+    """
     width = boxes.high - boxes.low
-    relative = width / np.maximum(boxes.high, 1e-300)
-    useful = np.where(width > 0, weight, -1.0)
-    known = (useful > 0).any(axis=0)
-    side = np.where(known, np.argmax(useful, axis=0), np.argmax(relative, axis=0))
-    column = np.arange(side.size)
-    middle = 0.5 * (boxes.low[side, column] + boxes.high[side, column])
-    high, low = boxes.high.copy(), boxes.low.copy()
-    high[side, column], low[side, column] = middle, middle
-    # A box that is a point, or as thin as floats are, has no halves: both are the same, and it stays open.
-    return Boxes(boxes.low, high, boxes.share / 2, boxes.powers).then(Boxes(low, boxes.high, boxes.share / 2, boxes.powers))
+    known = ((width > 0) & (weight > 0)).any(axis=0)
+    _, high, low = halves(boxes.low, boxes.high, np.where(known, weight, width / np.maximum(boxes.high, 1e-300)))
+    half = replace(boxes, share=boxes.share / 2)
+    return replace(half, high=high).then(replace(half, low=low))

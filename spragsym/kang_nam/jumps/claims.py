@@ -117,7 +117,7 @@ def _no_jump(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
     for margin in _MARGINS[1:]:
         left = np.flatnonzero(~result)
         if left.size:
-            result[left], weight[:, left] = _followed_with(boxes.rows(left), margin)
+            result[left], weight[:, left] = _followed_with(boxes[left], margin)
     return result, weight
 
 
@@ -128,7 +128,7 @@ def _followed_with(boxes: Boxes, margin: float) -> tuple[NDArray[np.bool_], Floa
     for check in (_ends_hold, _rises, _is_small):
         some = np.flatnonzero(result)
         if some.size:
-            result[some], weight[:, some] = check(boxes.rows(some), *(line.rows(some) for line in lines))
+            result[some], weight[:, some] = check(boxes[some], *(line[some] for line in lines))
     return result, weight
 
 
@@ -220,9 +220,9 @@ def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[N
     result = above & far & (side != 0) & (reach.sign() * side > 0)
     left = np.flatnonzero(above & ~result)
     if left.size:
-        some = boxes.rows(left)
-        below = _alone(some, constant(0.0, some), lowest.rows(left))
-        result[left] = below & _alone(some, start.rows(left), constant(_ALL, some))
+        some = boxes[left]
+        below = _alone(some, constant(0.0, some), lowest[left])
+        result[left] = below & _alone(some, start[left], constant(_ALL, some))
     return result, np.abs(reach.terms[:-1])
 
 

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from ...design.values import FROM_LOWER_END
+from ...design.jump_ends import FROM_LOWER_END
 from ...models.parameters import NAMES, FloatArray, Parameters
 from ...numerics import bernstein
 from ...numerics.rounded import UNIT

@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 
 from ...bifurcation.paths import first_end
 from ...design.design_space import Space
-from ...design.jump_ends import Ends
-from ...design.values import FIRST_ANGLE, FROM_LOWER_END
-from ...errors import ConvergenceError, ParameterError
+from ...design.jump_ends import FIRST_ANGLE, FROM_LOWER_END, Ends
+from ...errors import ConvergenceError
 from ...models.parameters import NAMES, RANGES, FloatArray, Parameters
 from ...numerics.balls import Undecided
 from ...questions import NotInClosedForm
@@ -57,7 +56,8 @@ def first_ends(p: Parameters, vary: str | None = None, *, direction: str = "up",
     """
     vary = vary or "mu0"
     require_usual(p, vary, begin)
-    if vary not in NAMES:
+    known = ("up",) if vary in FROM_LOWER_END else ("up", "down")
+    if vary not in NAMES or direction not in known:
         raise NotInClosedForm
     found = first_jumps(p, vary, direction)
     at = {name: getattr(p, name) for name in NAMES} | {vary: found.value}
@@ -81,7 +81,8 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: 
     With ``apart_from``, an array of the shape of ``p``, a value need only be known well enough to say on which side of that
     number it lies.
     """
-    forward = _checked(p, vary, direction)
+    p.require(*(name for name in ("theta0", "mu0") if name != vary))
+    forward = 1 if direction == "up" else -1
     shape = p.replace(**{vary: None}).shape if vary in FROM_LOWER_END else p.shape
     size = math.prod(shape)
     needed = [name for name in NAMES if not (name == vary and vary in FROM_LOWER_END)]
@@ -95,17 +96,6 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: 
         value[here], theta[here], reasons = _block(part, vary, forward, marks)
         hopeless |= {begin + i: reason for i, reason in reasons.items()}
     return FirstJumps(value.reshape(shape), theta.reshape(shape), hopeless)
-
-
-def _checked(p: Parameters, vary: str, direction: str) -> int:
-    if vary not in NAMES:
-        raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
-    if direction not in ("up", "down"):
-        raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
-    if vary in FROM_LOWER_END and direction == "down":
-        raise ParameterError(f"direction = 'down': {vary} rises from its lower end; leave the direction out")
-    p.require(*(name for name in ("theta0", "mu0") if name != vary))
-    return 1 if direction == "up" else -1
 
 
 def _block(
@@ -159,15 +149,16 @@ def _walk(
     undecided[found.row[near]] = True
     keep = np.flatnonzero((ahead > 0) & ~near)
     keep = keep[np.lexsort((ahead[keep], found.row[keep]))]
-    row, value, best = found.row[keep], found.value.rows(keep), found.best.rows(keep)
+    kept = found.rows(keep)
+    row, value, best = kept.row, kept.value, kept.best
     same = row[1:] == row[:-1]
     apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
     undecided[row[1:][same & ~apart]] = True
     result, theta = np.full(start.size, np.nan), np.full(start.size, np.nan)
     rank, count = rank.astype(np.int64), count.astype(np.int64)
     place = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
-    at = 2 * np.arctan(found.t.value[keep])
-    opens, upper = forward * found.side[keep], found.upper[keep]
+    at = 2 * np.arctan(kept.t.value)
+    opens, upper = forward * kept.side, kept.upper
     done = np.zeros(start.size, dtype=np.bool_)
     wide = ~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))
     coarse = np.zeros(row.size, dtype=np.bool_)

@@ -41,11 +41,11 @@ def safe_within(designs: Space, radius: float, vary: str, begin: float) -> bool:
             return False
         off = (np.clip(origin, pending.low[place], pending.high[place]) - origin) / scale
         rest = (radius * (1 + 1e-9)) ** 2 - (off**2).sum(axis=0)
-        pending, rest = pending.rows(np.flatnonzero(rest >= 0)), rest[rest >= 0]
+        pending, rest = pending[rest >= 0], rest[rest >= 0]
         if "mu0" in designs.names:
             j, k = NAMES.index("mu0"), designs.names.index("mu0")
             pending.low[j] = pending.high[j] = designs.origin[k] + designs.scale[k] * np.sqrt(rest)
         proved, weight = CLAIMS["no jump"].prove(pending)
         left = np.flatnonzero(~proved)
-        pending = halved(pending.rows(left), weight[:, left])
+        pending = halved(pending[left], weight[:, left])
     return True

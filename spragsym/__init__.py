@@ -19,7 +19,8 @@ if (_sys.argv[0] == "-m" and "spragsym" in _sys.orig_argv) or _sys.argv[0].endsw
     import _signal
 
     # As a command: until that hears Ctrl-C itself, it ends the process, without a traceback of what is imported.
-    _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+    if _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN:  # which a script's job in the background ignores
+        _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
 
 import importlib.util as _util
 import pathlib as _pathlib

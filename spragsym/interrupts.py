@@ -117,7 +117,8 @@ def ending() -> Iterator[None]:
 
 
 def begun() -> _Ending:
-    """From now on, until there is a command, Ctrl-C ends the process at once."""
+    """From now on, until there is a command, Ctrl-C ends the process at once, unless it is ignored."""
     own = _Ending.installed = _Ending()
-    signal.signal(signal.SIGINT, own)
+    if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
+        signal.signal(signal.SIGINT, own)
     return own

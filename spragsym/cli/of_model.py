@@ -282,7 +282,7 @@ class OfModel(o.Command):
         options = []
         for entry in self.model.about["parameters"]:
             name, default = entry["name"], self.model.base.get(entry["name"])
-            allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][0].upper()}{entry['meaning'][1:]}"
+            allowed, meaning = self.model.Parameters.ranges[name], f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}"
             if name in self.model.about["angles"]:
                 low, high = math.degrees(allowed.low), math.degrees(allowed.high)
                 allowed = Range(low, high, allowed.open_low, f"give the {entry['meaning']} in degrees", allowed.closed_high)

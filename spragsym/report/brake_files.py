@@ -246,7 +246,7 @@ def example(model: Model) -> str:
     }
     meanings = [entry["meaning"] for entry in (*kind.about["units"], *kind.about["parameters"])]
     lines = [
-        f"{name} = {_written(values[name], unit)}  # {meaning}"
+        f"{name if name.isascii() else json.dumps(name, ensure_ascii=False)} = {_written(values[name], unit)}  # {meaning}"
         for (name, unit), meaning in zip(kind.units.items(), meanings, strict=True)
     ]
     where = model.where if model.where == model.name else Path(model.where).as_posix()

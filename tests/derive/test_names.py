@@ -13,6 +13,7 @@ pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.derive import export, folder, pages
+from spragsym.report.brake_files import example
 from tests.oracles import exported_names as names
 from tests.oracles.languages import NODE, OCTAVE
 
@@ -59,3 +60,12 @@ def test_a_text_ends_no_comment_and_no_docstring(language: str, tmp_path: Path) 
         return
     for name, whole in export.export(path, "mine", language).items():
         assert "alert" not in re.sub(r"/\*.*?\*/|(?m:^ *// .*$)", "", whole, flags=re.DOTALL), name
+
+
+@pytest.mark.thorough
+def test_data_of_a_page_with_a_greek_quantity_are_read_back(tmp_path: Path) -> None:
+    text = names.PAGE.format(*TAKEN).replace('page.unit("k"', 'page.unit("κ"')
+    folder.write_page(page(tmp_path, "greek", text), tmp_path / "model")
+    data = tmp_path / "brake.toml"
+    data.write_text(example(ss.load(tmp_path / "model")), encoding="utf-8")
+    assert "κ" in ss.Study.from_file(data, trust=True).quantities

@@ -164,3 +164,12 @@ def test_ctrl_c_ends_a_command(after: float) -> None:
         _, said = process.communicate(timeout=10)
     assert process.returncode in (130, -signal.SIGINT)
     assert "Traceback" not in said
+
+
+@pytest.mark.thorough
+@pytest.mark.skipif(os.name != "posix", reason="Windows has no such signal")
+def test_a_job_in_the_background_ignores_ctrl_c() -> None:
+    """As a shell without job control starts it: what ends the script in front of it does not end the job."""
+    ask = f"{sys.executable} -m spragsym equilibria --theta0 49 & sleep 0.4; kill -INT $!; wait $!"
+    done = subprocess.run(["sh", "-c", ask], capture_output=True, text=True, timeout=60)
+    assert (done.returncode, "contact" in done.stdout) == (0, True)

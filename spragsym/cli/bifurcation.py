@@ -138,9 +138,6 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     drawn(path, drawing, lambda: bifurcation_figure(p, vary, between=None if closed else shown, n=n, onsets=onsets), axes)
 
 
-# --------------------------------------------------------------------------------------------------------------- onsets
-
-
 @of_model(statics=True)
 @o.vary("A parameter, with a range as theta0=5:175; give two. Default: {axes}.", several=True)
 @o.undamped

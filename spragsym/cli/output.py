@@ -125,9 +125,6 @@ def _plain(thing: Any) -> Any:
     return None if isinstance(thing, float) and not math.isfinite(thing) else thing
 
 
-# ---------------------------------------------------------------------------------------------------------------- files
-
-
 def refuse(paths: Iterable[Path | None], force: bool, *, made: bool = False) -> None:
     """Raise, before any work, if one of the files exists, unless it is to be overwritten, or if it can't be written."""
     targets = [path for path in paths if path is not None]

@@ -68,6 +68,12 @@ class JumpProbability(Result):
     total_error: Mapping[str, float]
     proved: tuple[float, float] = (0.0, 1.0)
 
+    @property
+    def sobol(self) -> dict[str, tuple[float, float, float]]:
+        """Of each quantity the index of first order, the total one and its half-width; that with the largest total first."""
+        names = sorted(self.total, key=lambda name: -np.nan_to_num(self.total[name]))
+        return {name: (self.first[name], self.total[name], self.total_error[name]) for name in names}
+
     def as_table(self) -> Table:
         """The probability on the line above, and the indices."""
         columns = (self.first, self.first_error, self.total, self.total_error)

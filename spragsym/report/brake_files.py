@@ -225,9 +225,6 @@ def _fitted(value: float, error: float, unit: str) -> Measured:
     return Measured(value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, True)
 
 
-# ------------------------------------------------------------------------------------------------- a file to begin with
-
-
 def example(model: Model) -> str:
     """The text of ``brake.toml``: the article's example, or the base values of a model with its units of measure as there.
 

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 import spragsym as ss
 
+from ..design.probability import JumpProbability
 from ..errors import SpragsymError
 from ..results.equilibria import Equilibria
 from ..results.points import Points
@@ -17,7 +18,7 @@ from .friction import speed_for
 from .redesigns import Change, changes, distance
 from .states import JumpPeak, Oscillation, State, current, in_units, jump_peak, oscillation_of, others, states
 from .study import Study
-from .tolerances import BoxCertificate, Chance, bracket, certificate, chance, effort, varied
+from .tolerances import BoxCertificate, bracket, certificate, chance, effort, varied
 
 T = TypeVar("T")
 
@@ -65,8 +66,6 @@ class Facts:
         except SpragsymError as reason:
             self.remarks.append(f"{what} not known: {reason}")
             return None
-
-    # ------------------------------------------------------------------------------------------------------ the jump
 
     @cached_property
     def _jump(self) -> float | None:
@@ -177,8 +176,6 @@ class Facts:
         full = self.study.full[2]
         return self.study.working[2] < full - 0.005 * abs(full)
 
-    # ------------------------------------------------------------------------------------------------------- its states
-
     @cached_property
     def _equilibria(self) -> Equilibria:
         return ss.equilibria(self.study.at_work)
@@ -247,8 +244,6 @@ class Facts:
         rise = self.study.rise
         return bool(self._equilibria.complete and (rise is None or (rise.name in self.folds and self.folds[rise.name].complete)))
 
-    # ------------------------------------------------------------------------------------------------------- its motions
-
     @cached_property
     def peak(self) -> JumpPeak | None:
         """The jump as a motion; of friction, if there is one that the belt may reach."""
@@ -265,8 +260,6 @@ class Facts:
         settles = None if self.current is None else self.current.settles
         holds = any(state.stable for state in self.states if state.current or self._here is None)
         return self._known("the oscillation is", lambda: oscillation_of(self.study, settles, holds))
-
-    # --------------------------------------------------------------------------------------------- within the tolerances
 
     @cached_property
     def certificate(self) -> BoxCertificate | None:
@@ -286,16 +279,16 @@ class Facts:
         return tuple(name for name in self.study.unbounded if name != "m")  # on which no equilibrium depends
 
     @cached_property
-    def probability(self) -> Chance | None:
+    def probability(self) -> JumpProbability | None:
         """The probability, by samples and between its proved bounds; nothing is sampled where no brake jumps, by proof."""
         study, n = self.study, self.asked.n
         if not self.asked.probability or study.rise is None or not varied(study):
             return None
         if self.within == "proved" and not study.unbounded:
-            return Chance(0.0, 0.0, 0.0, 1.0, 0, {}, (0.0, 0.0))
+            return JumpProbability(0.0, 0.0, 0.0, 1.0, 0, 0.0, {}, {}, {}, {}, (0.0, 0.0))
         odds = chance(study, effort(study).samples if n is None else n)
         bounds = self._known("bounds of the probability are", lambda: bracket(study))
-        return odds if odds is None or bounds is None else replace(odds, proved=bounds)
+        return odds if bounds is None else replace(odds, proved=bounds)
 
     @property
     def hits(self) -> bool | None:
@@ -307,8 +300,6 @@ class Facts:
         """The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one, or that is not known."""
         found = None if self.study.rise is None else self._known("the nearest jump is", lambda: distance(self.study))
         return math.nan if found is None else found
-
-    # ---------------------------------------------------------------------------------------------------- what to change
 
     @property
     def target(self) -> float:

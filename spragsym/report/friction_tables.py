@@ -197,9 +197,6 @@ def _column(names: Sequence[str], units: Sequence[str], known: frozenset[str], s
         raise _RefusedError(f"{name!r}: {error}; write {'v [m/s]' if si == 'm/s' else 'mu or mu [%]'}", line, 2) from error
 
 
-# ----------------------------------------------------------------------------------------------------------- the fit
-
-
 @dataclass(frozen=True)
 class FrictionFit(Result):
     """μ₀ and d of the law μ₀ (1 − exp(−d \\|v\\|)) by least squares, with their standard errors and the rms of what is left.

@@ -112,8 +112,6 @@ class _Search:
         alike = [value for other, value in study.values.items() if value > 0 and si[other] == si[name]]
         return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
-    # ------------------------------------------------------------------------------------------------- which are kept
-
     def _reaches(self, changed: Mapping[str, FloatArray]) -> NDArray[np.bool_]:
         """Which designs are known not to jump at the target or below it."""
         shape = np.shape(next(iter(changed.values())))
@@ -132,8 +130,6 @@ class _Search:
             if free.any():
                 return int(some[np.flatnonzero(free)[0]])
         return None
-
-    # ------------------------------------------------------------------------------------------------- one quantity
 
     def singles(self) -> list[Change]:
         """Of single quantities the nearest values that keep the target, of as many as are asked for."""
@@ -183,8 +179,6 @@ class _Search:
         inside = [self._inside(name, value, value) for value in values.tolist()]
         return np.asarray(values[: inside.index(False)] if False in inside else values)
 
-    # ------------------------------------------------------------------------------------------------- several at once
-
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
         study, rise = self.study, self.study.rises
@@ -213,8 +207,6 @@ class _Search:
         found, slopes = ss.jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
-
-    # ------------------------------------------------------------------------------------------------- as it is printed
 
     def _first_proved(self, designs: Iterator[dict[str, float]]) -> Change | None:
         """The first of some designs with a proof; else the first without a brake that jumps among many samples."""

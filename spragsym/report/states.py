@@ -157,9 +157,6 @@ class Oscillation(Result):
         return self.kind == "lift-off" or (self.contact_force_N is not None and self.contact_force_N[0] == 0)
 
 
-# ------------------------------------------------------------------------------------------- in the units of a report
-
-
 def unit_of(study: Study, name: str = "") -> tuple[str, float]:
     """The unit of a coordinate, by default of the first, and its size: lengths in millimetres, angles in degrees."""
     entries = study.kind.about["coordinates"]
@@ -192,9 +189,6 @@ def _extremes(p: Any, states: FloatArray) -> dict[str, tuple[float, float]]:
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     told = {name: np.asarray(force(states, constants)) for name, force in forces.told_of(p.model).items()}
     return {name: (float(force.min()), float(force.max())) for name, force in told.items()}
-
-
-# ------------------------------------------------------------------------------------------------------- steady sliding
 
 
 def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[State, ...]:
@@ -291,9 +285,6 @@ def _roots(study: Study, q: list[float]) -> FloatArray:
     return np.asarray(roots(M, C, K)[0])
 
 
-# ------------------------------------------------------------------------------------------------------------ the jump
-
-
 def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak | None:
     """The jump as a motion; None where the belt's friction reaches none, the law is not known, or the motion creeps.
 
@@ -368,9 +359,6 @@ def _balanced(p: Any, place: FloatArray, held: int) -> FloatArray:
         stiffness = np.array(rows, dtype=float)[np.ix_(free, free)]
         q[free] -= np.linalg.solve(stiffness, np.array(residual, dtype=float)[free])
     return q
-
-
-# ----------------------------------------------------------------------------------------------------- the oscillation
 
 
 def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillation:

@@ -199,8 +199,6 @@ class Study:
         """The study without the belt's speed: friction is μ₀."""
         return self.with_quantities({name: one for name, one in self.quantities.items() if name not in self.kind.of_the_law})
 
-    # ------------------------------------------------------------------------------------------------- the operating point
-
     @cached_property
     def kind(self) -> Quantities:
         """The quantities of the model."""
@@ -258,8 +256,6 @@ class Study:
         belt = self.kind.law["belt"]
         return next((quantity for quantity, name in self.kind.parameters.items() if name == belt), None)
 
-    # -------------------------------------------------------------------------------------------------------- its friction
-
     @cached_property
     def law(self) -> str:
         """Which friction works: that at the belt's speed where it is known and statics can take it, else what statics takes.
@@ -288,8 +284,6 @@ class Study:
         """The friction that statics takes with a value of μ₀."""
         p = self.dimensionless
         return float(p.model.friction(p.replace(mu0=mu0), "friction_at_rest")) if mu0 < math.inf else mu0
-
-    # --------------------------------------------------------------------------------------------------------- what rises
 
     @property
     def rises(self) -> Rise:
@@ -362,8 +356,6 @@ class Study:
             return math.inf
         return self.told(float(ranges(self.kind.model, (self.rise.name,), {})[0, 1]))
 
-    # ---------------------------------------------------------------------------------------------- in the file's own units
-
     def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
         """A value of a quantity, by default its own, as text in the unit in which it came."""
         one = self.quantities[name]
@@ -401,8 +393,6 @@ class Study:
         here = name if name in self.quantities else next(alike, "")
         unit = self.quantities[here].unit if here else PLAIN_UNITS.get(si, si)
         return unit, self.scale(si) / factor(unit, si)
-
-    # ---------------------------------------------------------------------------------------------------------- the answers
 
     def report(
         self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2,

@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from ..design.probability import JumpProbability
 from ..models.load import USUAL
 from .states import AWAY, State
 from .study import Study
-from .tolerances import Chance
 from .units import ENDS
 
 if TYPE_CHECKING:
@@ -30,9 +30,6 @@ def percent_beyond(value: float, other: float) -> float:
     """By how much a value exceeds another, in percent of the size of that; infinite where that is 0."""
     gap = value - other
     return 100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
-
-
-# --------------------------------------------------------------------------------------------------------- the verdict
 
 
 def verdict(report: Report) -> str:
@@ -151,7 +148,7 @@ def box(unbounded: Sequence[str]) -> str:
     return f"the tolerances{beyond}"
 
 
-def share(odds: Chance) -> str:
+def share(odds: JumpProbability) -> str:
     """The share of all brakes that jump, which a sample without one, or with nothing else, only bounds."""
     if odds.probability == 0:
         return f"fewer than {_percent(odds.high)}"
@@ -162,9 +159,6 @@ def _percent(number: float) -> str:
     """A share in percent with three digits, or as many as tell it from all or nothing."""
     text = f"{100 * number:.3g}"
     return f"{100 * number:.6g} %" if text == "100" and number < 1 else f"{text} %"
-
-
-# ------------------------------------------------------------------------------------------------------------------ text
 
 
 def as_text(report: Report) -> str:

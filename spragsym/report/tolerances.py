@@ -11,9 +11,8 @@ from scipy.stats import qmc
 
 from ..design.jump_probability import measured
 from ..design.jumps import first_ends, have_jumped
-from ..design.probability import estimated, probability_table
+from ..design.probability import JumpProbability, estimated
 from ..design.tube_certificates import Splitting, certify
-from ..display import Table
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..models.parameters.units import Unit
@@ -82,30 +81,6 @@ class BoxCertificate(Result):
     boxes: int
 
 
-@dataclass(frozen=True)
-class Chance(Result):
-    """The probability of a jump with its interval; Sobol' indices: first order, total, and the total's half-width.
-
-    ``proved`` are bounds of the probability by proof, not by samples; (0, 1) where nothing was asked to be proved.
-    """
-
-    probability: float
-    low: float
-    high: float
-    confidence: float
-    n: int
-    sobol: Mapping[str, tuple[float, float, float]]
-    proved: tuple[float, float] = (0.0, 1.0)
-
-    def as_table(self) -> Table:
-        """The probability on the line above, and the indices."""
-        rows = tuple((f"of {name}", *(f"{value:.4f}" for value in indices)) for name, indices in self.sobol.items())
-        return probability_table("Chance", self, ("", "first order", "total", "±"), rows)
-
-
-# ---------------------------------------------------------------------------------------------------- brakes within them
-
-
 def deciding(study: Study) -> tuple[str, ...]:
     """The quantities that decide whether it jumps: those of the balance of forces, and of the friction that works."""
     names = {*study.kind.balanced, *friction.depends_on(study)}
@@ -165,9 +140,6 @@ def ending(study: Study, values: Mapping[str, Any], target: float | None = None,
     return found
 
 
-# ------------------------------------------------------------------------------------------------- proofs, and probabilities
-
-
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     """Corners between which all brakes lie, as of :func:`tolerance_boxes.corners`, with the μ₀ of the friction that works.
 
@@ -219,19 +191,12 @@ def counterexample(study: Study, number: int) -> dict[str, float] | None:
     return None
 
 
-def chance(study: Study, n: int) -> Chance | None:
-    """How probable a jump is with the distributions of the file, what varies together included; None where nothing varies."""
-    if not varied(study):
-        return None
-    found = estimated(
+def chance(study: Study, n: int) -> JumpProbability:
+    """How probable a jump is with the distributions of the file, what varies together included."""
+    return estimated(
         {**study.values, **{name: study.quantities[name].whole for name in varied(study)}}, lambda values: ending(study, values),
         correlation=correlated(study), n=n, rng=0, confidence=0.95, sobol=True, replicates=8, workers=1, progress=False,
     )  # fmt: skip
-    indices = {
-        name: (found.first[name], found.total[name], found.total_error[name])
-        for name in sorted(found.total, key=lambda name: -np.nan_to_num(found.total[name]))
-    }
-    return Chance(found.probability, found.low, found.high, found.confidence, found.n, indices)
 
 
 def begins_alike(study: Study, after: Mapping[str, float]) -> bool:

@@ -173,9 +173,6 @@ def dimension(unit: pint.Unit) -> tuple[Any, ...]:
     return (*sorted((name, round(float(power), 9)) for name, power in powers.items()), ("angle", round(float(radians), 9)))
 
 
-# ------------------------------------------------------------------------------------------------------------- from text
-
-
 def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Measured:
     """A quantity from text such as ``"180 N/mm ± 15 %"``, ``"[150, 210] N/mm"`` or ``"180 N/mm sd 5 %"``.
 

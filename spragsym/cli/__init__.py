@@ -120,49 +120,56 @@ def _in_latin(error: UnicodeError) -> tuple[str, int]:
 
 
 def _run(arguments: list[str], debug: bool) -> int:
+    """The exit code; an error is told on one line of stderr, if there is one."""
     try:
         if "_SPRAGSYM_COMPLETE" in os.environ:  # the shell asks for completions
             cli.main(arguments, prog_name="spragsym")
         with ending(), warnings.catch_warnings():
             warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
-            code = _invoke(arguments)
+            with cli.make_context("spragsym", arguments) as context:
+                cli.invoke(context)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()  # flush here, so that a closed pipe and a full disk are noticed here
-    except (click.Abort, KeyboardInterrupt) as stop:
-        return _report("; ".join(["interrupted", *map(str, stop.args)]), 130, debug)
+    except click.exceptions.Exit as stop:
+        return stop.exit_code
     except BrokenPipeError:
         return 0  # the reader, such as head, has closed the pipe, which is not an error
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
         return error.exit_code
-    except click.ClickException as error:
-        where = f"; see {error.ctx.command_path} --help" if isinstance(error, click.UsageError) and error.ctx else ""
-        return _report(_message(error, arguments).rstrip(".") + where, error.exit_code, debug)
-    except (ParameterError, ParameterTypeError) as error:
-        return _report(str(error), 2, debug)
-    except SpragsymError as error:
-        return _report(str(error), 1, debug)
-    except ModuleNotFoundError as error:
-        module = (error.name or "").partition(".")[0]
-        if module not in EXTRAS:
-            return _report_mistake(error, debug)
-        return _report(str(MissingExtraError(f"spragsym {arguments[0]}", module, EXTRAS[module])), 1, debug)
-    except OSError as error:
-        return _report(_of_the_system(error), 1, debug)
-    except MemoryError:
-        return _report("out of memory; ask for fewer points at a time", 1, debug)
-    except Exception as error:
-        return _report_mistake(error, debug)
-    return code
+    except (Exception, KeyboardInterrupt) as error:
+        message, code = _told(error, arguments)
+        with suppress(OSError, ValueError):
+            if debug:
+                traceback.print_exc()
+            line = " ".join(message.split())
+            click.echo(f"spragsym: {line if len(line) <= 2000 else f'{line[:500]} … {line[-500:]}'}", err=True)
+        return code
+    return 0
 
 
-def _invoke(arguments: list[str]) -> int:
-    try:
-        with cli.make_context("spragsym", arguments) as context:
-            code = cli.invoke(context)
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
-    return code if isinstance(code, int) else 0
+def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
+    """What is said of an error, and its exit code."""
+    match error:
+        case click.Abort() | KeyboardInterrupt():
+            return "; ".join(["interrupted", *map(str, error.args)]), 130
+        case click.ClickException():
+            where = f"; see {error.ctx.command_path} --help" if isinstance(error, click.UsageError) and error.ctx else ""
+            return _message(error, arguments).rstrip(".") + where, error.exit_code
+        case SpragsymError():
+            return str(error), 2 if isinstance(error, ParameterError | ParameterTypeError) else 1
+        case ModuleNotFoundError() if (module := (error.name or "").partition(".")[0]) in EXTRAS:
+            return str(MissingExtraError(f"spragsym {arguments[0]}", module, EXTRAS[module])), 1
+        case OSError() if not error.strerror:
+            return str(error), 1
+        case OSError() if error.filename is None:
+            return f"the output can't be written: {error.strerror}; make room, or send it elsewhere", 1
+        case OSError():
+            return f"{error.filename}: {error.strerror}; give another path", 1
+        case MemoryError():
+            return "out of memory; ask for fewer points at a time", 1
+    remedy = "a mistake in spragsym; report it with what --debug prints"
+    return f"unexpected {type(error).__name__}: {error}; this is {remedy}", 1
 
 
 def _message(error: click.ClickException, arguments: list[str]) -> str:
@@ -180,15 +187,6 @@ def _message(error: click.ClickException, arguments: list[str]) -> str:
     return f"no option {typed}" + (f"; did you mean {meant}?" if meant else "")
 
 
-def _of_the_system(error: OSError) -> str:
-    """The message for an error of the operating system: it names the file, or says that the output failed."""
-    if not error.strerror:
-        return str(error)
-    if error.filename is None:
-        return f"the output can't be written: {error.strerror}; make room, or send it elsewhere"
-    return f"{error.filename}: {error.strerror}; give another path"
-
-
 def _let_go(stream: IO[str] | Any) -> None:
     """Drop what a stream could not write; otherwise the interpreter tries again when it ends, and exits with code 120."""
     try:
@@ -197,18 +195,3 @@ def _let_go(stream: IO[str] | Any) -> None:
     except (OSError, ValueError):
         with suppress(OSError, ValueError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
-
-
-def _report_mistake(error: Exception, debug: bool) -> int:
-    remedy = "a mistake in spragsym; report it with what --debug prints"
-    return _report(f"unexpected {type(error).__name__}: {error}; this is {remedy}", 1, debug)
-
-
-def _report(message: str, code: int, debug: bool) -> int:
-    """One line on stderr, if there is one."""
-    with suppress(OSError, ValueError):
-        if debug:
-            traceback.print_exc()
-        line = " ".join(message.split())
-        click.echo(f"spragsym: {line if len(line) <= 2000 else f'{line[:500]} … {line[-500:]}'}", err=True)
-    return code

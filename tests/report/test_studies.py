@@ -316,13 +316,25 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert all(state.contact_force_N is not None and math.isfinite(state.contact_force_N) for state in found.states)
 
 
-#: A brake by hand: it jumps where its friction is 0.59157, the closed form's.
-SLOW = {
-    "m": "0.4 kg", "k": "100 N/mm", "L_0": "40 mm", "theta0": "40 deg", "k_x": "7 N/mm", "k_y": "0 N/mm", "k_c": "1 kN/mm",
-    "F_L": "280 N", "mu0": "0.5", "V": "3 m/s", "d": "1 s/m",
-}  # fmt: skip
+@pytest.mark.thorough
+def test_a_report_follows_the_state_that_was_chosen_and_names_the_other() -> None:
+    small, far = (ss.Study(brake(V=None, d=None), state=state).report(**QUICKLY) for state in (None, {"x": 0.05}))
+    assert math.isfinite(small.mu_jump)
+    assert math.isnan(far.mu_jump)
+    ((place, end),) = small.others
+    assert place["x_mm"] == pytest.approx(far.current.places["x_mm"])
+    assert math.isnan(end)
+    ((place, end),) = far.others
+    assert place["x_mm"] == pytest.approx(small.current.places["x_mm"])
+    assert end == pytest.approx(small.mu_jump, rel=1e-9)
+    assert "chosen near x = 50 mm" in far.verdict
 
 
-def told(tmp_path: Path, model: str, rows: dict[str, str | None], **options: Any) -> ss.Report:
-    """The report on the slow brake with some quantities replaced, or left out."""
-    return studied(tmp_path, {"model": model} | rows, SLOW).report(**({"oscillation": False, "redesign": False} | options))
+def test_a_file_names_the_state(tmp_path: Path) -> None:
+    file = written(tmp_path)
+    text = file.read_text(encoding="utf-8")
+    file.write_text(f'{text}state = {{ x = "50 mm" }}\n', encoding="utf-8")
+    assert ss.Study.from_file(file).dimensionless.followed == pytest.approx({"x": 50 / 38})
+    file.write_text(f'{text}state = {{ z = "50 mm" }}\n', encoding="utf-8")
+    with pytest.raises(ss.ParameterError, match=r"line 14: state = .*write state = \{ x = "):
+        ss.Study.from_file(file)

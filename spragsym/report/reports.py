@@ -94,6 +94,10 @@ class Report(Facts, Result):
         """The rows of its text."""
         return Table(self.verdict, ("", "value"), tuple(row for _, rows in texts.sections(self) for row in rows))
 
+    def table_values(self) -> dict[str, Any]:
+        """It has no columns."""
+        return {}
+
     def __str__(self) -> str:
         return self.text()
 

@@ -33,22 +33,13 @@ _KEYS = ("friction", "correlation", "model", "vary", "begin", "state")
 
 
 def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Study:
-    """The data of a brake.
+    """The data of a brake from a TOML file with one table, ``[brake]``.
 
-    Parameters
-    ----------
-    path : path
-        A TOML file with one table, ``[brake]``: for each quantity a text with number, unit and, if it has one, a tolerance; and
-        ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together; and ``vary = "F_L"`` where not the friction but a
-        quantity rises until the state jumps, with ``begin = "10 N"`` if not from its least value; and
-        ``state = { phi = "-28 deg" }`` where another state than the reference state is followed.
-    trust : bool or str
-        Whether the code of a model's folder may run that the file names, or the one folder whose code may.
-
-    Raises
-    ------
-    ParameterError
-        For every mistake: it names the file, the line, the key, the value and what to write.
+    For each quantity it has a text with number, unit and, if there is one, a tolerance; ``correlation = [["k", "k_x", 0.9]]`` for
+    quantities that vary together; ``vary = "F_L"`` where not the friction but a quantity rises until the state jumps, with
+    ``begin = "10 N"`` if not from its least value; and ``state = { phi = "-28 deg" }`` where another state than the reference
+    state is followed. ``trust`` says whether the code of a model's folder may run that the file names, or the one folder whose
+    code may. Every mistake is a ParameterError that names the file, the line, the key, the value and what to write.
     """
     return _Reader(os.fspath(path), text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")).read(trust)
 
@@ -228,8 +219,6 @@ def _fitted(value: float, error: float, unit: str) -> Measured:
 def example(model: Model) -> str:
     """The text of ``brake.toml``: the article's example, or the base values of a model with its units of measure as there.
 
-    Examples
-    --------
     >>> import spragsym as ss
     >>> example(ss.load("stick_slip")).splitlines()[1:3]
     ['[brake]', 'model = "stick_slip"']

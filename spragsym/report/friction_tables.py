@@ -73,11 +73,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
 
     The first line that is no comment names the columns in any order, with units, as in ``v [mm/s];mu``; units may stand in a line
     of their own below the names. Columns stand between semicolons, tabs, commas, bars or blanks, with a decimal point or comma.
-
-    Raises
-    ------
-    ParameterError
-        For a file that is missing, has no such head, may be read in two ways, or has a line that is no measurement.
+    A ParameterError is raised for a file that has no such head, may be read in two ways, or has a line that is no measurement.
     """
     text = text_of(path, MEASURED, "a text file with sliding speed and coefficient").splitlines()
     stripped = ((number, line.strip(" \r\n")) for number, line in enumerate(text, 1))
@@ -220,12 +216,8 @@ class FrictionFit(Result):
 def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
     """μ₀ and d by least squares; for each d the best μ₀ is linear, so that one search over d finds the best of all.
 
-    Notes
-    -----
     Source: the regularized law (10) at steady sliding.
 
-    Examples
-    --------
     >>> speed = np.array([0.05, 0.1, 0.3, 1.0])
     >>> found = fit_friction(speed, 0.4 * (1 - np.exp(-10 * speed)))
     >>> round(found.mu0, 9), round(found.d, 7)

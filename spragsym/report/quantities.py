@@ -36,12 +36,8 @@ class Quantities:
     def scale(self, unit: str, values: Mapping[str, Any]) -> Any:
         """What one dimensionless unit of a quantity is in SI: the product of powers of the model's units that has its dimension.
 
-        Notes
-        -----
         Source: dimensional analysis; the model's page makes three quantities of independent dimensions 1.
 
-        Examples
-        --------
         >>> brake = {"m": 4.0, "k_c": 100.0, "L_0": 0.5}
         >>> found = quantities("kang_nam")
         >>> round(found.scale("N", brake), 12), round(found.scale("s", brake), 12)

@@ -55,13 +55,7 @@ class Change(Result):
 def changes(study: Study, target: float) -> tuple[Change, ...]:
     """Changes that keep the jump at or beyond a target, and beyond the largest value given for all brakes within the tolerances.
 
-    Single quantities, nearest first, and last the least joint change.
-
-    Parameters
-    ----------
-    study : Study
-    target : float
-        The friction, or value of what rises in SI, below which nothing may jump.
+    Single quantities, nearest first, and last the least joint change; ``target`` is a friction, or what rises in SI.
 
     Notes
     -----

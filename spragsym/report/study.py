@@ -67,13 +67,9 @@ class Rise:
 def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Mapping[str, float]) -> Rise | None:
     """What rises: the quantity that is named, else the friction at full slip; None for a model without it.
 
-    ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
-
-    Raises
-    ------
-    ParameterError
-        For what is no quantity, or one on which no state depends; for one that has no least value, without ``begin``; and for a
-        ``begin`` that is not allowed, or above the value.
+    ``begin`` and the quantities are in SI; without it the quantity rises from its least value. Refused are what is no
+    quantity, or one on which no state depends; one that has no least value, without ``begin``; and a ``begin`` that is not
+    allowed, or above the value.
     """
     if vary is None:
         if begin is not None:

@@ -118,15 +118,8 @@ def registry() -> pint.UnitRegistry[Any]:
 
 @functools.lru_cache(maxsize=256)
 def factor(unit: str, si: str) -> float:
-    """What one ``unit`` is in the SI unit ``si``.
+    """What one ``unit`` is in the SI unit ``si``; an error for one that is not known, or is of another quantity.
 
-    Raises
-    ------
-    ParameterError
-        For a unit that is not known, or is one of another quantity.
-
-    Examples
-    --------
     >>> factor("N/mm", "N/m"), factor("deg", "rad") == math.pi / 180
     (1000.0, True)
     """
@@ -176,26 +169,10 @@ def dimension(unit: pint.Unit) -> tuple[Any, ...]:
 def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Measured:
     """A quantity from text such as ``"180 N/mm ± 15 %"``, ``"[150, 210] N/mm"`` or ``"180 N/mm sd 5 %"``.
 
-    Parameters
-    ----------
-    text : str
-        Number and unit, and a tolerance if there is one: an amount, a share, two ends; or a standard deviation, with the ends at
-        which the distribution is cut off if it is, as in ``"180 N/mm sd 5 % in [160, 200] N/mm"``.
-    si : str
-        The SI unit of what is wanted.
-    allowed : Range
-        Where value and ends must lie, in SI.
-    example : str
-        How this quantity may be written.
+    It has a number and a unit, and a tolerance if there is one: an amount, a share, two ends; or a standard deviation, with the
+    ends at which the distribution is cut off if it is, as in ``"180 N/mm sd 5 % in [160, 200] N/mm"``. Anything else, a tolerance
+    that may be read in two ways and what is not ``allowed`` is a ParameterError with examples of what can be read.
 
-    Raises
-    ------
-    ParameterError
-        For text that is no quantity, a unit that is missing or of another quantity, a tolerance that may be read in two ways, and
-        numbers that are not allowed, with examples of what can be read.
-
-    Examples
-    --------
     >>> read("180 N/mm +- 15 %", "N/m")
     Measured(value=180000.0, low=153000.0, high=207000.0, unit='N/mm', sd=0.0, cut=True)
     >>> round(read("0.45 sd 0.05", "1").high, 9)

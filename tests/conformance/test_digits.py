@@ -15,7 +15,7 @@ from spragsym import precise
 from spragsym.models.model_field import undecorated
 from spragsym.numerics.decimals import exactly
 from tests.conformance import models
-from tests.conformance.models import MODELS, load
+from tests.conformance.models import ALIKE, MODELS, load
 from tests.support import few
 
 
@@ -24,6 +24,7 @@ def a_set(name: str, **changes: Any) -> Any:
     return models.a_set(name, math.degrees(0.5), **changes)
 
 
+@pytest.mark.by_hand(*ALIKE[1:])
 @pytest.mark.parametrize("name", few(MODELS, "damped", "stick_slip"))
 def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
     """The same states, types, directions and lengths; 25 digits hold those of 60."""
@@ -46,7 +47,8 @@ def test_digits_are_those_of_the_floats_and_of_more_digits(name: str) -> None:
                 assert abs(number - exact) <= error + rest
 
 
-@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "sprag_rod", "hertz_contact"))
+@pytest.mark.by_hand("damped", "stribeck", "cubic_contact", "inclined_belt", "trolley", "pad_on_disc")
+@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "hertz_contact"))
 def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
     """Forces by mpmath, which the search does not use."""
     p = a_set(name)
@@ -93,6 +95,7 @@ UNDECIDED = pytest.mark.xfail(raises=ss.ConvergenceError, strict=True)
 BESIDE = [pytest.param(name, id=name, marks=[UNDECIDED] if name == "soft_brake" else ()) for name in MODELS]
 
 
+@pytest.mark.by_hand(*ALIKE)
 @pytest.mark.parametrize("name", few(BESIDE, "kang_nam", "stick_slip", "sprag_rod", "pressed"))
 def test_numbers_beside_floats_have_the_same_states(name: str) -> None:
     """Isolated over a box of parameters, each state on its side of the contact's border."""
@@ -144,7 +147,7 @@ def test_search_and_the_polynomial_have_the_same_cusps(given: dict[str, Any]) ->
     assert set(search.region) == {"x", "y", "theta0", "mu0"}
 
 
-@pytest.mark.by_hand("soft_brake", "hertz_contact", "pad_on_disc")
+@pytest.mark.by_hand("soft_brake", *ALIKE)
 @pytest.mark.parametrize("name", few([name for name in MODELS if len(load(name).axes) == 2]))
 def test_cusps_to_digits_are_those_of_floats(name: str) -> None:
     p = a_set(name)

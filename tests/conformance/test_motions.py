@@ -12,7 +12,8 @@ from tests.conformance.models import ALIKE, MOVING, a_set
 from tests.support import few
 
 
-@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip", "sprag_rod", "trolley"))
+@pytest.mark.by_hand(*ALIKE)
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip", "sprag_rod"))
 def test_a_motion_of_every_model_has_everything(name: str) -> None:
     p = a_set(name)
     tr = ss.simulate(p, t_end=30.0, rtol=1e-8, backend="scipy", estimate_error=True)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.conformance.models import MODELS, a_set, load
+from tests.conformance.models import ALIKE, MODELS, a_set, load
 from tests.support import few
 
 #: What the contract names, and what may be asked besides.
@@ -18,8 +18,9 @@ ATTRIBUTES = (
 )  # fmt: skip
 
 
+@pytest.mark.by_hand(*ALIKE)
 @pytest.mark.parametrize("question", ["folds", "flutter_onsets"])
-@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "mode_coupling"))
+@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip"))
 def test_points_of_every_model_have_everything(name: str, question: str) -> None:
     p = a_set(name)
     found = getattr(ss, question)(p)
@@ -39,6 +40,7 @@ def test_points_of_every_model_have_everything(name: str, question: str) -> None
         found.nothing  # noqa: B018  # an attribute that is made when asked for
 
 
+@pytest.mark.by_hand(*ALIKE)
 @pytest.mark.parametrize("name", few([name for name in MODELS if "theta0" in load(name).parameters], "kang_nam"))
 def test_what_ends_at_a_fold_is_what_the_states_beside_it_say(name: str) -> None:
     """Two states fewer beyond it, and where a state goes to there is an equilibrium at the fold's very value."""

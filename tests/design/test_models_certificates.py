@@ -10,7 +10,6 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
 from spragsym.design.tube_certificates import ENDS, OPEN, THIN, Splitting
-from tests.support import few
 
 SEARCH = ss.load("kang_nam").search
 BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
@@ -35,9 +34,8 @@ def random_boxes(seed: int, number: int) -> list[dict[str, tuple[float, float]]]
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("number", few(range(24), 0, 1, 2))
-def test_nothing_is_proved_that_closed_forms_refute(number: int) -> None:
-    ranges = random_boxes(5, 24)[number]
+@pytest.mark.parametrize("ranges", random_boxes(5, 5))
+def test_nothing_is_proved_that_closed_forms_refute(ranges: Any) -> None:
     found = ss.certify(*sets(SEARCH, ranges), "no jump", method="search", max_boxes=300)
     theirs = ss.certify(*sets(ss.load("kang_nam"), ranges), "no jump")
     assert {found.outcome, theirs.outcome} != {"proved", "refuted"}

@@ -9,7 +9,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.design.tube_certificates import certify
-from tests.support import few
 
 ARTICLE = ss.load("kang_nam")
 MODELS = ["two_springs", "cubic_contact", "mode_coupling", "inclined_belt", "sprag_rod", "damped"]
@@ -41,7 +40,7 @@ def fails(eq: Any, claim: str) -> Any:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("claim", CLAIMS)
-@pytest.mark.parametrize("number", few(range(40), 1, 2, 3))
+@pytest.mark.parametrize("number", [1, 2, 3])
 def test_nothing_is_said_that_closed_forms_contradict(number: int, claim: str) -> None:
     rng = np.random.default_rng([7, number])
     low, high = a_box(ARTICLE, rng)
@@ -54,10 +53,10 @@ def test_nothing_is_said_that_closed_forms_contradict(number: int, claim: str) -
         assert fails(ss.equilibria(found.counterexample, method="closed"), claim)
 
 
-@pytest.mark.by_hand("sprag_rod")
+@pytest.mark.by_hand("sprag_rod", "cubic_contact", "inclined_belt", "damped")
 @pytest.mark.thorough
 @pytest.mark.parametrize("claim", CLAIMS)
-@pytest.mark.parametrize("name", few(MODELS, "mode_coupling"))
+@pytest.mark.parametrize("name", MODELS)
 def test_what_is_proved_is_so_at_points_and_what_is_refuted_is_not(name: str, claim: str) -> None:
     rng = np.random.default_rng(3)
     for _ in range(6):

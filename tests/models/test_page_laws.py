@@ -1,11 +1,9 @@
-"""Laws of many shapes on one page, from the page to states, folds, motions and C, against equations written down here by hand."""
+"""Laws of many shapes on one page, from the page to states, jumps and motions, against equations written down here by hand."""
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -17,13 +15,10 @@ import spragsym as ss
 
 pytest.importorskip("sympy")
 
-from spragsym.derive import export
-from tests.oracles.emission import results_of_c, with_angles
 from tests.oracles.user_pages import model_of, shipped_page
 from tests.support import few
 
 OFFERED = "import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
-COMPILER = shutil.which("cc")
 
 
 @dataclass(frozen=True)
@@ -142,6 +137,7 @@ def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     assert not (np.asarray(ss.jump_value(middle.replace(**values))) <= values["mu0"]).any()
 
 
+@pytest.mark.by_hand("waves", "atan", "tanh")
 @pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
@@ -161,24 +157,3 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     want = solve_ivp(field, (0, t_end), start, method="DOP853", rtol=1e-8, atol=1e-10, max_step=0.25)
     ends = [float(getattr(found, name)[-1]) for name in ("x", "y", "vx", "vy")]
     assert ends == pytest.approx(want.y[:, -1], abs=2e-7)
-
-
-@pytest.mark.by_hand("waves")
-@pytest.mark.thorough
-@pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-def test_c_gives_the_numbers_of_python(model: Any, tmp_path: Path) -> None:
-    _, it = model
-    page = Path(it.where).with_suffix(".py")
-    for file, text in export.export(page, page.stem, "c").items():
-        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / file).write_text(text, encoding="utf-8")
-    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
-    taken = [float(value) for value in it.arguments(p, "motion")]
-    calls, want = [], []
-    for function, sides in (("rhs", ()), ("regime_jacobian", (1.0, -1.0, *[1.0] * it.about["layers"]))):
-        given = [0.1, -0.05, 0.7, 0.02, *taken, *sides]
-        values = np.array(getattr(it.algebra, function)(*given), dtype=float).ravel()
-        want.append(values)
-        calls.append((function, with_angles(it, getattr(it.algebra, function), given), values.size))
-    got = results_of_c(tmp_path, page.stem, calls)
-    np.testing.assert_allclose(got, np.concatenate(want), rtol=1e-12, atol=1e-15)

@@ -26,6 +26,7 @@ def parameters(model: Any, **changes: Any) -> Any:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.by_hand("damped", "inclined_belt", "cubic_contact", "stribeck")
 @pytest.mark.parametrize("name", few(NAMES, "kang_nam", "stick_slip", "sprag_rod"))
 def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     """The integral of the powers over a motion with kinks is the change of energy: the quadrature is not the integrator's."""
@@ -42,6 +43,7 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
 
 
 @pytest.mark.skipif(len(BACKENDS) < 2, reason="the extra fast is not installed")
+@pytest.mark.by_hand("damped", "inclined_belt", "cubic_contact", "stribeck")
 @pytest.mark.parametrize("name", few(NAMES, "hertz_contact", "trolley"))
 def test_both_integrators_agree(name: str) -> None:
     model = ss.load(name).search

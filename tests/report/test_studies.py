@@ -126,7 +126,7 @@ def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, rede
         assert change.outcome == "proved"
 
 
-@pytest.mark.thorough
+@pytest.mark.validate
 def test_a_change_that_a_brake_refutes_is_not_given() -> None:
     """Eight quantities with tolerances, of which corners used to be sampled: at every corner of every change nothing jumps."""
     off = dict.fromkeys(("k", "k_x", "k_c", "F_L", "L_0"), "8 %") | {"theta0": "1 deg", "mu0": (0.3, 0.36), "V": "10 %"}
@@ -279,6 +279,7 @@ def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tm
     assert ss.quasi_static_path(corner, "mu0", [0.0, 0.35]).jumps
 
 
+@pytest.mark.by_hand("a slow belt", "at full slip")
 @pytest.mark.thorough
 @pytest.mark.parametrize(
     "rows",

@@ -107,7 +107,10 @@ def bifurcation_set(
     more = np.concatenate([rows_of(balance, vary, points) for _, points in known], axis=1)
     asked = by_hand(balance.coordinates, within)
     found = on_lines(balance, vary, FOLD, given, spans, n, more, asked, more[-1])
-    curves = [Curve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains]
+    curves = [
+        Curve(dict(zip((*vary, *balance.coordinates), [*chain[balance.n :], *chain[: balance.n]], strict=True)))
+        for chain in found.chains
+    ]
     complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
     remarks = (*found.remarks, *_said(known, of_ranges(unsaid, spans[[list(vary).index(name) for name in unsaid]])))
     return BifurcationSet(tuple(vary), tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
@@ -215,11 +218,6 @@ def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
 def rows_of(balance: Balance, vary: Sequence[str], found: Points) -> FloatArray:
     """Coordinates and both parameters of points, shape (n + 2, points)."""
     return np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)
-
-
-def _named(states: FloatArray, n: int) -> list[FloatArray]:
-    """Parameters first."""
-    return [*states[n:], *states[:n]]
 
 
 # ------------------------------------------------------------------------------------------------------- order of points

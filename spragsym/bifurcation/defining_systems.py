@@ -38,28 +38,23 @@ class Condition:
     given_up: Callable[[State], NDArray[np.bool_]] | None = None
 
 
+@dataclass
 class State:
     """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
 
-    def __init__(
-        self,
-        balance: Balance,
-        q: Sequence[Any],
-        values: Mapping[str, Any],
-        shape: tuple[int, ...],
-        upright: Sequence[int] = (),
-        xp: Any = XP,
-        sides: Sequence[int] | None = None,
-    ) -> None:
-        self.balance, self.q, self.values, self.shape, self.xp = balance, q, values, shape, xp
-        self._upright, self._sides = upright, sides
-        self._slopes: Any = None
+    balance: Balance
+    q: Sequence[Any]
+    values: Mapping[str, Any]
+    shape: tuple[int, ...]
+    upright: Sequence[int] = ()
+    xp: Any = XP
+    sides: Sequence[int] | None = None
 
     @cached_property
     def directions(self) -> list[Any]:
         """Cosine, sine and length of every spring, and turnings."""
         if self.xp is XP:
-            return self.balance.directions(self.q, self.values, self.shape, self._upright, self._sides)
+            return self.balance.directions(self.q, self.values, self.shape, self.upright, self.sides)
         return self.balance.plain_directions(self.q, self.values, self.xp)
 
     def forces(self) -> Sequence[Any]:
@@ -69,9 +64,11 @@ class State:
 
     def slopes(self) -> list[list[Any]]:
         """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
-        if self._slopes is None:
-            self._slopes = self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
         return [list(row) for row in self._slopes]
+
+    @cached_property
+    def _slopes(self) -> Any:
+        return self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
 
     def stiffness(self) -> list[list[Any]]:
         """K."""

@@ -172,12 +172,9 @@ class FoldCurves:
                 states = states - np.linalg.solve(matrix, off[:, :, None])[:, :, 0].T * scale
             good = regular & (np.linalg.norm((states - start) / scale, axis=0) <= NEAR * near)
             good &= ((self.spans[:, :1] <= states[-2:]) & (states[-2:] <= self.spans[:, 1:])).all(axis=0)
-            good[good] = self._proved(states[:, good], normal[:, good])
+            # A fold in contact is next to each state, with the same value of what the normal points along most.
+            good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
         return states, good
-
-    def _proved(self, states: FloatArray, normal: FloatArray) -> NDArray[np.bool_]:
-        """Whether a fold in contact is next to each state, with the same value of what the normal points along most."""
-        return self.enclosed(states, np.abs(normal).argmax(axis=0))[1]
 
     def enclosed(self, states: FloatArray, fixed: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.bool_]]:
         """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved to hold one.

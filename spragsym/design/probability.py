@@ -13,7 +13,7 @@ import numpy as np
 
 from ..display import Table
 from ..errors import ParameterError
-from ..models.parameters import FloatArray, Parameters, PhysicalParameters, Range, as_number
+from ..models.parameters import FloatArray, Parameters, PhysicalParameters, Range, as_count, as_number
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
 from ..progress import advance
@@ -107,7 +107,10 @@ def estimated(
     if not varied:
         raise ParameterError("no quantity of distribution varies; give a range or a distribution for one, or use jump_value")
     together = dependence(varied, correlation)
-    _check(n, replicates, confidence)
+    as_count("n", n, 2)
+    as_count("replicates", replicates, 2)
+    if not 0 < confidence < 1:
+        raise ParameterError(f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %")
     if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
         raise ParameterError(f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out")
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
@@ -127,14 +130,6 @@ def estimated(
     return JumpProbability(
         found.mean, found.low, found.high, confidence, found.n, found.undecided, first, total, first_error, total_error
     )
-
-
-def _check(n: int, replicates: int, confidence: float) -> None:
-    for name, value, least in (("n", n, 2), ("replicates", replicates, 2)):
-        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-            raise ParameterError(f"{name} = {value!r}; give an integer of {least} or more")
-    if not 0 < confidence < 1:
-        raise ParameterError(f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %")
 
 
 # ------------------------------------------------------------------------------------------------------ variables

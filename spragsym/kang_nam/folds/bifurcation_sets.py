@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ...errors import ConvergenceError, ParameterError
+from ...errors import ConvergenceError
 from ...generated import catastrophe as _catastrophe
-from ...models.parameters import FloatArray, Parameters
+from ...models.parameters import FloatArray, Parameters, as_count
 from ...numerics.half_angle import on_circle
 from ...questions import NotInClosedForm
 from ...results.bifurcation_sets import BifurcationSet, Curve
@@ -38,15 +38,13 @@ def bifurcation_set(p: Parameters, vary: Sequence[str] | None = None, n: int | N
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
-    n = 2000 if n is None else n
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
-        raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
+    n = as_count("n", 2000 if n is None else n, 2)
     fixed = Fixed(*p.scalars(*FIXED))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
     if preload < _TOO_LIGHT:
         raise _indistinct(fixed.kappa, "they all but coincide")
     curves = []
-    for strand in fold_curves.strands(fixed, int(n)):
+    for strand in fold_curves.strands(fixed, n):
         c, s = np.cos(strand.theta), np.sin(strand.theta)
         _, x, y = kernel.state(c, s, np.cos(strand.theta0), np.sin(strand.theta0), fixed.kappa, fixed.sigma, fixed.beta, 1)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.

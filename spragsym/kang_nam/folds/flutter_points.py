@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...bifurcation.onsets import Onsets
-from ...errors import ParameterError
 from ...generated import kernel as solver
 from ...generated import stability as _stability
-from ...models.parameters import FloatArray, Parameters
+from ...models.parameters import FloatArray, Parameters, as_count
 from ...numerics.adaptive_bits import as_floats, with_enough_bits
 from ...questions import NotInClosedForm, of_article
 from ...results.points import in_closed_form
@@ -135,8 +134,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     >>> bool((abs(found.mu0 - 0.5) < 0.01).any())
     True
     """
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
-        raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
+    as_count("n", n, 2)
     fixed = Fixed(*p.scalars(*FIXED))
     kappa, alpha, sigma, beta = fixed
     found = []

@@ -10,7 +10,7 @@ import numpy as np
 from ...bifurcation.tubes.tube_regions import halves
 from ...design.certificates import Certificate
 from ...errors import ParameterError
-from ...models.parameters import NAMES, FloatArray, Parameters
+from ...models.parameters import NAMES, FloatArray, Parameters, as_count
 from ...models.parameters.units import Unit, checked_units
 from ...questions import NotInClosedForm
 from .cells import Boxes
@@ -37,11 +37,9 @@ def certify(
     require_usual(low, "mu0", begin)
     if not rises:
         raise NotInClosedForm
-    max_boxes = 20_000 if max_boxes is None else max_boxes
+    max_boxes = as_count("max_boxes", 20_000 if max_boxes is None else max_boxes)
     if claim not in CLAIMS:
         raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, CLAIMS))}")
-    if isinstance(max_boxes, bool) or not isinstance(max_boxes, int | np.integer) or max_boxes < 1:
-        raise ParameterError(f"max_boxes = {max_boxes!r} is not a number of boxes; give an integer of 1 or more")
     chosen = CLAIMS[claim]
     pending = _whole(low, high, chosen, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
     seen, open_share = 0, 0.0

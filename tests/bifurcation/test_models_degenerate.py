@@ -9,7 +9,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.bifurcation import near_zero
-from tests.support import few
 
 
 @pytest.mark.thorough
@@ -27,8 +26,8 @@ def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, ons
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("off", few([0.0, 1e-14, -1e-12, 1e-9], 0.0))
-@pytest.mark.parametrize("vary", few(["mu0", "theta0"], "theta0"))
+@pytest.mark.parametrize("off", [0.0, -1e-12])
+@pytest.mark.parametrize("vary", ["mu0", "theta0"])
 def test_folds_beside_a_cusp(vary, off):
     model = ss.load("kang_nam").search
     given = {"mu0": {"theta0": 1.1871896863225868 + off}, "theta0": {"mu0": 0.20093178180509016 + off}}[vary]
@@ -93,31 +92,6 @@ def test_stiff_springs_have_the_states_of_the_closed_forms(values, contact):
     assert np.nanmax(eq.error) <= 1e-12
 
 
-@pytest.mark.thorough
-def test_a_stiff_spring_on_a_trolley_off_the_belt():
-    # By the spring's direction θ all else follows: tension, trolley and mass; the balance along the belt, times sin θ, is left.
-    rng = np.random.default_rng(4)
-    model = ss.load("trolley")
-    p = model.Parameters(
-        theta0=rng.uniform(0.1, 3.0, 6), kappa=10 ** rng.uniform(-4, 0, 6), alpha=10 ** rng.uniform(-3, 1, 6),
-        sigma=10.0 ** np.array([1, 3, 5, 7, 9, 8]), beta=[0.0, 0.0, 0.1, 1.0, 0.0, 10.0], alpha_a=10 ** rng.uniform(-2, 3, 6),
-    )  # fmt: skip
-    eq = ss.equilibria(p, contact=False)
-    assert eq.complete
-    theta = np.linspace(-np.pi, np.pi, 200_002)[1:]
-    c, s = np.cos(theta), np.sin(theta)
-    for k in range(6):
-        theta0, kappa, alpha, sigma, beta, alpha_a = (
-            getattr(p, name)[k] for name in ("theta0", "kappa", "alpha", "sigma", "beta", "alpha_a")
-        )
-        pull = (kappa + beta * (np.sin(theta0) - s)) / (1 + beta / sigma)  # tension times sin θ
-        y = np.sin(theta0) - s - pull / sigma
-        left = alpha * ((np.cos(theta0) - c) * s - pull * c / alpha_a - pull * c / sigma) - pull * c
-        turns = np.flatnonzero((left * np.roll(left, 1) < 0) & (y > 0) & (1 + pull / s / sigma > 0))
-        assert int(eq.count[k]) == turns.size
-        assert np.allclose(np.sort(eq.y[k][: turns.size]), np.sort(y[turns]), atol=1e-4)
-
-
 # -------------------------------------------------------------------------------------------------- the command line
 
 
@@ -130,12 +104,3 @@ def test_what_is_undecided_is_listed(with_a_line, run):
     text = run(*asked)
     assert "1 box is undecided, within x in [" in text
     assert "det K is 0 in every state" in text
-
-
-@pytest.mark.thorough
-def test_a_slope_that_no_float_tells_from_0_has_its_sign():
-    # Without friction at fast sliding the slope is a multiple of e^(−V/v_s), and the sign of the other factor is known.
-    model = ss.load("stribeck")
-    found = ss.flutter_onsets(model.Parameters(theta0=2.5, mu_k=0.0, mu_s=0.4), "v_s")
-    assert found.decided
-    assert not any("undecided" in text for text in found.remarks)

@@ -38,16 +38,6 @@ def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("contact", few([True, False], True))
-def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: bool) -> None:
-    """Counts, kinds and errors within the bounds of both, against the ladder's digits; and most points are vouched for."""
-    p, found = everything[contact]
-    assert np.mean(found.status == 0) > 0.999
-    assert languages.against_python(found, p, contact).wrong == 0
-    assert 0 < languages.against_python(found, p, contact).largest <= 1
-
-
-@pytest.mark.thorough
 def test_every_bit_is_that_of_c(everything: Any, c_library: ctypes.CDLL) -> None:
     """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
     for contact, (p, found) in everything.items():

@@ -144,14 +144,6 @@ def test_roots_that_may_be_one_or_lie_below_0_settle_nothing_in_contact(monkeypa
     assert _settled(monkeypatch, {}, contact=False, t=t)[0] == (t[0] <= 0)
 
 
-def test_count_counts() -> None:
-    p = _points(40)
-    np.testing.assert_array_equal(ss.count(p), ss.equilibria(p).count)
-    assert ss.count(p).dtype == np.int8
-    one = ss.Parameters.article(theta0=[[0.5], [0.8]], mu0=[0.3, 1.0, 1.3])
-    assert ss.count(one).shape == (2, 3)
-
-
 def test_points_without_an_answer_are_marked_with_their_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     p = ss.Parameters(1.0, [0.5, 1e200, 0.7], [0.3, 1e200, 0.3], 1.0, 1.0, 1.0)
     eq = ss.equilibria(p)

@@ -125,20 +125,3 @@ def test_what_the_article_calls_stable_after_the_jump_grows() -> None:
     assert (eq.growth_sign[2], f"{eq.growth[2]:+.1e}") == (1, "+4.9e-06")
     most = max(value.real for value in eigenvalues(eq.parameters.model, eq, 2, eq.parameters))
     assert abs(eq.growth[2] - float(most)) < 1e-14
-
-
-@pytest.mark.thorough
-def test_columns_are_those_of_the_search_in_shapes_and_lift_off() -> None:
-    """Points, slots and regimes of closed forms, against the search; parameters of the motion alone may have the shape."""
-    p = ss.Parameters.article(theta0=np.radians([[30.0], [49.0]]), V=[0.1, 0.5, 5.0], beta=0.2)
-    for contact in (True, False):
-        closed, search = (ss.equilibria(p, contact=contact, method=method) for method in ("closed", "search"))
-        assert closed.count.tolist() == search.count.tolist()
-        for place in np.ndindex(p.shape):
-            one, other = (np.argsort(eq.x[place])[: int(eq.count[place])] for eq in (closed, search))
-            for name in ("x", "y", "theta", "L", "growth"):
-                pair = getattr(closed, name)[place][one], getattr(search, name)[place][other]
-                np.testing.assert_allclose(*pair, rtol=1e-9, atol=1e-14)
-            for name in ("stability", "damped", "growth_sign", "marginal"):
-                assert getattr(closed, name)[place][one].tolist() == getattr(search, name)[place][other].tolist()
-    assert (closed.region.shape, closed.whole.shape, closed.complete) == ((2, 3, 2, 2), (2, 3), True)

@@ -303,8 +303,9 @@ def _folds(report: Report) -> Rows:
     study = report.study
     nothing = "nothing is left in contact" if study.kind.about["contact"]["unilateral"] else "nothing is left"
     for row in report.fold_rows:
-        name = f"inclination {row.inclination_deg:.5g} deg" if row.friction is None else f"friction {row.friction:.5g}"
-        name = name if row.value is None else f"{report.vary} {study.amount(row.value, 5)}"
+        kinds = (("friction", row.friction, ""), ("inclination", row.inclination_deg, " deg"))
+        name = next((f"{what} {at:.5g}{unit}" for what, at, unit in kinds if at is not None), "")
+        name = name or f"{report.vary} {study.amount(row.value or 0.0, 5)}"
         if row.kind != "fold":
             yield name, f"a {row.kind}"
         elif not row.ends:

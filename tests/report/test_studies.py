@@ -339,3 +339,14 @@ def test_a_file_names_the_state(tmp_path: Path) -> None:
     file.write_text(f'{text}state = {{ z = "50 mm" }}\n', encoding="utf-8")
     with pytest.raises(ss.ParameterError, match=r"line 14: state = .*write state = \{ x = "):
         ss.Study.from_file(file)
+
+
+def test_a_load_that_rises_is_told_in_its_unit(tmp_path: Path) -> None:
+    found = studied(tmp_path, EXACT | {"mu0": "0.4", "vary": "F_L", "begin": "50 N"}).report(**QUICKLY)
+    (row,) = [row for row in found.fold_rows if row.value is not None]
+    jump = ss.jump_value(found.study.at_work, "kappa", begin=50 / 57000)
+    assert found.jump_at == pytest.approx(57000 * jump, rel=1e-9)
+    assert row.value == pytest.approx(found.jump_at, rel=1e-9)
+    assert f"F_L {found.jump_at:.5g} N" in found.text()
+    assert found.to_dict()["jump_at"] == {"value": pytest.approx(found.jump_at), "unit": "N"}
+    assert found.mu_jump is None

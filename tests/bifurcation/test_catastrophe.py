@@ -46,21 +46,6 @@ def test_folds_satisfy_f_and_its_slope(vary: str) -> None:
         assert slope < 1e-14
 
 
-@pytest.mark.parametrize("vary", NAMES)
-def test_folds_are_where_counts_change_and_only_there(vary: str) -> None:
-    rng = np.random.default_rng(NAMES.index(vary))
-    grids = {"theta0": np.linspace(1e-3, math.pi - 1e-3, 4001), "mu0": np.linspace(0, 3, 4001)}
-    values = grids.get(vary, np.geomspace(1e-4, 10, 4001))
-    for _ in range(6):
-        p = random_fixed(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 1.5))
-        found = getattr(ss.folds(p, vary=vary), vary)
-        found = found[(found > values[0]) & (found < values[-1])]
-        changes = np.flatnonzero(np.diff(_counts(p.replace(**{vary: values}))))
-        cells = np.searchsorted(values, found) - 1
-        odd, number = np.unique(cells, return_counts=True)
-        assert odd[number % 2 == 1].tolist() == changes.tolist()
-
-
 def test_agreement_with_continuation_codes() -> None:
     left, right = np.degrees(ss.folds(BASE).theta0)
     assert f"{left:.9f}" == AUTO_FOLD

@@ -92,7 +92,7 @@ WRITING = {
         "a.svg",
     ),
     "check": (["check", "--report"], "a.md"),
-    "report": (["report", "--no-oscillation", str(Path(ss.__file__).parent / "studies/brake.toml"), "--html"], "a.html"),
+    "report": (["report", "--no-oscillation", str(Path(ss.__file__).parent / "report/brake.toml"), "--html"], "a.html"),
     "simulate": (["simulate", *MOTION, "-o"], "a.csv"),
     "cycles": (["cycles", "--theta0", "42", "--vary", "theta0=41.9:42.1", "--plot"], "a.svg"),
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),

@@ -133,19 +133,6 @@ def test_no_fold_at_all() -> None:
     assert math.isinf(ss.cusp_friction(p))
 
 
-@pytest.mark.thorough
-def test_the_kind_changes_where_a_turn_runs_into_the_cusp() -> None:
-    """Between the article's σ and a stiff spring the turn passes the cusp, where both are one."""
-    low, high = 0.1, 5.0
-    for _ in range(40):
-        middle = math.sqrt(low * high)
-        low, high = (middle, high) if ss.critical_friction(BASE.replace(sigma=middle)).kind == "cusp" else (low, middle)
-    one, two = (ss.critical_friction(BASE.replace(sigma=sigma)) for sigma in (low, high))
-    assert (one.kind, two.kind) == ("cusp", "turn")
-    assert float(one) == pytest.approx(float(two), rel=1e-9)
-    assert float(one.theta0) == pytest.approx(float(two.theta0), rel=1e-4)
-
-
 # ----------------------------------------------------------------------------------------------------------- the result
 
 

@@ -78,20 +78,6 @@ def test_mirror_symmetry_is_exact(
     assert equilibrium.f_slope(-c, s, *there) == equilibrium.f_slope(c, s, *here)
 
 
-@pytest.mark.thorough
-@given(points())
-def test_more_digits_agree(p: ss.Parameters) -> None:
-    """The error bound holds against 30 digits, for the same float64 parameters."""
-    eq = ss.equilibria(p)
-    exact = ss.precise.equilibria(p, dps=30)
-    assert len(exact) == int(eq.count)
-    for i, state in enumerate(exact):
-        for name in ("theta", "L", "x", "y"):
-            value = getattr(state, name)
-            assert abs(getattr(eq, name)[i] - value) <= eq.error[i] * max(1, abs(value))
-        assert eq.stability[i] == state.stability
-
-
 @pytest.mark.parametrize(
     ("mu0", "alpha", "contact"),
     [(0, 0, True), (0, "0.3", False), ("0.5", 0, False), (0, 1, True)],

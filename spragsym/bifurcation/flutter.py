@@ -24,7 +24,7 @@ from ..statics.regions import by_hand
 from .bifurcation_conditions import FLAT, FLUTTER, HOPF, NO_SLOPE, no_damping, undamped_mode
 from .defining_systems import Augmented, Condition
 from .onsets import Onsets, onsets_of
-from .points import Found, arranged, endless, given_column, nothing, ranges, search
+from .points import Found, arranged, endless, given_column, matrices, nothing, ranges, search
 from .seen import VALUES, with_seen
 
 #: ω of the points of a search that M, C and K are taken at.
@@ -184,17 +184,11 @@ class _Part:
 
 def _part(balance: Balance, vary: str, given: FloatArray, found: Found, kind: str, frequencies: Frequencies) -> _Part:
     """A row for each frequency that a root has; none for roots whose λ are real."""
-    middle = found.roots.middle
-    point = np.repeat(given, middle.shape[1], axis=1)
-    point[balance.parameters.index(vary)] = middle[-1]
-    rows: list[int] = []
-    omega: list[float] = []
-    if middle.shape[1]:
-        parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(balance, middle[: balance.n], point))
-        for row, (M, C, K) in enumerate(zip(*parts, strict=True)):
-            some = frequencies(M, C, K)
-            omega += some
-            rows += [row] * len(some)
+    rows, omega = list[int](), list[float]()
+    for row, each in enumerate(zip(*matrices(balance, (vary,), given, found.roots.middle), strict=True)):
+        some = frequencies(*each)
+        omega += some
+        rows += [row] * len(some)
     kept = replace(found, roots=found.roots.kept(np.array(rows, dtype=np.int64)))
     return _Part(kept, np.full(len(rows), kind), np.array(omega))
 
@@ -205,9 +199,14 @@ def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return [omega] if omega else []
 
 
+def _squares(M: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
+    """The roots κ of det(K − κ M)."""
+    return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+
+
 def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
-    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    squares = _squares(M, K)
     if squares.size < 2:
         return []
     apart = np.abs(squares[:, None] - squares[None]) + np.where(np.eye(squares.size), np.inf, 0.0)
@@ -218,15 +217,14 @@ def meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
 def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is the nearest to one of all."""
     others = [i for i in range(len(K)) if i != along]
-    squares = np.linalg.eigvals(np.linalg.solve(M[np.ix_(others, others)], K[np.ix_(others, others)])).astype(complex)
-    all_of_them = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
-    one = squares[np.abs(squares[:, None] - all_of_them[None]).min(axis=1).argmin()]
+    squares = _squares(M[np.ix_(others, others)], K[np.ix_(others, others)])
+    one = squares[np.abs(squares[:, None] - _squares(M, K)[None]).min(axis=1).argmin()]
     return [float(np.sqrt(one.real))] if one.real > 0 else []
 
 
 def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     """ω of all modes that oscillate."""
-    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    squares = _squares(M, K)
     scale = 1e-12 * np.abs(squares).max()
     return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
 

@@ -31,7 +31,7 @@ from .flutter import meeting
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
 from .onsets import told
-from .points import arranged, given_column, nothing, ranges, search
+from .points import arranged, given_column, matrices, nothing, ranges, search
 
 if TYPE_CHECKING:
     pass
@@ -267,11 +267,7 @@ class _Plane:
 
     def matrices(self, states: FloatArray) -> tuple[FloatArray, ...]:
         """M, C and K, each of shape (N, n, n)."""
-        point = np.repeat(self.given, states.shape[1], axis=1)
-        point[[self.balance.parameters.index(name) for name in self.vary]] = states[self.balance.n :]
-        with np.errstate(all="ignore"):
-            parts = stability.linearization(self.balance, states[: self.balance.n], point)
-        return tuple(np.moveaxis(part, -1, 0) for part in parts)
+        return matrices(self.balance, self.vary, self.given, states)
 
     def roots(self, states: FloatArray) -> NDArray[np.complex128]:
         """All λ, shape (N, 2 n)."""

@@ -6,9 +6,9 @@ only to the state that is proved to lie on the same branch: see :mod:`spragsym.b
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -190,8 +190,7 @@ class _Way:
         if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
-        self.every: dict[int, dict[int, int]] = {}
-        self.turnings: dict[tuple[int, int, int], int | None] = {}
+        self._links, self._turns = functools.cache(self._linked), functools.cache(self._turned)
         self.joined = linked(p, vary, self.eq, self.turns, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
@@ -341,13 +340,8 @@ class _Way:
         error = self._column("error") * np.maximum(1.0, np.abs(self.at))
         return np.flatnonzero((self.at >= low - error) & (self.at <= high + error))
 
-    def _turns(self, stop: int, slot: int, goal: int) -> int | None:
-        """The fold at which a state is proved to turn back on its way from one stop to another; None if nothing is proved."""
-        if (stop, slot, goal) not in self.turnings:
-            self.turnings[stop, slot, goal] = self._turned(stop, slot, goal)
-        return self.turnings[stop, slot, goal]
-
     def _turned(self, stop: int, slot: int, goal: int) -> int | None:
+        """The fold at which a state is proved to turn back on its way from one stop to another; None if nothing is proved."""
         here = self._candidates(stop, goal)
         here = here[self.kinds[here] == "fold"]
         if not here.size:
@@ -366,7 +360,7 @@ class _Way:
         nearest = int(away.max(axis=0).argmin())
         return int(here[nearest]) if away[:, nearest].max() <= MATCH else None
 
-    @cached_property
+    @functools.cached_property
     def _part(self) -> Parts:
         """The parameters, of which none has a width."""
         nothing = np.zeros((0, 1))
@@ -406,11 +400,10 @@ class _Way:
         ends = f"{self.vary} = {float(self.stops[stop - 1]):.17g} and {float(self.stops[stop]):.17g}"
         raise ConvergenceError(f"where the state ends between {ends} is not told apart from {here.size} folds and borders there")
 
-    def _links(self, step: int) -> dict[int, int]:
+    def _linked(self, step: int) -> dict[int, int]:
         """All pairs of slots of a step on one branch, not only those that tubes join at once."""
-        if step not in self.every:
-            (self.every[step],) = linked(self.p, self.vary, self.eq, self.turns, most=HALVINGS, only=step)
-        return self.every[step]
+        (found,) = linked(self.p, self.vary, self.eq, self.turns, most=HALVINGS, only=step)
+        return found
 
     def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
         """Coordinates, stability, and a bound on the error."""

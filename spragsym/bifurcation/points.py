@@ -19,6 +19,7 @@ from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.jets import Jet, variables
 from ..progress import doing
 from ..results.points import Ended, Points
+from ..statics import stability
 from ..statics.foremost import in_order
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.border import on_its_side
@@ -187,6 +188,15 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
     fixed = [name for name in names if name not in vary]
     values = dict(zip(fixed, p.scalars(*fixed), strict=True))
     return np.array([[values.get(name, np.nan)] for name in names])
+
+
+def matrices(balance: Balance, vary: Sequence[str], given: FloatArray, z: FloatArray) -> tuple[FloatArray, ...]:
+    """M, C and K, each of shape (N, n, n), at coordinates and the parameters that vary, z of shape (n + number, N)."""
+    point = np.repeat(given, z.shape[1], axis=1)
+    point[[balance.parameters.index(name) for name in vary]] = z[balance.n :]
+    with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
+        parts = stability.linearization(balance, z[: balance.n], point)
+    return tuple(np.moveaxis(part, -1, 0) for part in parts)
 
 
 def arranged(

@@ -26,7 +26,7 @@ from ..statics.mechanics.precise_balance import ROOT_BITS
 from ..statics.search import seen
 from .bifurcation_conditions import HOPF
 from .defining_systems import Augmented
-from .points import Found
+from .points import Found, matrices
 from .precise_points import PreciseAugmented
 
 #: Values of the parameter that are looked at.
@@ -172,12 +172,7 @@ def _state(system: Augmented, given: FloatArray, z: FloatArray) -> FloatArray:
 
 def _oscillations(system: Augmented, given: FloatArray, z: FloatArray) -> list[NDArray[np.complex128]]:
     """The λ above the real axis of each state z, shape (n + 1, N)."""
-    if not z.shape[1]:
-        return []
-    columns = _at(given, z)
-    with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
-        parts = stability.linearization(system.balance, z[:-1], columns)
-        every = stability.roots(*(np.moveaxis(part, -1, 0) for part in parts))
+    every = stability.roots(*matrices(system.balance, system.vary, given, z))
     return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
 
 

@@ -45,15 +45,6 @@ MANY = 500
 BITS = 120
 
 
-@dataclass(frozen=True)
-class Pitchforks:
-    """Boxes of coordinates and parameter, shape (2, n + 1, N), each with exactly one pitchfork."""
-
-    ends: FloatArray
-    alone: FloatArray
-    left: FloatArray  #: boxes in which it is not known whether there are others
-
-
 def turned(balance: Balance, given: FloatArray, span: FloatArray) -> list[int]:
     """Numbers of the coordinates that the mirror turns, if the model is its own image; NaN stands for what has a range."""
     about = balance.model.about["mirror"]
@@ -140,8 +131,8 @@ class _OnMirror(boxes.System):
         return self.balance.beyond_border(at.q, at.values, shape)
 
 
-def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, mirror: _Mirror) -> Pitchforks:
-    """All pitchforks on the mirror along one parameter."""
+def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, mirror: _Mirror) -> Roots:
+    """All pitchforks on the mirror along one parameter: boxes of coordinates and parameter."""
     system = _OnMirror(balance, vary, mirror)
     place = balance.parameters.index(vary)
     low, high, fixed = given.copy(), given.copy(), given.copy()
@@ -152,14 +143,14 @@ def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray,
     limits = np.concatenate([balance.limits[:, system.even], np.full((2, 1), np.inf)], axis=1)
     outcome = boxes.search(system, around, fixed, fixed, limits=limits)
     found = certified_roots.roots(system, outcome, around, fixed, fixed)
-    parts = []
-    with np.errstate(all="ignore"):
-        for ends in (found.ends, found.alone, found.left):
-            unknowns = Intervals(ends)
-            parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))
-            q = stacked(system.completed(list(unknowns), parameters, ends.shape[2:]).q, ends.shape[2:])
-            parts.append(np.concatenate([q.ends, ends[:, -1:]], axis=1))
-    return Pitchforks(*parts)
+
+    def whole(ends: FloatArray) -> FloatArray:
+        parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))
+        with np.errstate(all="ignore"):
+            q = stacked(system.completed(list(Intervals(ends)), parameters, ends.shape[2:]).q, ends.shape[2:])
+        return np.concatenate([q.ends, ends[:, -1:]], axis=1)
+
+    return replace(found, ends=whole(found.ends), alone=whole(found.alone), left=whole(found.left))
 
 
 def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[Found, int]:
@@ -191,7 +182,7 @@ def _with_pitchforks(
         if sure and only_fold(balance, vary, given, hull, mirror):
             decided += [int(here[0])] if inside[here[0]] else []
             open_boxes &= ~contractors.within(left, hull[:, :, None])
-    parts = [found.roots.kept(left=open_boxes), Roots.at(known.ends, known.alone).kept(decided)]
+    parts = [found.roots.kept(left=open_boxes), known.kept(decided, slice(0))]
     return replace(found, roots=certified_roots.concatenated(parts, left.shape[1])), len(decided)
 
 

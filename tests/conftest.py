@@ -35,11 +35,11 @@ if os.environ.get("HYPOTHESIS_PROFILE") != "search" and hasattr(providers, "_get
 
 #: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
 LONGEST = (
-    "test_cli", "test_c99", "test_cycles", "test_explorer_pages", "test_models_statics", "test_studies", "test_failures",
-    "test_figures", "test_explorer", "test_pages", "test_design", "test_sweeps", "test_javascript", "test_check",
-    "test_generated", "test_dynamics", "test_catastrophe", "test_models_degenerate", "test_claims", "test_packaging",
-    "test_documents", "test_matlab", "test_certificates_kernel", "test_theorem", "test_regimes",
-    "test_interval_arrays", "test_machines",
+    "test_documents", "test_explorer_pages", "test_explorer", "test_cycles", "test_packaging", "test_models_statics",
+    "test_studies", "test_commands", "test_onset_curves", "test_figures", "test_sweeps", "test_cli", "test_failures",
+    "test_digits", "test_exports", "test_criticality", "test_check", "test_theorem", "test_design", "test_dynamics",
+    "test_page_laws", "test_models_certificates", "test_models_state_certificates", "test_machines", "test_c99",
+    "test_javascript", "test_pages",
 )  # fmt: skip
 
 

@@ -31,12 +31,6 @@ def one(p: ss.Parameters, i: int) -> ss.Parameters:
     return ss.Parameters(**{name: float(np.broadcast_to(getattr(p, name), p.shape)[i]) for name in NAMES})
 
 
-def test_a_double_root_is_undecided() -> None:
-    coefficients = [Rounded(np.array([value])) for value in (1.0, -2.0, 1.0)]  # (t − 1)²
-    assert bernstein.positive_roots(coefficients, 1).undecided.all()
-    assert bernstein.positive_roots([Rounded(np.array([value])) for value in (1.0, -1.0, 1.0)], 1).row.size == 0
-
-
 # ------------------------------------------------------------------------------------------------------ jump values
 
 
@@ -64,28 +58,6 @@ def test_a_jump_value_is_the_first_jump_of_the_path(vary: str, direction: str) -
             assert not first
         else:
             assert value == pytest.approx(first[0], rel=1e-11)
-
-
-def test_jump_friction_is_the_first_crest_of_the_surface() -> None:
-    """μ₀(θ) from the forces alone, sampled finely from the state at μ₀ = 0 upward."""
-    p = families.random(np.random.default_rng(8), 300)
-    values = np.asarray(ss.jump_value(p))
-    for i in np.flatnonzero(np.isfinite(values))[:10]:
-        q = one(p, i)
-        k, a, s, b = (float(getattr(q, name)) for name in ("kappa", "alpha", "sigma", "beta"))
-        c0, s0 = math.cos(float(q.theta0)), math.sin(float(q.theta0))
-
-        eq = ss.equilibria(q.replace(mu0=0.0))
-        stable = np.flatnonzero(eq.stability == ss.Stability.STABLE)
-        start = float(eq.theta[stable[np.argmin(np.abs(eq.x[stable]))]])
-        theta = np.linspace(start, math.pi, 100_001)[1:-1]
-        with np.errstate(all="ignore"):
-            L = (s * np.sin(theta) + (b + 1) * s0 + k) / ((b + 1 + s) * np.sin(theta))
-            x, y = c0 - L * np.cos(theta), s0 - L * np.sin(theta)
-            along = -(s * (1 - L) * np.cos(theta) + a * x) / y
-        falls = np.flatnonzero(np.diff(along) < 0)
-        crest = slice(max(falls[0] - 2, 0), falls[0] + 3)
-        assert along[crest].max() == pytest.approx(values[i], rel=1e-6)
 
 
 def test_values_on_folds_and_in_symmetric_systems() -> None:
@@ -331,46 +303,6 @@ def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, True) for seed in range(100)]
     assert 88 <= sum(study.low <= share <= study.high for study in studies) <= 100
     assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 1024)
-
-
-@pytest.mark.thorough
-def test_a_probability_is_that_of_plain_samples() -> None:
-    found = ss.jump_probability(TOLERANCES, n=1 << 12, rng=1)
-    rng = np.random.default_rng(2)
-    sample = {name: rng.uniform(*ends, 40_000) if isinstance(ends, tuple) else ends for name, ends in TOLERANCES.items()}
-    plain = float((ss.jump_value(ss.Parameters(**sample)) <= sample["mu0"]).mean())
-    off = math.hypot(math.sqrt(plain * (1 - plain) / 4e4), found.high - found.low)
-    assert abs(found.probability - plain) < 3 * off
-    assert found.low <= found.probability <= found.high
-    assert max(found.total, key=lambda name: found.total[name]) == "mu0"
-    assert set(found.first) == {"theta0", "mu0", "kappa", "sigma"}
-
-
-# ------------------------------------------------------------------------------------------------- which fold is which
-
-
-def test_folds_say_what_the_path_does() -> None:
-    """Each state followed both ways from beside a fold: it jumps in the direction that the fold says, to where it says."""
-    p = families.random(np.random.default_rng(21), 24)
-    seen = set()
-    for i in range(24):
-        found = ss.folds(one(p, i), "mu0")
-        for k in range(found.mu0.size):
-            value, rising = float(found.mu0[k]), found.when[k] == "up"
-            before, after = value * (1 - 1e-6), value * (1 + 1e-6)
-            values = [before, after] if rising else [after, before]
-            eq = ss.equilibria(one(p, i).replace(mu0=values[0]))
-            if eq.count != 3:
-                continue
-            slot = {"lower": 0, "upper": 2}[found.ends[k]]
-            path = ss.quasi_static_path(one(p, i), "mu0", values, start=slot)
-            seen.add((found.ends[k], found.when[k]))
-            assert len(path.jumps) == 1
-            jump = path.jumps[0]
-            assert (jump.value, jump.before["theta"]) == (value, found.theta[k])
-            got = tuple(found.after[name][k] for name in ("theta", "x", "y"))
-            np.testing.assert_allclose((jump.after["theta"], jump.after["x"], jump.after["y"]), got, rtol=1e-9, atol=1e-9)
-    assert {("lower", "up"), ("upper", "down")} <= seen
 
 
 # --------------------------------------------------------------------------------------------------- what varies together

@@ -138,8 +138,3 @@ def test_what_happens_at_90_degrees_or_everywhere_is_no_event(fixed: Fixed) -> N
     for part in parts:
         assert _roots(part.inside, fixed).size == part.number
     check_crossings(fixed, "0.3217", "1.913")
-
-
-# ------------------------------------------------------------------------------------ tracing families that are known
-#
-# Roots v at given θ of curves drawn by hand, which never cross: what is traced must be those curves, whatever the grid.

@@ -171,20 +171,3 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
         assert abs(slope(energy, mp.mpf(0)) - friction - dampers - applied) < 1e-25
         assert dampers <= 0
         assert (dampers < 0) == (model.about["dampers"])
-
-
-@pytest.mark.parametrize("pushing", [0, 1])
-def test_the_articles_page_against_newtons_law(pushing: int) -> None:
-    """The balance on the free body in complex numbers, written without the derivation."""
-    from fractions import Fraction
-
-    from spragsym.derive.kang_nam import free_body
-
-    with mp.workdps(50):
-        model = Generated("kang_nam")
-        point = free_body.Point(theta0_deg=Fraction(37), mu0=Fraction(2, 5), beta=Fraction(1, 3))
-        p = {name: point.number(name) for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")} | {"V": 1, "d": 1}
-        for x, y in ((mp.mpf("0.3"), mp.mpf("-0.02")), (mp.mpf("1.9"), mp.mpf("0.8"))):
-            want = free_body.forces(point, x, y, mp.mpf(pushing))
-            for ours, theirs in zip(model.forces([x, y], p, p["mu0"], pushing), want, strict=True):
-                assert abs(ours - theirs) < 1e-45

@@ -58,12 +58,6 @@ CASES = {
         lambda depth: mpmath.atan(depth) + depth / 2 * (1 + depth) ** mpmath.mpf(1.5),
         lambda v: mpmath.atan(10 * v) / mpmath.pi,
     ),
-    "waves": Case(
-        "k_c * L_0 * sinh(depth / L_0) * sqrt(2) * log(3) * exp(1) / 4",
-        "mu0 * sinh(d * v) / cosh(d * v) * (1 + sin(v * d / 4) ** 2 / 8)",
-        lambda depth: mpmath.sinh(depth) * mpmath.sqrt(2) * mpmath.log(3) * mpmath.e / 4,
-        lambda v: mpmath.tanh(10 * v) * (1 + mpmath.sin(v * 2.5) ** 2 / 8) / 2,
-    ),
 }
 #: theta0, kappa, alpha, sigma, mu0.
 THETA0, KAPPA, ALPHA, SIGMA = 0.8, 0.007, 0.007, 0.1
@@ -88,7 +82,6 @@ def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
     return along, tension * dy / length - mpmath.mpf(KAPPA) + n
 
 
-@pytest.mark.by_hand("waves")
 @pytest.mark.thorough
 def test_states_are_those_of_the_equations(model: Any) -> None:
     case, it = model
@@ -124,7 +117,6 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
                 assert float(K[i][j]) == pytest.approx(float(mpmath.diff(row, (x, y), way)), rel=1e-12, abs=1e-14)
 
 
-@pytest.mark.by_hand("waves")
 @pytest.mark.thorough
 def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     """Over a box of parameters the laws are asked for in affine arithmetic."""
@@ -137,7 +129,7 @@ def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     assert not (np.asarray(ss.jump_value(middle.replace(**values))) <= values["mu0"]).any()
 
 
-@pytest.mark.by_hand("waves", "atan", "tanh")
+@pytest.mark.by_hand("atan", "tanh")
 @pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:

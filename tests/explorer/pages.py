@@ -1,11 +1,10 @@
-"""A page of the explorer in a browser: what a reader does on it, and what it says; and the browsers of this machine."""
+"""A page of the explorer in a browser: what a reader does on it, and what it says; and the browser of this machine."""
 
 from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,7 +12,6 @@ import pytest
 from spragsym.models.parameters import NAMES
 
 CHROMIUM = shutil.which("chromium")
-FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 #: Drawing in 3D by software takes most of a test's time: one test has it.
 WITHOUT_WEBGL = """
 const get = HTMLCanvasElement.prototype.getContext;
@@ -31,22 +29,6 @@ def chromium() -> Iterator[Any]:
     playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     with playwright.sync_playwright() as tool:
         browser = tool.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--enable-unsafe-swiftshader"])
-        yield browser
-        browser.close()
-
-
-@contextmanager
-def firefox(home: Path) -> Iterator[Any]:
-    """The Firefox of this machine as it is, by WebDriver BiDi; Playwright's own protocol needs a Firefox of its own."""
-    if FIREFOX is None:
-        pytest.skip("no firefox on this machine")
-    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    with playwright.sync_playwright() as tool:
-        try:
-            browser = tool.firefox.launch(executable_path=FIREFOX, channel="moz-firefox", env={"HOME": str(home)})
-            browser.new_context().close()
-        except playwright.Error as error:
-            pytest.skip(f"this playwright and this firefox do not speak with each other: {str(error).splitlines()[0]}")
         yield browser
         browser.close()
 

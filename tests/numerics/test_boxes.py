@@ -22,7 +22,7 @@ def solved(problem, region=None, low=NONE, high=None, budget=boxes.BUDGET):
     return certified_roots.roots(problem, outcome, region, low, low if high is None else high)
 
 
-@pytest.mark.parametrize("problem", [one for one in PROBLEMS if not one.title.endswith("5.5")], ids=lambda one: one.title)
+@pytest.mark.parametrize("problem", PROBLEMS, ids=lambda one: one.title)
 def test_all_roots_of_known_problems(problem):
     found = solved(problem)
     assert found.point.size == problem.roots

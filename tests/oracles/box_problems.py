@@ -1,7 +1,7 @@
 """Small systems with known numbers of roots, for the search over boxes.
 
 M. W. Smiley and C. Chun, "An algorithm for finding all solutions of a nonlinear system", J. Comput. Appl. Math. 137 (2001) 293–315,
-examples 2.2, 5.2, 5.4 and 5.5; numbers of roots and regions as in the examples of IntervalRootFinding.jl. Rastrigin's function as in
+examples 2.2, 5.2 and 5.4; numbers of roots and regions as in the examples of IntervalRootFinding.jl. Rastrigin's function as in
 that package's tests.
 """
 
@@ -95,28 +95,13 @@ def _example_54(t: Sequence[Any]) -> Sequence[Any]:
     )
 
 
-def _example_55(x: Sequence[Any]) -> Sequence[Any]:
-    """Points of period 1 and 2 of a map: a double pendulum that is kicked."""
-    D = [(-(PI / 5)).exp(), (-(PI * 2 / 5)).exp()]
-    C = [(1 - D[0]) / (PI / 5), (1 - D[1]) / (PI * 2 / 5)]
-
-    def step(x: Sequence[Any]) -> list[Any]:
-        one = x[2] - XP.sin(x[0]) * XP.cos(x[1]) * 5
-        two = x[3] - XP.cos(x[0]) * XP.sin(x[1]) * 5
-        return [one * C[0] + x[0], two * C[1] + x[1], one * D[0], two * D[1]]
-
-    return [after - before for after, before in zip(step(step(x)), x, strict=True)]
-
-
 def _rastrigin(x: Sequence[Any]) -> Sequence[Any]:
     return [2 * value + XP.sin(value * (2 * PI)) * (20 * PI) for value in x]
 
 
-_WIDE, _HIGH = 1.02 * np.pi, 0.5 * np.pi
 PROBLEMS = (
     Problem("Smiley and Chun 2.2", _example_22, ((-3, 3), (-3, 3)), 8),
     Problem("Smiley and Chun 5.2", _example_52, ((-3, 3), (-3, 3), (-3, 3)), 24),
     Problem("Smiley and Chun 5.4", _example_54, ((-510, 1.4), (-510, 1.1)), 7),
-    Problem("Smiley and Chun 5.5", _example_55, ((-_WIDE, _WIDE), (-_WIDE, _WIDE), (-_HIGH, _HIGH), (-_HIGH, _HIGH)), 41),
     Problem("Rastrigin", _rastrigin, ((-5, 6), (-5, 6)), 529),
 )

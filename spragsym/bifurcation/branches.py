@@ -64,23 +64,9 @@ def linked(
 ) -> list[dict[int, int]]:  # fmt: skip
     """For each step between values of a parameter and each slot at its beginning, the slot at its end on the same branch, if any.
 
-    Parameters
-    ----------
-    p : Parameters
-        Scalars; ``vary`` is not used.
-    eq : Equilibria
-        Along ``vary``.
-    turns : Points, optional
-        All points along it at which states vanish; None in lift-off, where there are none.
-    most : int
-        Times that a step is halved at most; a step that is not known then has the pairs that tubes join, and no others.
-    only : int, optional
-        The one step that is asked for.
-
-    Raises
-    ------
-    ConvergenceError
-        Where branches can't be told apart by :data:`HALVINGS`.
+    ``turns`` are all points along it at which states vanish, None in lift-off, where there are none. A step is halved
+    ``most`` times; if it is not known then it has the pairs that tubes join and no others, or is an error after
+    :data:`HALVINGS`. ``only`` one step may be asked for.
     """
     at, kinds = (np.empty(0), np.empty(0, dtype=str)) if turns is None else (getattr(turns, vary), turns.kind)
     along = Along(Balance(p.model, eq.contact), p, vary, at, kinds)

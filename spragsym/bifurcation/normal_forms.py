@@ -86,25 +86,11 @@ def normal_form(
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
 
-    Parameters
-    ----------
-    model : Model
-    given : ndarray
-        Parameters in the order of the page.
-    state : ndarray
-        Coordinates.
-    vary : str or sequence of str
-        The parameter along which the point was found, or several; the pair's crossing is told by the first.
-    radii : ndarray
-        Half-widths of the box: of the coordinates, then of these parameters.
-    law : str
-        The friction of the equilibrium: ``"friction_at_rest"`` is what statics takes, ``"friction_at_speed"`` the law at the
-        belt's speed, as the motion has it. The law of the motion is shifted by a constant so that it passes through it.
-
-    Raises
-    ------
-    Undecided
-        Where this is no generic Hopf point, or is not shown to be one; the text says why.
+    ``given`` are the parameters in the order of the page, ``state`` the coordinates, ``vary`` the parameter along which the
+    point was found, or several, of which the first tells the pair's crossing; ``radii`` are half-widths of the box, of the
+    coordinates and then of these. ``law`` is the friction of the equilibrium: ``"friction_at_rest"``, as statics takes it, or
+    ``"friction_at_speed"``, that at the belt's speed; the motion's law is shifted by a constant so that it passes through it.
+    Undecided, and the text says why, where this is no generic Hopf point, or is not shown to be one.
     """
     point = _Point(model, given, state, (vary,) if isinstance(vary, str) else vary, radii, law)
     point.require_smooth()

@@ -35,14 +35,8 @@ def nearest(
 ) -> FloatArray | None:  # fmt: skip
     """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
 
-    Parameters
-    ----------
-    member : callable
-        Tells of points, of shape (n, dimensions), which are members.
-    limits : (ndarray, ndarray)
-        The smallest and the largest value of each coordinate.
-    improved : callable
-        The nearest member on the border about a point, if it finds one.
+    ``member`` tells of points, of shape (n, dimensions), which are members; ``limits`` are the smallest and the largest value of
+    each coordinate; ``improved`` gives the nearest member on the border about a point, if it finds one.
     """
     size = limits[0].size
     if member(np.zeros((1, size)))[0]:

@@ -44,15 +44,7 @@ class FoldArrays:
 
 
 def folds(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
-    """All folds along ``vary`` of ``size`` points, with the varying parameter in its range.
-
-    Parameters
-    ----------
-    vary : str
-        One of the six.
-    given : mapping
-        The other parameters, each an array of ``size`` or one number.
-    """
+    """All folds along one of the six of ``size`` points, in its range; the others are arrays of ``size`` or one number each."""
     with np.errstate(all="ignore"):
         return _in_theta0(given, size) if vary == "theta0" else _along(vary, given, size)
 

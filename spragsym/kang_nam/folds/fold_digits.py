@@ -22,27 +22,12 @@ _STEPS = 3
 
 
 def sharpened(vary: str, given: Mapping[str, float], t: tuple[float, float], value: tuple[float, float]) -> tuple[float, float]:
-    """The value of a parameter on one fold, and a bound on its error.
+    """The value on one fold of a parameter in which f is linear, any but θ₀, and a bound on its error.
 
-    Parameters
-    ----------
-    vary : str
-        A parameter in which f is linear: any but ``"theta0"``.
-    given : mapping
-        The other parameters.
-    t, value : (float, float)
-        tan(θ/2) on the fold and the value there, each with a proved bound on its error.
-
-    Raises
-    ------
-    Undecided
-        Where f_v or f″ may be 0 within the bounds.
-
-    Notes
-    -----
-    Source: on the surface f = 0 the value v changes by dv/dθ = −f′/f_v, which is 0 on the fold. So v at the middle of the given
-    directions is off by at most their width times the largest \\|f′/f_v\\| over all of them; where that is too much, one step of
-    Newton's rule for f′ = 0, in intervals, narrows the directions first.
+    ``t`` and ``value``: tan(θ/2) on the fold and the value there, each with a proved bound on its error. Undecided where f_v
+    or f″ may be 0 within the bounds. Source: on the surface f = 0 the value v changes by dv/dθ = −f′/f_v, which is 0 on the
+    fold. So v at the middle of the given directions is off by at most their width times the largest \\|f′/f_v\\| over all of
+    them; where that is too much, one step of Newton's rule for f′ = 0, in intervals, narrows the directions first.
     """
     with balls.precision(_BITS):
         directions, values = (_around(*one) for one in (t, value))

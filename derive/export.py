@@ -31,9 +31,9 @@ def export(page: Path, name: str, written_in: str) -> dict[str, str]:
 
 def for_the_browser(model: pages.Model, header: str) -> dict[str, str]:
     """What the explorer shows of a page: the functions that it calls as an ES module, and its drawing."""
-    module = f"{model.name}.mjs"
+    files = targets.render("javascript", material(model, header, EXPLORED))
     return {
-        module: targets.render("javascript", material(model, header, EXPLORED))[module],
+        f"{model.name}.mjs": files[f"{library(model.name)}.mjs"],
         f"{model.name}.svg": drawing.render(model.page, model.docstring),
     }
 

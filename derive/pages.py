@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import hashlib
+import re
 import traceback
 from dataclasses import dataclass
 from functools import cache
@@ -17,6 +18,8 @@ from .model import Page, PageError
 
 #: Bytes; no page is larger.
 _LARGEST = 1 << 20
+#: What a page may be called: what is derived from it is loaded by no other name.
+_NAME = re.compile(r"\w[\w .-]*")
 #: Where the shipped pages stand.
 SHIPPED = Path(__file__).parent / "models"
 
@@ -54,7 +57,10 @@ def read(path: Path, name: str = "") -> Model:
     try:
         if not path.is_file() or path.stat().st_size > _LARGEST:
             raise PageError(0, f"the page is no file, or has more than {_LARGEST} bytes; give a file of Python")
-        vocabulary.check_characters("the name of the page", name or path.stem, 0)
+        if not _NAME.fullmatch(name or path.stem):
+            raise PageError(
+                0, f"its name {name or path.stem!a} holds more than letters, digits, blanks and . - _; rename the file"
+            )
         return _model(path, path.read_text(encoding="utf-8-sig"), name or path.stem)
     except UnicodeDecodeError as error:
         raise PageError(0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name) from error

@@ -13,6 +13,7 @@ pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.derive import export, folder, pages
+from spragsym.derive.model import PageError
 from spragsym.report.brake_files import example
 from tests.oracles import exported_names as names
 from tests.oracles.languages import NODE, OCTAVE
@@ -69,3 +70,14 @@ def test_data_of_a_page_with_a_greek_quantity_are_read_back(tmp_path: Path) -> N
     data = tmp_path / "brake.toml"
     data.write_text(example(ss.load(tmp_path / "model")), encoding="utf-8")
     assert "κ" in ss.Study.from_file(data, trust=True).quantities
+
+
+@pytest.mark.parametrize("name", ['"""', "a\\", "<script>", "$(id)", "-n", "a\nb"])
+def test_a_file_is_refused_whose_model_could_not_be_loaded(name: str, tmp_path: Path) -> None:
+    with pytest.raises(PageError, match="rename the file"):
+        pages.read(page(tmp_path, name))
+
+
+@pytest.mark.thorough
+def test_a_page_of_any_other_name_is_explored(tmp_path: Path) -> None:
+    assert sorted(export.for_the_browser(pages.read(page(tmp_path, "2 dof")), "")) == ["2 dof.mjs", "2 dof.svg"]

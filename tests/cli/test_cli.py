@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import io
 import json
-import os
 import pickle
 import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
-from typing import TypeAlias
 
 import click
 import pytest
@@ -37,21 +34,6 @@ def invoke(*arguments: str) -> int:
         main(list(arguments))
     assert isinstance(stop.value.code, int)
     return stop.value.code
-
-
-#: Starts a command in a process of its own, as ``start("check", cwd=folder, NAME="value")``.
-Start: TypeAlias = Callable[..., "subprocess.Popen[str]"]
-
-
-@pytest.fixture
-def start(begin: Callable[..., subprocess.Popen[str]]) -> Start:
-    def command(*arguments: str, cwd: Path | None = None, **environment: str) -> subprocess.Popen[str]:
-        return begin(
-            [sys.executable, "-m", "spragsym", *arguments],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd, env={**os.environ, **environment},
-        )  # fmt: skip
-
-    return command
 
 
 # -------------------------------------------------------------------------------------------------------- results

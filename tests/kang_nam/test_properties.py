@@ -16,7 +16,6 @@ from spragsym.generated import equilibrium, laws
 TOLERANCE = 1e-12
 
 angles = st.floats(0.02, math.pi - 0.02)
-frictions = st.floats(0.0, 3.0)
 
 
 def positive(low: float, high: float) -> st.SearchStrategy[float]:

@@ -10,8 +10,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.motion import with_compiled
-from spragsym.motion.problem import Problem
-from spragsym.motion.problems import prepare
 from spragsym.motion.regimes import Regime
 from spragsym.motion.sweeps import basin, rms_sweep
 from tests.oracles import article_motion
@@ -76,11 +74,6 @@ def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
     assert np.ptp(found.sweep.mean) > 0.01  # averages over the window do depend on the phase
     np.testing.assert_allclose(found.sweep.cycle_mean, mean, rtol=1e-7)
     np.testing.assert_allclose(np.hypot(mean, spread), found.sweep.cycle_rms, rtol=1e-7)
-
-
-@pytest.fixture(scope="session")
-def problem() -> Problem:
-    return prepare(SLOW.model, SLOW.replace(**BELT), start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
 
 
 @needs_heyoka

@@ -52,8 +52,8 @@ def folds(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
 def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     cos0, sin0 = cosine_and_sine(given["theta0"])
     values = [Rounded(given[name]) if name != vary else Rounded(np.float64(0.0)) for name in NAMES[1:]]
-    without = kernel.f_coefficients(cos0, sin0, *values, 1)
-    change = _rounded(kernel.f_changes(cos0, sin0, *values)[NAMES.index(vary)])
+    without, change = kernel.f_along(vary, cos0, sin0, *values)
+    change = _rounded(change)
     roots = bernstein.positive_roots(_rounded(kernel.fold_sextic(*without, *change)), size)
     c, s, _ = on_circle(roots.t)
     at_zero = kernel.f(c, s, *(_rows(part, roots.row) for part in without))
@@ -74,8 +74,8 @@ def friction_sextic(given: Mapping[str, FloatArray]) -> list[Rounded]:
     """f′ f_μ₀ − f f_μ₀′ times (1 + t²)³ by powers of t = tan(θ/2): negative where μ₀ on the surface f = 0 rises with θ."""
     cos0, sin0 = cosine_and_sine(given["theta0"])
     values = [Rounded(given[name]) if name != "mu0" else Rounded(np.float64(0.0)) for name in NAMES[1:]]
-    change = _rounded(kernel.f_changes(cos0, sin0, *values)[NAMES.index("mu0")])
-    return _rounded(kernel.fold_sextic(*kernel.f_coefficients(cos0, sin0, *values, 1), *change))
+    without, change = kernel.f_along("mu0", cos0, sin0, *values)
+    return _rounded(kernel.fold_sextic(*without, *_rounded(change)))
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:

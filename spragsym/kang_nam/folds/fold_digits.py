@@ -33,8 +33,7 @@ def sharpened(vary: str, given: Mapping[str, float], t: tuple[float, float], val
         directions, values = (_around(*one) for one in (t, value))
         cos0, sin0 = balls.cos_sin(balls.exact(Fraction(given["theta0"])))
         others = [balls.exact(Fraction(given[name] if name != vary else 0)) for name in NAMES[1:]]
-        without = kernel.f_coefficients(cos0, sin0, *others, 1)
-        change = kernel.f_changes(cos0, sin0, *others)[NAMES.index(vary)]
+        without, change = kernel.f_along(vary, cos0, sin0, *others)
         for _ in range(_STEPS):
             middle = balls.middle(directions)
             trig = [one + values * other for one, other in zip(without, change, strict=True)]

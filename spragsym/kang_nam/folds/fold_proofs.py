@@ -101,7 +101,7 @@ def _parts(vary: str, c0: Any, s0: Any, others: Sequence[Any]) -> tuple[Sequence
     """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ."""
     values = list(others)
     values.insert(NAMES.index(vary) - 1, 0 * others[0])
-    return kernel.f_coefficients(c0, s0, *values, 1), kernel.f_changes(c0, s0, *values)[NAMES.index(vary)]
+    return kernel.f_along(vary, c0, s0, *values)
 
 
 def _lines(vary: str, angles: Sequence[Any], others: Sequence[Any]) -> tuple[Any, ...]:

@@ -7,7 +7,6 @@ from fractions import Fraction
 from functools import partial
 
 from ...generated import catastrophe as _catastrophe
-from ...models.parameters import NAMES
 from ...numerics import balls, descartes, polynomials
 from ...numerics.adaptive_bits import decided, sign_or_zero
 from ...numerics.half_angle import on_circle
@@ -64,9 +63,8 @@ def _ratio(exact: tuple[Fraction, ...], s: Fraction) -> tuple[Fraction, ...]:
 def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
     """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0 leave."""
     level = Fraction(1), Fraction(0)
-    change = _catastrophe.f_changes(*level, Fraction(0), *exact)[NAMES.index("mu0")]
-    sextic = kernel.fold_sextic(*kernel.f_coefficients(*level, Fraction(0), *exact, 1), *change)
-    polynomial = polynomials.primitive(tuple(map(Fraction, sextic)))
+    without, change = kernel.f_along("mu0", *level, Fraction(0), *exact)
+    polynomial = polynomials.primitive(tuple(map(Fraction, kernel.fold_sextic(*without, *change))))
     repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
     values = tuple(map(balls.exact, exact))
     for root in roots_on_the_line(polynomials.without(polynomial, repeated), bits - 32, positive=True):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import inspect
+from typing import Any
 
 from ...generated import catastrophe as _catastrophe
 from ...generated import equilibrium as _equilibrium
 from ...generated import stability as _stability
 from ...generated.kernel import depressed as depressed
+from ...models.parameters import NAMES
 
 f_coefficients = inspect.unwrap(_equilibrium.f_coefficients)
 resolvent = inspect.unwrap(_equilibrium.resolvent)
@@ -25,3 +27,8 @@ fold_angles = inspect.unwrap(_catastrophe.fold_angles)
 state = inspect.unwrap(_equilibrium.state)
 stiffness = inspect.unwrap(_stability.stiffness)
 invariants = inspect.unwrap(_stability.invariants)
+
+
+def f_along(vary: str, cos0: Any, sin0: Any, *values: Any) -> tuple[Any, Any]:
+    """a, b, d and m of f and of its slope by a parameter but θ₀, in which f is linear; ``values`` have 0 for that one."""
+    return f_coefficients(cos0, sin0, *values, 1), f_changes(cos0, sin0, *values)[NAMES.index(vary)]

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -23,15 +20,6 @@ def files_of(folder: Path) -> dict[str, bytes]:
     """Every generated file below a folder, by relative path; not what the interpreter leaves there."""
     paths = (path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
-
-
-def derive(seed: str, folder: Path, target: Path) -> str:
-    """What ``python -m derive`` prints in a folder, under a hash seed."""
-    environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
-    call = [sys.executable, "-m", "derive", "--out", str(target)]
-    done = subprocess.run(call, cwd=folder, env=environment, capture_output=True, text=True, timeout=300, check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def test_the_digest_is_that_of_what_is_committed() -> None:

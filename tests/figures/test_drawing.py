@@ -8,16 +8,10 @@ pytest.importorskip("sympy")
 
 
 from spragsym.derive import drawing, pages
-from spragsym.derive.model import Page
 from tests.support import ROOT
 
 IMAGES = ROOT / "docs" / "images" / "models"
 NAMES = sorted(path.stem for path in pages.shipped())
-
-
-@pytest.fixture(scope="module")
-def every() -> dict[str, Page]:
-    return drawing.every_page()
 
 
 @pytest.fixture(scope="module")

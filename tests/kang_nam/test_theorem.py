@@ -150,10 +150,6 @@ def test_a_fold_counts_twice() -> None:
 # ------------------------------------------------------------------------------ each part of a step is needed
 
 
-PARTS = [theorem._quartic, theorem._threshold_below_zero, theorem._threshold_above_zero, theorem._middle]
-PARTS += [theorem.smallest_without_friction]
-
-
 def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[tuple[sp.Expr, tuple[sp.Symbol, ...]]]:
     """The polynomials that a part asks to be positive, each with its symbols."""
     asked: list[tuple[sp.Expr, tuple[sp.Symbol, ...]]] = []

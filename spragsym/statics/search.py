@@ -40,7 +40,7 @@ from .remarks import kinds_of, of_region, summed
 from .states import Held
 
 #: Relative widths of boxes down to which a point is searched: what is left at one is searched anew at the next.
-STAGES = (2.0**-9, 2.0**-14, 2.0**-19, 2.0**-32, 2.0**-44)
+STAGES = (2.0**-9, 2.0**-19)
 
 #: Boxes of a point that a second, narrower search leaves where roots form a line.
 ALL_OVER = 2000

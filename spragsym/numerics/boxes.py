@@ -65,10 +65,6 @@ class System(Protocol):
         """What the methods take as parameters, from the boxes of all nodes of the tree, shape (parameters, nodes)."""
         return bounds
 
-    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """Boxes so small that the mean value theorem tells more than F over them and contraction, shape (N,)."""
-        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
-
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
         return unknowns.ends
@@ -223,19 +219,13 @@ class _Search:
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
         """Pairs whose boxes may hold a root; what is left of the boxes by the system's own contraction; parameters."""
-        parameters, ends = self.parameters[:, given.nodes], given.ends
-        keep = np.ones(len(given), dtype=np.bool_)
-        coarse = np.flatnonzero(~self.system.fine(Intervals(ends), parameters))
-        if coarse.size:
-            before, some = ends[:, :, coarse], parameters[:, coarse]
-            after = self.system.contracted(Intervals(before), some)
-            boxes = Intervals(_with_room(after, before, 0.0))
-            empty = np.logical_or.reduce(after[0] + after[1] < 0)
-            keep[coarse] = ~empty & np.logical_and.reduce(self.system.residuals(boxes, some).holds_zero())
-            ends = ends.copy()
-            ends[:, :, coarse] = boxes.ends
+        parameters = self.parameters[:, given.nodes]
+        after = self.system.contracted(Intervals(given.ends), parameters)
+        boxes = Intervals(_with_room(after, given.ends, 0.0))
+        keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())
+        keep &= ~np.logical_or.reduce(after[0] + after[1] < 0)
         rows = np.flatnonzero(keep)
-        ends, parameters = ends[:, :, rows], parameters[:, rows]
+        ends, parameters = boxes.ends[:, :, rows], parameters[:, rows]
         left = np.flatnonzero(~self.system.hopeless(Intervals(ends), parameters)) if rows.size else rows
         rows = rows[left]
         return given[rows], Pairs(ends[:, :, left], given.nodes[rows]), parameters[:, left]

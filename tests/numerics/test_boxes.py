@@ -141,17 +141,14 @@ def test_boxes_of_parameters_are_proved_for_all_of_their_points():
 
 
 class Told(Quadratic):
-    """The same with guesses, and with a word on which boxes are small."""
+    """The same with guesses."""
 
-    def __init__(self, guess=lambda x: None, fine=lambda count: np.zeros(count, dtype=bool)):
-        self.guess, self.small = guess, fine
+    def __init__(self, guess):
+        self.guess = guess
 
     def guessed(self, middles, parameters):
         p, q = parameters.middle
         return self.guess(np.stack([-p / 2 + way * np.sqrt(np.maximum(p**2 / 4 - q, 0.0)) for way in (-1, 1)]))
-
-    def fine(self, unknowns, parameters):
-        return self.small(unknowns.shape[1])
 
 
 ANY = np.random.default_rng(5)
@@ -164,11 +161,6 @@ GUESSES = {
     "infinity": lambda x: np.full((2, x.shape[1]), np.inf),
     "anything": lambda x: ANY.normal(size=(2, x.shape[1])),
 }
-SMALL = {
-    "none": lambda count: np.zeros(count, dtype=bool),
-    "all": lambda count: np.ones(count, dtype=bool),
-    "some": lambda count: ANY.random(count) < 0.5,
-}
 
 
 @pytest.mark.thorough
@@ -179,18 +171,11 @@ def test_whatever_is_guessed_every_root_is_there_once_and_in_its_box():
         for a, b in zip(p, q, strict=True)
     ]
     for guess in GUESSES.values():
-        for small in SMALL.values():
-            found = solved(Told(guess, small), WIDE, np.stack([p, q]))
-            assert found.left_point.size == 0
-            assert (np.bincount(found.point, minlength=100) == 2).all()
-            assert found.error.max() < 1e-13
-            order = np.lexsort((found.middle[0], found.point))
-            for ends, root in zip(np.moveaxis(found.ends[:, :, order], 2, 0), [x for pair in exact for x in pair], strict=True):
-                for (low, high), value in zip(ends.T, (root, root**3), strict=True):
-                    assert Fraction(-low) - ROOT_ERROR <= value <= Fraction(high) + ROOT_ERROR
-
-
-def test_small_boxes_without_a_root_are_dropped_by_slopes_alone():
-    for small in SMALL.values():
-        assert solved(Told(fine=small), WIDE, np.array([[0.0], [1e-3]])).left_point.size == 0
-        assert solved(Told(fine=small), WIDE, np.array([[0.0], [1e-3]])).point.size == 0
+        found = solved(Told(guess), WIDE, np.stack([p, q]))
+        assert found.left_point.size == 0
+        assert (np.bincount(found.point, minlength=100) == 2).all()
+        assert found.error.max() < 1e-13
+        order = np.lexsort((found.middle[0], found.point))
+        for ends, root in zip(np.moveaxis(found.ends[:, :, order], 2, 0), [x for pair in exact for x in pair], strict=True):
+            for (low, high), value in zip(ends.T, (root, root**3), strict=True):
+                assert Fraction(-low) - ROOT_ERROR <= value <= Fraction(high) + ROOT_ERROR

@@ -17,8 +17,6 @@ from .laws import FREE
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
-#: Sizes of a box from all anchors beyond which it counts as small.
-FAR = 2.0
 #: Steps of Newton's method from the middle of a box that has one root.
 GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
@@ -149,17 +147,6 @@ class Balance(Forces, System):
         return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in self.geometry(q, values)]
 
     # -------------------------------------------------------------------------------------------- contraction
-
-    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """Boxes far from the anchors of all springs, for their size: directions hardly change over them.
-
-        None where a contact's law is no polynomial: over a small box an exponential of the depth may change by any factor.
-        """
-        smooth = not self.contact or bool(self.model.about["contact"].get("polynomial"))
-        far = np.full(unknowns.shape[1:], bool(self.springs) and smooth)
-        for dx, dy in self.anchors(*self._taken(unknowns, parameters)):
-            far &= np.hypot(dx.mignitude, dy.mignitude) > FAR * (dx.width + dy.width)
-        return far
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""

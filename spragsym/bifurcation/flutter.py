@@ -98,13 +98,13 @@ def flutter_onsets(
     balance = Balance(model, contact=True)
     spans, asked = ranges(model, (vary,), between or {}), by_hand(balance.coordinates, within)
     given = given_column(p, balance.parameters, (vary,))
-    along = damped_by_friction_alone(balance, given, spans)
-    slope = None if along is None else slope_over(balance, given, spans)
+    along = damped_by_friction_alone(balance, given, (vary,), spans)
+    slope = None if along is None else slope_over(balance, given, (vary,), spans)
     only = only_damped(balance, given, (vary,), spans) if along is None else along
     if damping is None:
-        damping = is_damped(balance, given, spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
+        damping = is_damped(balance, given, (vary,), spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
 
-    conservative = is_conservative(balance, given, spans)
+    conservative = is_conservative(balance, given, (vary,), spans)
     sought: list[tuple[Condition | None, str, Frequencies]]
     if not damping:
         # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass each other.
@@ -254,7 +254,7 @@ def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, l
     for end in (-span[0], span[1]) if left.shape[2] else ():
         here = int(((-left[0, -1] <= end) & (end <= left[1, -1])).sum())
         why = ""
-        if is_conservative(balance, given, np.array([[end, end]])):
+        if is_conservative(balance, given, (vary,), np.array([[end, end]])):
             why = ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
         text = f"{here} of {left.shape[2]} undecided boxes hold the end {{}} of the range{why}"
         remarks += [Remark(text, At(vary, (float(end),), "g"))] if here else []

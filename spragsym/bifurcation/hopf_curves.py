@@ -22,7 +22,7 @@ from ..results.named_columns import Columns
 from ..results.points import Points
 from ..results.result import Result
 from ..statics import stability
-from ..statics.damping import is_conservative, only_damped, slope_ends
+from ..statics.damping import is_conservative, only_damped, slope_over
 from ..statics.mechanics.balance import Balance
 from .bifurcation import OnLines, on_lines, rows_of
 from .bifurcation_conditions import FLUTTER, HOPF, KINDS, no_damping, undamped_mode
@@ -220,7 +220,8 @@ class _Plane:
                 curves += self.of_all_pairs(chain, _at_ends(flat.curves, chain, ends[:, free]))
             undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
         elif only is not None:
-            low, high = slope_ends(balance, self.given, self.vary, self.spans)
+            slope = slope_over(balance, self.given, self.vary, self.spans)
+            low, high = float(slope.low[0]), float(slope.high[0])
             if low < 0 < high:  # an end of the range at which friction vanishes is none
                 whole, said = False, (*said, NO_SLOPE_HERE.format(low, high))
         hardly = int(self.hardly_damped(undecided.mean(axis=2).T).sum()) if len(undecided) else 0
@@ -234,7 +235,7 @@ class _Plane:
         balance, curves = self.balance, list[OnsetCurve]()
         none = nothing(balance, self.vary, self.given, self.spans)
         points = arranged(balance, self.p, self.vary, self.given, none, np.empty(0, dtype=np.str_))
-        if balance.n < 2 or is_conservative(balance, self.given, self.spans):
+        if balance.n < 2 or is_conservative(balance, self.given, self.vary, self.spans):
             return self.told(False, (), points, (), {}, True, np.empty((0, balance.n + 2, 2)), ())
         found = self.on_lines(FLUTTER, n, np.empty((balance.n + 2, 0)))
         for chain in found.chains:

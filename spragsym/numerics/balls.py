@@ -240,8 +240,10 @@ def _pi(bits: int) -> Ball:
     return Ball(_pi_fixed(bits + GUARD_BITS), 2, -(bits + GUARD_BITS), bits)
 
 
-def ends(value: Ball) -> tuple[Fraction, Fraction]:
-    """Lower and upper end, exactly."""
+def ends(value: Ball | Fraction | int) -> tuple[Fraction, Fraction]:
+    """Lower and upper end, exactly; of a rational that itself."""
+    if not isinstance(value, Ball):
+        return Fraction(value), Fraction(value)
     low, high = value.mid - value.rad, value.mid + value.rad
     if value.exp >= 0:
         return Fraction(low << value.exp), Fraction(high << value.exp)

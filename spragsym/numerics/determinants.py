@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from .elimination import is_zero
+
 
 def determinant(rows: Sequence[Sequence[Any]]) -> Any:
     """By the first row; entries of any number type, integers 0 among them."""
@@ -12,7 +14,7 @@ def determinant(rows: Sequence[Sequence[Any]]) -> Any:
         return 1
     total: Any = 0
     for j, entry in enumerate(rows[0]):
-        if not _is_zero(entry):
+        if not is_zero(entry):
             total = total + entry * cofactor(rows, 0, j)
     return total
 
@@ -48,7 +50,7 @@ class Polynomial:
         out: list[Any] = [0] * (len(self.coefficients) + len(two) - 1)
         for i, a in enumerate(self.coefficients):
             for j, b in enumerate(two):
-                if not (_is_zero(a) or _is_zero(b)):
+                if not (is_zero(a) or is_zero(b)):
                     out[i + j] = out[i + j] + a * b
         return Polynomial(out)
 
@@ -75,15 +77,10 @@ def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Any:
     return determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places])
 
 
-def _is_zero(value: Any) -> bool:
-    """0 by structure."""
-    return isinstance(value, int) and value == 0
-
-
 def trimmed(polynomial: Polynomial) -> list[Any]:
     """Coefficients without the highest ones that are 0 by structure."""
     coefficients = polynomial.coefficients
-    while len(coefficients) > 1 and _is_zero(coefficients[-1]):
+    while len(coefficients) > 1 and is_zero(coefficients[-1]):
         coefficients = coefficients[:-1]
     return coefficients
 

@@ -9,6 +9,11 @@ from typing import Any
 Choice = Callable[[list[list[Any]], int], None]
 
 
+def is_zero(value: Any) -> bool:
+    """0 by structure."""
+    return isinstance(value, int) and value == 0
+
+
 def solved(matrix: Sequence[Sequence[Any]], values: Sequence[Any], choose: Choice | None = None) -> list[Any]:
     """Solution by elimination, pivots in the order of the rows unless ``choose`` exchanges them."""
     rows = [[*row, value] for row, value in zip(matrix, values, strict=True)]
@@ -17,7 +22,7 @@ def solved(matrix: Sequence[Sequence[Any]], values: Sequence[Any], choose: Choic
         if choose is not None:
             choose(rows, k)
         for i in range(k + 1, n):
-            if isinstance(rows[i][k], int) and rows[i][k] == 0:
+            if is_zero(rows[i][k]):
                 continue
             factor = rows[i][k] / rows[k][k]
             rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k], strict=True)]

@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from .elimination import is_zero
 from .interval_arrays import Intervals
 from .rounded import repeated_product
 
@@ -74,7 +75,7 @@ class Jet:
 
     def __add__(self, other: Any) -> Jet:
         if not isinstance(other, Jet):
-            return self if _is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
+            return self if is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
         order = min(self.order, other.order)
         terms = {term: value for term, value in self.terms.items() if len(term) <= order}
         for term, coefficient in other.terms.items():
@@ -95,7 +96,7 @@ class Jet:
             square: Jet = self**2
             return square
         if not isinstance(other, Jet):
-            if _is_zero(other):
+            if is_zero(other):
                 return Jet({}, self.order)
             return Jet({term: coefficient * other for term, coefficient in self.terms.items()}, self.order)
         order = min(self.order, other.order)
@@ -305,7 +306,3 @@ def _flat(value: Intervals) -> Intervals:
 def _power(value: Any, power: int) -> Any:
     """A power; of python-flint's balls by products, since its own is no number where a ball holds 0."""
     return repeated_product(value, power) if power and type(value).__module__.startswith("flint") else value**power
-
-
-def _is_zero(value: Any) -> bool:
-    return isinstance(value, int) and value == 0

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from . import balls
 from .balls import Ball, Undecided
-from .elimination import solved
+from .elimination import is_zero, solved
 from .jets import Jet, gradient, variables
 
 #: F of balls or of jets of balls.
@@ -122,7 +122,7 @@ class _Task:
 
     def _coefficients(self, series: Sequence[Sequence[Any]], order: int) -> list[Any]:
         """Coefficients of that order of F along series of u and the others to one order less, the equation that is left first."""
-        jets = [Jet({(0,) * k: part[k] for k in range(order) if not _is_zero(part[k])}, order) for part in series]
+        jets = [Jet({(0,) * k: part[k] for k in range(order) if not is_zero(part[k])}, order) for part in series]
         return [row.terms.get((0,) * order, 0) if isinstance(row, Jet) else 0 for row in self._values(jets)]
 
     def _newton(self, u: Ball, others: Sequence[Ball]) -> list[Any]:
@@ -211,7 +211,7 @@ class _Task:
             middle = _short((span[0] + span[1]) / 2)
             point = [*self.at(middle, others), last]
             slope = _taylor_slope(point, balls.between(span[0] - middle, span[1] - middle))
-            if not _sign(slope):
+            if not balls.sign(slope):
                 break
             # By the ends: a ball of a wide quotient would be wider.
             steps = [value / by for value in balls.ends(point[0]) for by in balls.ends(slope)]
@@ -254,10 +254,10 @@ def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> lis
         one, two, depth = stack.pop()
         looks += 1
         h = balls.between(one, two)
-        if _sign(_taylor(coefficients, h)):
+        if balls.sign(_taylor(coefficients, h)):
             continue
-        if _sign(_taylor_slope(coefficients, h)):
-            signs = [_sign(_at(coefficients, end)) for end in (one, two)]
+        if balls.sign(_taylor_slope(coefficients, h)):
+            signs = [balls.sign(_at(coefficients, end)) for end in (one, two)]
             if 0 in signs:
                 raise Undecided("a root on the end of a piece")
             if signs[0] != signs[1]:
@@ -296,39 +296,24 @@ def _less(value: Any, factors: Sequence[Any], steps: Sequence[Any]) -> Any:
     return value
 
 
-def _is_zero(value: Any) -> bool:
-    return isinstance(value, int) and value == 0
-
-
-def _sign(value: Any) -> int:
-    return balls.sign(value) if isinstance(value, Ball) else (value > 0) - (value < 0)
-
-
 def _short(value: Fraction) -> Fraction:
     """A rational of few digits, much nearer than what is asked for here."""
     return Fraction(round(value * 2**100), 2**100)
 
 
 def _width(value: Any) -> Fraction:
-    if not isinstance(value, Ball):
-        return Fraction(0)
     low, high = balls.ends(value)
     return high - low
 
 
 def _inside(one: Any, other: Ball) -> bool:
-    low, high = balls.ends(one) if isinstance(one, Ball) else (Fraction(one), Fraction(one))
-    least, most = balls.ends(other)
+    (low, high), (least, most) = balls.ends(one), balls.ends(other)
     return least < low and high < most
 
 
 def _largest_pivot(rows: list[list[Any]], k: int) -> None:
-    pivot = max(range(k, len(rows)), key=lambda i: abs(_size(rows[i][k])))
+    # By rationals, not floats: beside the end of a range a slope may be larger than any.
+    pivot = max(range(k, len(rows)), key=lambda i: abs(sum(balls.ends(rows[i][k]), Fraction(0))))
     rows[k], rows[pivot] = rows[pivot], rows[k]
-    if not _sign(rows[k][k]):
+    if not balls.sign(rows[k][k]):
         raise Undecided("a pivot that may be 0")
-
-
-def _size(value: Any) -> Fraction:
-    # No float: beside the end of a range a slope may be larger than any.
-    return sum(balls.ends(value), Fraction(0)) / 2 if isinstance(value, Ball) else Fraction(value)

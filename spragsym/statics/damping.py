@@ -23,24 +23,23 @@ def only_damped(balance: Balance, given: FloatArray, vary: Sequence[str], spans:
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
     with np.errstate(all="ignore"):
-        C = _entries(balance, _all_over(balance, given, vary, spans))
+        C = _entries(balance, _over(balance, given, vary, spans))
     entries = [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not (isinstance(entry, int) and entry == 0)]
     return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
 
 
-def slope_ends(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> tuple[float, float]:
-    """Bounds on the slope of the friction law for all values of several parameters."""
-    with np.errstate(all="ignore"):
-        slope = stacked([balance.slope(_all_over(balance, given, vary, spans))], (1,))[0]
-    return float(slope.low[0]), float(slope.high[0])
-
-
-def _all_over(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> dict[str, Any]:
-    """Arguments of generated functions for all values of several parameters."""
+def _ends(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Parameters at both ends of the ranges of those that vary."""
     low, high = given.copy(), given.copy()
     places = [balance.parameters.index(name) for name in vary]
     low[places, 0], high[places, 0] = spans.T
-    return balance.arguments(balance.prepared(Intervals.between(low, high)))
+    return low, high
+
+
+def _over(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> dict[str, Any]:
+    """Arguments of generated functions for all values of the parameters that vary."""
+    with np.errstate(all="ignore"):
+        return balance.arguments(balance.prepared(Intervals.between(*_ends(balance, given, vary, spans))))
 
 
 def _entries(balance: Balance, values: dict[str, Any], pushing: int | None = None) -> Any:
@@ -50,51 +49,40 @@ def _entries(balance: Balance, values: dict[str, Any], pushing: int | None = Non
     return balance.damping(states, directions, values, pushing)
 
 
-def is_damped(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
+def is_damped(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> bool:
     """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
-    point = np.repeat(np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given), PLACES, axis=1)
+    low, high = _ends(balance, given, vary, spans)
+    point = np.repeat(0.5 * low + 0.5 * high, PLACES, axis=1)
     states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(0.01, 3.0, PLACES)
     with np.errstate(all="ignore"):
         C = stability.linearization(balance, states, point)[1]
     return bool((np.isfinite(C) & (C != 0)).any())
 
 
-def damped_by_friction_alone(balance: Balance, given: FloatArray, spans: FloatArray) -> int | None:
+def damped_by_friction_alone(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> int | None:
     """The coordinate that friction opposes, if nothing else damps for any parameter of the range; None if that is not known."""
     friction = balance.model.about["friction"]
     if friction is None or friction["along"] not in balance.coordinates:
         return None
     if balance.model.about["dampers"]:
-        values, shape = _over(balance, given, spans)
-        C = matrix(_entries(balance, values, pushing=0), shape)
+        C = matrix(_entries(balance, _over(balance, given, vary, spans), pushing=0), (1,))
         # They are known on their own in lift-off.
         if not balance.opens or not C.magnitude.max() <= NOTHING:
             return None
     return balance.coordinates.index(friction["along"])
 
 
-def _over(balance: Balance, given: FloatArray, spans: FloatArray) -> tuple[dict[str, Any], tuple[int, ...]]:
-    """Arguments of generated functions over a range."""
-    low, high = (np.where(np.isnan(given), end, given) for end in spans[0])
+def slope_over(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> Intervals:
+    """The slope of the friction law over the ranges."""
     with np.errstate(all="ignore"):
-        return balance.arguments(balance.prepared(Intervals.between(low, high))), (1,)
+        return stacked([balance.slope(_over(balance, given, vary, spans))], (1,))[0]
 
 
-def slope_over(balance: Balance, given: FloatArray, spans: FloatArray) -> Intervals:
-    """The slope of the friction law over a range."""
-    values, shape = _over(balance, given, spans)
+def is_conservative(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> bool:
+    """Whether K is symmetric all over the ranges: there is no friction, and the page's other forces have a potential."""
+    values = _over(balance, given, vary, spans)
+    # A parameter that is 0 here is so exactly, also one that never is.
+    values |= {name: 0 for name, span in zip(vary, spans, strict=True) if not span.any() and name in values}
     with np.errstate(all="ignore"):
-        return stacked([balance.slope(values)], shape)[0]
-
-
-def is_conservative(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
-    """Whether K is symmetric all over a range: there is no friction, and the page's other forces have a potential."""
-    low, high = spans[0]
-    values, shape = _over(balance, given, spans)
-    if low == high == 0:  # exactly, also for a parameter that never is
-        values |= {
-            name: 0 for name, fixed in zip(balance.parameters, given[:, 0], strict=True) if np.isnan(fixed) and name in values
-        }
-    with np.errstate(all="ignore"):
-        friction = stacked([balance.friction(values)], shape)[0]
+        friction = stacked([balance.friction(values)], (1,))[0]
     return bool(balance.model.about.get("symmetric")) and bool(friction.magnitude.max() <= NOTHING)

@@ -110,20 +110,3 @@ def test_a_root_by_exponential_and_logarithm_begins_at_zero() -> None:
     assert found.high[0] < 1e-300
     assert found.high[1] == pytest.approx(2.0, rel=1e-14)
     assert found.high[2] == pytest.approx(0.1, rel=1e-13)
-
-
-@pytest.mark.parametrize("name", ["exp", "log", "tanh", "atan", "cos", "sin", "sqrt"])
-def test_series_in_time_are_those_of_mpmath(name: str) -> None:
-    """Of x(t) = 0.4 + t − t²/2, by balls of python-flint."""
-    flint = pytest.importorskip("flint")
-    from spragsym.orbits import jets as series
-
-    x = series.Jet.constant(flint.arb(2) / 5)
-    x.known += [flint.arb(1), flint.arb(-1) / 2]
-    found = getattr(series.XP, name)(x)
-    with mpmath.workdps(60):
-        want = mpmath.taylor(lambda t: getattr(mpmath, name)(mpmath.mpf(2) / 5 + t - t * t / 2), 0, 8)
-        for k, value in enumerate(want):
-            middle, radius = mpmath.mpf(found[k].mid().str(40, radius=False)), float(found[k].rad())
-            assert abs(middle - value) <= radius + 1e-30
-            assert radius < 1e-10

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ import spragsym as ss
 
 from ..errors import ParameterError
 from ..models.parameters import FloatArray
+from ..progress import show_progress
 from . import options as o
 from .of_model import Case, of_model
 from .output import drawn, refuse, resumed
@@ -55,7 +55,8 @@ def simulate(
     refuse([output], force)
     if output is not None:
         storage.check_target(output, 10_000_000)
-    tr = ss.simulate(p, t_end=t_end, **case.start, **settings)
+    with show_progress("following the motion"):
+        tr = ss.simulate(p, t_end=t_end, **case.start, **settings)
     summary = case.row(_summary(tr, transient))
     if output is not None:
         tr.save(output)
@@ -86,8 +87,6 @@ def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple
     if t_end > LONGEST:
         limit = f"{LONGEST:g} {unit}" + (f", which is {LONGEST * second:.3g} s" if of_file else "")
         raise ParameterError(f"--t-end is {t_end:g} {unit}, and {why}: give at most {limit}")
-    if t_end > LONGEST / 20 and sys.stderr.isatty():
-        click.echo(f"following the motion over {t_end:g} {unit}, for up to minutes; Ctrl-C ends it", err=True)
     return t_end, transient
 
 

@@ -106,10 +106,6 @@ class Affine(Rounded):
         known = np.isfinite(error) & np.isfinite(middle.value)
         return Affine(np.where(known, middle.value, 0.0), np.where(known, terms, 0.0), np.where(known, error, np.inf))
 
-    def rows(self, index: Any) -> Affine:
-        """Those of some boxes."""
-        return Affine(self.value[index], self.terms[:, index], np.broadcast_to(self.error, self.value.shape)[index])
-
 
 def sides(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[Affine]:
     """One number for each side of boxes, whose corners have the shape (sides, n)."""

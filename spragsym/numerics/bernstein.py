@@ -21,6 +21,8 @@ FloatArray = NDArray[np.float64]
 
 #: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
 DEPTH = 30
+#: Halvings of a part after which its signs are left open.
+HALVINGS = 6
 #: τ: no round number, so that roots of symmetric polynomials, at t = 1, lie inside of a part and not at an end.
 SCALE = 1.0703125
 
@@ -90,7 +92,7 @@ class Signs:
     positive: NDArray[np.bool_]
 
 
-def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray, off: FloatArray, *, halvings: int = 6) -> Signs:
+def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray, off: FloatArray) -> Signs:
     """What signs each of many polynomials has between two places.
 
     Parameters
@@ -101,8 +103,6 @@ def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray
         Ends in w = t/(t + ``SCALE``), 0 ≤ low ≤ high ≤ 1.
     off : ndarray
         How far the true ends may be from those: signs hold for them.
-    halvings : int
-        How often a part is cut in two before its signs are left open.
     """
     size = low.size
     whole = _beginning(coefficients, size)
@@ -116,12 +116,12 @@ def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray
     negative, positive = np.isfinite(noise), np.zeros(size, dtype=np.bool_)
     row = np.flatnonzero(negative)
     value = value[:, row]
-    for halving in range(halvings + 1):
+    for halving in range(HALVINGS + 1):
         limit = noise[row] * (1 + 0.1 * halving)
         positive[row[(value[0] > limit) | (value[-1] > limit)]] = True
         pending = ~((value < -limit).all(axis=0) | positive[row])
         row = row[pending]
-        if halving == halvings or not row.size:
+        if halving == HALVINGS or not row.size:
             break
         value = np.concatenate(_de_casteljau(value[:, pending]), axis=1)
         row = np.tile(row, 2)

@@ -74,11 +74,6 @@ class Intervals:
         """Intervals without width."""
         return cls.between(value, value)
 
-    @classmethod
-    def where(cls, chosen: NDArray[np.bool_], one: Intervals, other: Intervals) -> Intervals:
-        """Intervals of the one where the flag is set, of the other elsewhere."""
-        return cls(np.where(chosen, one.ends, other.ends))
-
     @property
     def low(self) -> FloatArray:
         """Lower ends."""
@@ -124,10 +119,6 @@ class Intervals:
         """Whether each holds 0, or bounds nothing."""
         out: NDArray[np.bool_] = ~((self.ends[0] < 0) | (self.ends[1] < 0))
         return out
-
-    def hull(self, other: Intervals) -> Intervals:
-        """Intervals that hold both."""
-        return Intervals(np.maximum(*_aligned(self.ends, other.ends)))
 
     def __getitem__(self, index: Any) -> Intervals:
         index = index if isinstance(index, tuple) else (index,)

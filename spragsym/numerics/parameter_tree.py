@@ -31,10 +31,6 @@ class Tree:
     order: NDArray[np.int64]
     depth: int
 
-    def points(self, node: int) -> NDArray[np.int64]:
-        """Numbers of the points of a node."""
-        return self.below(np.array([node]))[1]
-
     def below(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows (place among ``nodes``, point) for all points of all of these nodes."""
         nodes = nodes.astype(np.int64)

@@ -105,14 +105,6 @@ class Rounded:
         above, below = self.value > reach, -self.value > reach
         return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
 
-    def low(self) -> Any:
-        """A lower end."""
-        return np.nextafter(self.value - self.error, -np.inf)
-
-    def high(self) -> Any:
-        """An upper end."""
-        return np.nextafter(self.value + self.error, np.inf)
-
 
 def cosine_and_sine(angle: Any) -> tuple[Rounded, Rounded]:
     """Cosine and sine of angles that are exact, with the error that NumPy's functions are taken to have."""

@@ -99,14 +99,11 @@ def test_roots_of_rounded_numbers() -> None:
                 check(x.sqrt(), NOWHERE, [as_fraction(mpmath.sqrt(as_mpf(a))) if a > 0 else None for a in some])
 
 
-def test_signs_and_ends_of_rounded_numbers() -> None:
+def test_signs_and_rows_of_rounded_numbers() -> None:
     x = Rounded(np.array([1.0, -1.0, 1.0, -1.0, 0.0, np.nan, 1.0]), np.array([0.5, 0.5, 1.0, 1.0, 0.0, 0.0, np.nan]))
     assert x.sign().tolist() == [1, -1, 0, 0, 0, 0, 0]
     assert (-x).sign().tolist() == [-1, 1, 0, 0, 0, 0, 0]
     y = rounded_ones(4)
-    for low, high, least, most in zip(y.low(), y.high(), members(y, NOWHERE, -1), members(y, NOWHERE, 1), strict=True):
-        assert least - Fraction(1, 2**40) < Fraction(float(low)) <= least
-        assert most <= Fraction(float(high)) < most + Fraction(1, 2**40)
     assert y.rows([3, 1]).value.tolist() == [y.value[3], y.value[1]]
     assert y.rows([3, 1]).error.tolist() == [y.error[3], y.error[1]]
     assert Rounded(np.arange(3.0), 0.5).rows([2]).error.tolist() == [0.5]

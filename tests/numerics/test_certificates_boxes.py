@@ -283,7 +283,7 @@ def test_what_was_undecided_is_left_with_its_point():
     values = np.array([[-0.25, 0.25, 0.3], [5.0, 6.0, 7.0], [0.5, 0.5, 0.5]])
     points = tree(values, values)
     middle = np.array([[0.3], [0.15]])
-    node = next(node for node in range(points.size.size) if points.points(node).tolist() == [2])
+    node = next(node for node in range(points.size.size) if points.below(np.array([node]))[1].tolist() == [2])
     alone, open_one = ends_of(middle - 0.05, middle + 0.05), ends_of([[1.0], [2.0]], [[3.0], [4.0]])
     given = outcome(alone, alone, open_one, values, [node], [0])
     found = certified_roots.roots(Lines(), given, np.full((2, 2, 1), 4.0), values, values)

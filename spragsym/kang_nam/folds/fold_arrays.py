@@ -23,7 +23,7 @@ from ..quartic import kernel
 
 @dataclass(frozen=True)
 class FoldArrays:
-    """Folds in contact of many points, in no order: the point of each, and what :class:`~.fold_points.Turn` says of it.
+    """Folds in contact of many points, in no order: the point of each, and what :class:`~.fold_proofs.Fold` says of it.
 
     ``value`` and ``t`` = tan(θ/2) carry proved bounds; ``best`` is the same as ``value`` with less uncertainty. Of points in
     ``undecided`` nothing is listed.

@@ -25,7 +25,7 @@ from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Stability
 from ..folds import fold_arrays
 from ..folds.fold_digits import sharpened
-from ..folds.fold_points import turns
+from ..folds.fold_points import folds
 from ..quartic import kernel
 from ..quartic.solver import equilibria
 
@@ -192,8 +192,8 @@ def _with_more_digits(
 
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
-    found = turns(p, vary)
-    values = [turn.values[NAMES.index(vary)] for turn in found]
+    found = folds(p, vary)
+    values = getattr(found, vary).tolist()
     if vary == "theta0":
         start = min([FIRST_ANGLE, *(value / 2 for value in values)])
     else:
@@ -209,5 +209,5 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     jump = first_end(p, vary, (start, end))
     if jump is None:
         return math.nan, math.nan
-    value, fold = min(zip(values, found, strict=True), key=lambda one: abs(one[0] - jump.value))
-    return value, fold.values[6]
+    row = int(np.abs(getattr(found, vary) - jump.value).argmin())
+    return values[row], float(found.theta[row])

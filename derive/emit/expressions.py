@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from .language import KernelError, Kinds, Routine, Source
@@ -113,23 +113,3 @@ def number(value: float) -> str:
     """The shortest decimal that reads back as the same double."""
     text = repr(value)
     return text if re.search(r"[.en]", text) else f"{text}.0"
-
-
-def assigned(node: ast.stmt) -> Iterator[str]:
-    """Names that a statement assigns; those assigned in a loop are listed twice, since they change."""
-    match node:
-        case ast.Assign(targets=[target]):
-            yield from (name for name, _ in places(target))
-        case ast.For(body=body):
-            for statement in [*body, *body]:
-                yield from assigned(statement)
-
-
-def places(target: ast.expr, place: tuple[int, ...] = ()) -> Iterator[tuple[str, tuple[int, ...]]]:
-    """Names on the left of an assignment, each with its place among the results, which may be nested."""
-    if isinstance(target, ast.Tuple):
-        for index, item in enumerate(target.elts):
-            yield from places(item, (*place, index))
-    else:
-        assert isinstance(target, ast.Name)
-        yield target.id, place

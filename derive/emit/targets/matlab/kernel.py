@@ -7,8 +7,9 @@ import math
 import re
 from collections.abc import Iterator
 
-from ...expressions import Expressions, Syntax, number, places, printed
-from ...language import KernelError, Routine, Source, passes
+from ...expressions import Syntax, number, printed
+from ...language import Routine, Source
+from ...routines import Printer, places
 from .. import Material
 from .algebra import WIDTH, comment, wrapped
 
@@ -47,36 +48,32 @@ def _syntax(library: str) -> Syntax:
     )  # fmt: skip
 
 
-class _Printer:
+class _Printer(Printer):
     def __init__(self, it: Routine, source: Source, material: Material, said: set[str]) -> None:
-        self.it, self.source, self.said = it, source, said
-        self.expressions = Expressions(self.source, _syntax(material.library))
-        self.numbers = {item.name: (item.value, item.comment) for item in self.source.constants}
+        super().__init__(it, source, _syntax(material.library))
+        self.said = said
+        self.numbers = {item.name: (item.value, item.comment) for item in source.constants}
         self.numbers |= {name: (value, "a count of roundings") for name, value in material.counts.items()}
-        self.used = {node.id for statement in it.body for node in ast.walk(statement)
-                     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}  # fmt: skip
 
     def definition(self) -> str:
         first, *rest = self.it.summary.split("\n\n")
         given = ", ".join(name for name, _ in self.it.arguments)
         lines = [
-            f"function {self.returned()} = {method_name(self.it.name)}({given})",
+            f"function {self._returned()} = {method_name(self.it.name)}({given})",
             *comment(f"{method_name(self.it.name).upper()}  {first}", ""),
             *(line for paragraph in rest for line in ("%", *comment(paragraph, "  "))),
-            *self.constants(),
-            *(line for statement in self.it.body for line in self.explained(statement, "  ")),
-            "end\n",
+            *self._constants(),
         ]
-        return "\n".join(lines)
+        return _joined(lines) + self.body("  ") + "end\n"
 
-    def returned(self) -> str:
+    def _returned(self) -> str:
         """What stands for the result, or for each of several."""
         match self.it.body[-1]:
             case ast.Return(value=ast.Tuple(elts=results)):
                 return f"[{', '.join(f'result{place + 1}' for place in range(len(results)))}]"
         return "result"
 
-    def constants(self) -> Iterator[str]:
+    def _constants(self) -> Iterator[str]:
         """Named numbers that this routine uses, explained where the first of all does."""
         for name, (value, said) in self.numbers.items():
             if name in self.used:
@@ -86,37 +83,32 @@ class _Printer:
                 beside = f"{line}  % {said}" if said else line
                 yield from [beside] if len(beside) <= WIDTH else [*(f"  {above}" for above in comment(said, " ")), line]
 
-    def explained(self, node: ast.stmt, indent: str) -> Iterator[str]:
-        """A statement, below the comment that stands above it in the kernel."""
-        above = self.source.lines[node.lineno - 2].strip()
-        if above.startswith("# "):
-            yield from (f"{indent}{line}" for line in comment(above.removeprefix("# "), " "))
-        yield from self.statement(node, indent)
+    def comment(self, text: str, indent: str) -> str:
+        return _joined([f"{indent}{line}" for line in comment(text, " ")])
 
-    def statement(self, node: ast.stmt, indent: str) -> Iterator[str]:
-        match node:
-            case ast.Assign(targets=[ast.Name(id=name)], value=value):
-                yield from wrapped(f"{indent}{name} = {self.expressions.print(value)};")
-            case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call() as value):
-                names = [name if name in self.used else "~" for name, _ in places(target)]
-                while names[-1] == "~":
-                    names.pop()
-                yield from wrapped(f"{indent}[{', '.join(names)}] = {self.expressions.print(value)};")
-            case ast.For(body=body):
-                yield f"{indent}for pass = 1:{passes(node)}"
-                for statement in body:
-                    yield from self.explained(statement, indent + "  ")
-                yield f"{indent}end"
-            case ast.Return(value=ast.Call(func=ast.Name(id=name), args=args)) if name in self.source.records:
-                fields = zip(
-                    (field for field, _ in self.source.records[name].fields), map(self.expressions.print, args), strict=True
-                )
-                listed = ", ".join(f"'{field}', {value}" for field, value in fields)
-                yield from wrapped(f"{indent}result = struct({listed});")
-            case ast.Return(value=ast.Tuple(elts=results)):
-                for place, value in enumerate(results):
-                    yield from wrapped(f"{indent}result{place + 1} = {self.expressions.print(value)};")
-            case ast.Return(value=ast.expr() as value):
-                yield from wrapped(f"{indent}result = {self.expressions.print(value)};")
-            case _:
-                raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+    def assignment(self, name: str, value: ast.expr, indent: str) -> str:
+        return _joined(wrapped(f"{indent}{name} = {self.expressions.print(value)};"))
+
+    def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
+        names = [name if name in self.used else "~" for name in places(target)]
+        while names[-1] == "~":
+            names.pop()
+        return self.assignment(f"[{', '.join(names)}]", called, indent)
+
+    def loop(self, count: int, inside: str, indent: str) -> str:
+        return f"{indent}for pass = 1:{count}\n{inside}{indent}end\n"
+
+    def record(self, name: str, values: list[ast.expr], indent: str) -> str:
+        fields = zip((field for field, _ in self.source.records[name].fields), map(self.expressions.print, values), strict=True)
+        listed = ", ".join(f"'{field}', {value}" for field, value in fields)
+        return _joined(wrapped(f"{indent}result = struct({listed});"))
+
+    def several(self, values: list[ast.expr], indent: str) -> str:
+        return "".join(self.assignment(f"result{place}", value, indent) for place, value in enumerate(values, 1))
+
+    def value(self, value: ast.expr, indent: str) -> str:
+        return self.assignment("result", value, indent)
+
+
+def _joined(lines: list[str]) -> str:
+    return "".join(f"{line}\n" for line in lines)

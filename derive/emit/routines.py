@@ -1,0 +1,99 @@
+"""Functions of the kernel's language in a target's syntax: its kinds of statements, each printed as the target writes it."""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+from typing import ClassVar
+
+from .expressions import Expressions, Syntax
+from .language import KernelError, Routine, Source, passes
+
+
+class Printer:
+    """Prints one routine; a target says below how each kind of statement is written, in lines that end with a newline."""
+
+    step: ClassVar[str] = "  "  #: how much further the statements of a loop are indented
+
+    def __init__(self, it: Routine, source: Source, syntax: Syntax) -> None:
+        self.it, self.source = it, source
+        self.expressions = Expressions(source, syntax)
+        self.written = Counter(name for statement in it.body for name in assigned(statement))
+        self.used = {
+            node.id
+            for statement in it.body
+            for node in ast.walk(statement)
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+        }
+
+    def body(self, indent: str) -> str:
+        return "".join(self._explained(statement, indent) for statement in self.it.body)
+
+    def _explained(self, node: ast.stmt, indent: str) -> str:
+        """A statement, below the comment that stands above it in the kernel."""
+        above = self.source.lines[node.lineno - 2].strip()
+        said = self.comment(above.removeprefix("# "), indent) if above.startswith("# ") else ""
+        return said + self._statement(node, indent)
+
+    def _statement(self, node: ast.stmt, indent: str) -> str:
+        match node:
+            case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                return self.assignment(name, value, indent)
+            case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call() as value):
+                return self.unpacking(target, value, indent)
+            case ast.For(body=body):
+                inside = "".join(self._explained(statement, indent + self.step) for statement in body)
+                return self.loop(passes(node), inside, indent)
+            case ast.Return(value=ast.Call(func=ast.Name(id=name), args=values)) if name in self.source.records:
+                return self.record(name, values, indent)
+            case ast.Return(value=ast.Tuple(elts=values)):
+                return self.several(values, indent)
+            case ast.Return(value=ast.expr() as value):
+                return self.value(value, indent)
+        raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+
+    def comment(self, text: str, indent: str) -> str:
+        raise NotImplementedError
+
+    def assignment(self, name: str, value: ast.expr, indent: str) -> str:
+        raise NotImplementedError
+
+    def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
+        """Results of generated algebra into names."""
+        raise NotImplementedError
+
+    def loop(self, count: int, inside: str, indent: str) -> str:
+        raise NotImplementedError
+
+    def record(self, name: str, values: list[ast.expr], indent: str) -> str:
+        """A record, returned."""
+        raise NotImplementedError
+
+    def several(self, values: list[ast.expr], indent: str) -> str:
+        """Several results, returned."""
+        raise NotImplementedError
+
+    def value(self, value: ast.expr, indent: str) -> str:
+        """One number, returned."""
+        raise NotImplementedError
+
+
+def assigned(node: ast.stmt) -> Iterator[str]:
+    """Names that a statement assigns; those assigned in a loop are listed twice, since they change."""
+    match node:
+        case ast.Assign(targets=[target]):
+            yield from places(target)
+        case ast.For(body=body):
+            for statement in [*body, *body]:
+                yield from assigned(statement)
+
+
+def places(target: ast.expr) -> Iterator[str]:
+    """Names on the left of an assignment, which may be nested."""
+    if isinstance(target, ast.Tuple):
+        for item in target.elts:
+            yield from places(item)
+    else:
+        assert isinstance(target, ast.Name)
+        yield target.id

@@ -389,10 +389,5 @@ def every_drawing() -> dict[str, str]:
     return {name: render(model.page, model.docstring) for name, model in models.items()}
 
 
-def every_page() -> dict[str, Page]:
-    """The pages that come with the package, by name."""
-    return {path.stem: pages.read(path).page for path in pages.shipped()}
-
-
 if __name__ == "__main__":
     raise SystemExit(main())

@@ -9,8 +9,8 @@ from __future__ import annotations
 #: What results of models and columns of their files are called; for coordinates and parameters alike.
 RESULTS = frozenset((
     "after", "amplitude", "angles", "as_table", "between", "columns", "complete", "contact", "contact_lost", "coordinates", "count",
-    "criticality", "crossing", "crossing_error", "cycle", "damped_eigenvalues", "cycle_mean", "cycle_rms", "data", "decided",
-    "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "given", "growth", "held_in", "jumps", "kind", "largest",
+    "criticality", "crossing", "crossing_error", "cycle", "damped", "damped_eigenvalues", "cycle_mean", "cycle_rms", "data", "decided",
+    "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t", "given", "growth", "growth_sign", "held_in", "jumps", "kind", "largest",
     "lyapunov", "lyapunov_error", "marginal", "mean", "measured", "model", "mu", "normal_forms", "offered", "omega", "parameters", "period", "places", "plot",
     "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "save", "select", "side", "slip_reversed", "spread", "stability", "state",
     "stable", "states", "table_angles", "table_codes", "table_columns", "table_model", "table_values", "table_varied",

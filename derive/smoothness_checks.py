@@ -6,13 +6,12 @@ is integrated from one kink to the next. Each error names the line, what stands 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import sympy as sp
 
 from . import laws
 from .mechanics import DEPTH, Mechanics
-from .model import FUNCTIONS, WRITTEN, Damper, PageError, Spring, expression_of
+from .model import FUNCTIONS, WRITTEN, PageError, expression_of
+from .statement_checks import statements
 
 #: Functions with a kink or a step, of which a sum of smooth forces has none.
 _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
@@ -26,7 +25,8 @@ def check(model: Mechanics) -> None:
     """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
     moving = {*model.coordinates, *model.rates, DEPTH, laws.SLIP}
     angles = {angle.symbol for angle in model.angles}
-    for value, what, line in _statements(model):
+    for written, what, line in statements(model.page):
+        value = model.scaled(written)
         _check_angles(value, what, line, moving | angles)
         _check_kinks(value, what, line, moving)
         _check_known(value, what, line)
@@ -107,37 +107,3 @@ def _check_contact(model: Mechanics) -> None:
             contact.line,
             f"the contact law {model.law} has no energy in {', '.join(FUNCTIONS)} and powers; give one whose integral SymPy finds in these",
         )
-
-
-def _statements(model: Mechanics) -> Iterator[tuple[sp.Expr, str, int]]:
-    """Every expression of the page without units, what it is, and its line."""
-    page, scaled = model.page, model.scaled
-    for element in (*page.springs, *page.torsions, *page.dampers):
-        kind = "damper" if isinstance(element, Damper) else "spring"
-        strength = element.coefficient if isinstance(element, Damper) else element.stiffness
-        yield scaled(strength), f"the strength of this {kind}", element.line
-        for part in (part for end in element.ends or () for part in end):
-            yield scaled(part), f"the end of this {kind}", element.line
-        if isinstance(element, Spring):
-            yield scaled(element.length), "the undeformed length of this spring", element.line
-        along = getattr(element, "along", None)
-        if along is not None:
-            yield scaled(along), f"along of this {kind}", element.line
-    for torsion in page.torsions:
-        for function in (sp.cos, sp.sin):
-            yield scaled(function(torsion.rest)), "the inclination at rest of this spring", torsion.line
-    for energy, line in page.energies:
-        yield scaled(energy), "this potential energy", line
-    if page.inertia is not None:
-        yield scaled(page.inertia[0]), "the kinetic energy", page.inertia[1]
-    for force in page.forces:
-        for part in (*force.components, *(force.at or ())):
-            yield scaled(part), "this force", force.line
-    if page.normal is not None:
-        yield scaled(page.normal.gap if page.normal.gap is not None else sp.S.Zero), "the gap", page.normal.line
-        yield model.law, "the contact law", page.normal.line
-    if page.sliding is not None:
-        for sign in (1, -1):
-            yield scaled(expression_of(page.sliding.law(sign * laws.SLIP))), "the friction law", page.sliding.line
-        for part in (page.sliding.along, page.sliding.belt, page.sliding.at_rest or sp.S.Zero):
-            yield scaled(part), "the friction", page.sliding.line

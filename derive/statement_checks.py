@@ -14,8 +14,9 @@ import sympy as sp
 
 from . import limits, reserved
 from .emit.quantities import interval
-from .laws import near
-from .model import Contact, Damper, Datum, Friction, Page, PageError, Spring, Torsion, acceleration_of, expression_of
+from .laws import SLIP, near
+from .mechanics import DEPTH
+from .model import Damper, Datum, Page, PageError, Spring, Torsion, acceleration_of, expression_of
 
 #: What a coordinate is called in errors.
 COORDINATE = "this coordinate"
@@ -256,41 +257,40 @@ def _check_places(page: Page) -> None:
 
 def check_used(page: Page) -> None:
     """Every parameter stands in a statement."""
-    used: set[sp.Basic] = set()
-    for value in _expressions(page):
-        used |= value.free_symbols
+    used = {symbol for value, _, _ in statements(page) for symbol in value.free_symbols}
     for datum in page.parameters:
         if datum.symbol not in used:
             raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
 
 
-def _expressions(page: Page) -> Iterator[sp.Expr]:
-    """All that statements are made of."""
-    u = sp.Dummy(positive=True)
-    yield sp.S.Zero
+def statements(page: Page) -> Iterator[tuple[sp.Expr, str, int]]:
+    """Every expression of the page, what it is, and its line."""
     for element in (*page.springs, *page.torsions, *page.dampers):
-        yield element.coefficient if isinstance(element, Damper) else element.stiffness
-        yield from (part for end in element.ends or () for part in end)
-        if not isinstance(element, Torsion):
-            yield element.along or sp.S.Zero
+        kind = "damper" if isinstance(element, Damper) else "spring"
+        strength = element.coefficient if isinstance(element, Damper) else element.stiffness
+        yield strength, f"the strength of this {kind}", element.line
+        for part in (part for end in element.ends or () for part in end):
+            yield part, f"the end of this {kind}", element.line
         if isinstance(element, Spring):
-            yield element.length
-        if isinstance(element, Torsion):
-            yield element.rest
-    yield from (energy for energy, _ in page.energies)
+            yield element.length, "the undeformed length of this spring", element.line
+        along = getattr(element, "along", None)
+        if along is not None:
+            yield along, f"along of this {kind}", element.line
+    for torsion in page.torsions:
+        for function in (sp.cos, sp.sin):
+            yield function(torsion.rest), "the inclination at rest of this spring", torsion.line
+    for energy, line in page.energies:
+        yield energy, "this potential energy", line
     if page.inertia is not None:
-        yield page.inertia[0]
+        yield page.inertia[0], "the kinetic energy", page.inertia[1]
     for force in page.forces:
-        yield from (*force.components, *(force.at or ()), force.along or sp.S.Zero)
+        for part in (*force.components, *(force.at or ())):
+            yield part, "this force", force.line
     if page.normal is not None:
-        yield from _of_law(page.normal, u)
+        yield page.normal.gap or sp.S.Zero, "the gap", page.normal.line
+        yield expression_of(page.normal.law(DEPTH)), "the contact law", page.normal.line
     if page.sliding is not None:
-        yield from _of_law(page.sliding, u)
-
-
-def _of_law(statement: Contact | Friction, u: sp.Symbol) -> Iterator[sp.Expr]:
-    yield expression_of(statement.law(u))
-    if isinstance(statement, Friction):
-        yield from (statement.along, statement.belt, statement.at_rest or sp.S.Zero)
-    else:
-        yield statement.gap if statement.gap is not None else sp.S.Zero
+        for sign in (1, -1):
+            yield expression_of(page.sliding.law(sign * SLIP)), "the friction law", page.sliding.line
+        for part in (page.sliding.along, page.sliding.belt, page.sliding.at_rest or sp.S.Zero):
+            yield part, "the friction", page.sliding.line

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import ClassVar
 
 from .expressions import Expressions, Syntax
@@ -53,30 +53,15 @@ class Printer:
                 return self.value(value, indent)
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
 
-    def comment(self, text: str, indent: str) -> str:
-        raise NotImplementedError
-
-    def assignment(self, name: str, value: ast.expr, indent: str) -> str:
-        raise NotImplementedError
-
-    def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
-        """Results of generated algebra into names."""
-        raise NotImplementedError
-
-    def loop(self, count: int, inside: str, indent: str) -> str:
-        raise NotImplementedError
-
-    def record(self, name: str, values: list[ast.expr], indent: str) -> str:
-        """A record, returned."""
-        raise NotImplementedError
-
-    def several(self, values: list[ast.expr], indent: str) -> str:
-        """Several results, returned."""
-        raise NotImplementedError
-
-    def value(self, value: ast.expr, indent: str) -> str:
-        """One number, returned."""
-        raise NotImplementedError
+    #: What a target writes for a comment, for an assignment, for results of generated algebra that are given names, for a loop with
+    #: its statements, and for what is returned: a record, several results, or one.
+    comment: Callable[[str, str], str]
+    assignment: Callable[[str, ast.expr, str], str]
+    unpacking: Callable[[ast.Tuple, ast.Call, str], str]
+    loop: Callable[[int, str, str], str]
+    record: Callable[[str, list[ast.expr], str], str]
+    several: Callable[[list[ast.expr], str], str]
+    value: Callable[[ast.expr, str], str]
 
 
 def assigned(node: ast.stmt) -> Iterator[str]:

@@ -101,33 +101,37 @@ def check(entry: Printed, derived: Derived) -> Row:
     if entry.id in explanations.APPROXIMATIONS:
         approximation = explanations.APPROXIMATIONS[entry.id]
         if not differs:
-            return Row(status=FAILED, **base | {"note": "explained as an approximation, but the difference is zero"})
+            return _failed(base, "explained as an approximation, but the difference is zero")
         if not all(gap == 0 or approximation.vanishes(gap) for gap in gaps):
-            return Row(status=FAILED, **base | {"note": f"the difference does not vanish for {approximation.limit}"})
+            return _failed(base, f"the difference does not vanish for {approximation.limit}")
         if not _is_derived(approximation.expression, derived):
-            return Row(status=FAILED, **base | {"note": "the exact form given for this approximation is not the derived one"})
+            return _failed(base, "the exact form given for this approximation is not the derived one")
         return Row(status="approximation", limit=approximation.limit, **base | {"derived": approximation.latex})
     if differs:
-        return Row(status=FAILED, **base | {"note": "printed and derived differ, and nothing explains it"})
+        return _failed(base, "printed and derived differ, and nothing explains it")
     base["derived"] = entry.latex
     if entry.id in explanations.DEFINITIONS:
         return Row(status="definition", **base | {"note": explanations.DEFINITIONS[entry.id]})
     return Row(status="confirmed", **base)
 
 
+def _failed(base: dict[str, str], note: str) -> Row:
+    return Row(status=FAILED, **base | {"note": note})
+
+
 def _misprint(id: str, components: tuple[sp.Expr, ...], derived: Derived, differs: bool, base: dict[str, str]) -> Row:
     correction = explanations.CORRECTIONS[id]
     if not differs:
-        return Row(status=FAILED, **base | {"note": "explained as a misprint, but the difference is zero"})
+        return _failed(base, "explained as a misprint, but the difference is zero")
     gaps = _differences(components, derived)
     explained = (correction.gap.subs(list(derived.terms[0])),)
     if not all(unit_circles.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
-        return Row(status=FAILED, **base | {"note": "the difference is not the one that the correction explains"})
+        return _failed(base, "the difference is not the one that the correction explains")
     if not _is_derived(correction.expression, derived):
-        return Row(status=FAILED, **base | {"note": "the right form given for this misprint is not the derived one"})
+        return _failed(base, "the right form given for this misprint is not the derived one")
     holds, evidence = correction.evidence()
     if not holds:
-        return Row(status=FAILED, **base | {"note": f"the second derivation disagrees: {evidence}"})
+        return _failed(base, f"the second derivation disagrees: {evidence}")
     return Row(
         status="misprint",
         cause=correction.cause,

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import sympy as sp
 
@@ -113,15 +114,8 @@ class _Compared:
         """The undeformed length."""
         return {"undeformed length": sp.expand(self.line.rest - 1)}
 
-    def along(self) -> dict[str, sp.Expr]:
-        """x″."""
-        return self._motion(0)
-
-    def across(self) -> dict[str, sp.Expr]:
-        """y″."""
-        return self._motion(1)
-
-    def _motion(self, row: int) -> dict[str, sp.Expr]:
+    def motion(self, row: int) -> dict[str, sp.Expr]:
+        """x″ or y″."""
         equations = mechanics.motion()
         residual, acceleration = ((equations.x, equations.ax), (equations.y, equations.ay))[row]
         # Any law of contact and friction: both stand as n and μ, and are rows of their own.
@@ -147,7 +141,8 @@ class _Compared:
         """μ at rest."""
         return {"μ at rest": _law_gap(self.named(laws.friction_at_rest(self.model)) - nm.mu0)}
 
-    def _balance(self, row: int, pushing: int) -> dict[str, sp.Expr]:
+    def balance(self, row: int, pushing: int) -> dict[str, sp.Expr]:
+        """F_x or F_y."""
         it = self.model
         # At rest friction is μ₀ times the contact force in the article; what the model has for μ is a row of its own.
         ours = it.residuals[self.row("xy"[row])].subs({PUSHING: pushing, MU: nm.mu0})
@@ -155,20 +150,8 @@ class _Compared:
         theirs = equilibrium.balance_cartesian()[row].subs(nm.nbar, pushing)
         return {("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(ours, theirs)}
 
-    def balance_x(self) -> dict[str, sp.Expr]:
-        return self._balance(0, 1)
-
-    def balance_y(self) -> dict[str, sp.Expr]:
-        return self._balance(1, 1)
-
-    def linear(self) -> dict[str, sp.Expr]:
+    def linear(self, pushing: int) -> dict[str, sp.Expr]:
         """That the balance is linear in cos θ and sin θ, without which there are no D and b."""
-        return self._linear(1)
-
-    def linear_lifted(self) -> dict[str, sp.Expr]:
-        return self._linear(0)
-
-    def _linear(self, pushing: int) -> dict[str, sp.Expr]:
         it = self.model
         if not pushing and not it.unilateral:
             raise NoMeaning("the mass never leaves the belt: there is no lift-off")
@@ -184,31 +167,16 @@ class _Compared:
                 raise NoMeaning("the balance is not linear in cos θ and sin θ: there are no D and b, and no quartic in L")
         return {}
 
-    def matrix(self) -> dict[str, sp.Expr]:
+    def matrix(self, pushing: int) -> dict[str, sp.Expr]:
         """D: the part of the balance that is linear in cos θ and sin θ."""
-        return self._parts(1)[0]
+        return self._parts(pushing)[0]
 
-    def matrix_lifted(self) -> dict[str, sp.Expr]:
-        return self._parts(0)[0]
-
-    def b1(self) -> dict[str, sp.Expr]:
-        return self._side("b_1")
-
-    def b2(self) -> dict[str, sp.Expr]:
-        return self._side("b_2")
-
-    def b3(self) -> dict[str, sp.Expr]:
-        return self._side("b_3")
-
-    def b4(self) -> dict[str, sp.Expr]:
-        return self._side("b_4")
-
-    def _side(self, name: str) -> dict[str, sp.Expr]:
+    def side(self, name: str) -> dict[str, sp.Expr]:
         """A component of the right side."""
         return {name: self._parts(1 if name in ("b_1", "b_2") else 0)[1][name]}
 
     def _parts(self, pushing: int) -> tuple[dict[str, sp.Expr], dict[str, sp.Expr]]:
-        self._linear(pushing)
+        self.linear(pushing)
         D, b = (part.subs(nm.nbar, pushing) for part in equilibrium.matrix_form())
         polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
         of_matrix, of_side = {}, {}
@@ -294,27 +262,33 @@ def _separated(model: Mechanics, row: int) -> sp.Expr:
 _Aspect = Callable[[_Compared], dict[str, sp.Expr]]
 
 
-def _groups() -> dict[str, tuple[_Aspect, ...]]:
-    return {f"def-{name}": ((lambda it, name=name: it.group(name)),) for name in ("sigma", "alpha", "beta", "kappa")}  # type: ignore[misc]  # a default binds name
+def _of(aspect: Callable[..., dict[str, sp.Expr]], *given: Any) -> _Aspect:
+    """An aspect of something."""
+    return lambda compared: aspect(compared, *given)
 
 
 _C = _Compared
-_CONTACT_QUARTIC = (_C.linear, _C.matrix)
-_LIFTED_QUARTIC = (_C.linear_lifted, _C.matrix_lifted)
+_ALONG, _ACROSS = (_of(_C.motion, row) for row in (0, 1))
+_BALANCE_X, _BALANCE_Y = (_of(_C.balance, row, 1) for row in (0, 1))
+_LINEAR, _MATRIX = _of(_C.linear, 1), _of(_C.matrix, 1)
+_LINEAR_LIFTED, _MATRIX_LIFTED = _of(_C.linear, 0), _of(_C.matrix, 0)
+_B1, _B2, _B3, _B4 = (_of(_C.side, f"b_{place}") for place in (1, 2, 3, 4))
+_CONTACT_QUARTIC = (_LINEAR, _MATRIX)
+_LIFTED_QUARTIC = (_LINEAR_LIFTED, _MATRIX_LIFTED)
 
 #: Row → what it rests on.
 RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
-    "eq-1": (_C.along,), "eq-2": (_C.across,), "eq-3": (_C.rest,), "eq-4": (_C.geometry_x,), "eq-5": (_C.geometry_y,),
-    "eq-6": (_C.geometry_x, _C.geometry_y), "eq-7": (_C.contact,), "eq-8": (_C.along,), "eq-9": (_C.across,), "eq-10": (_C.friction,),
-    "eq-11": (_C.contact,), "eq-12": (_C.along, _C.steady), "eq-13": (_C.across,), "eq-14": (_C.balance_x, _C.steady),
-    "eq-15": (_C.balance_y,), "eq-16": (_C.linear,), "eq-17": (_C.linear, _C.matrix), "eq-18": (_C.matrix,), "eq-19": (_C.b1, _C.b2),
-    "eq-20": (_C.linear,), "eq-21": _CONTACT_QUARTIC, "eq-22": (_C.linear_lifted,), "eq-23": (_C.linear_lifted,),
-    "eq-24": (_C.matrix_lifted,), "eq-25": (_C.b3, _C.b4), "eq-26": _LIFTED_QUARTIC,
+    "eq-1": (_ALONG,), "eq-2": (_ACROSS,), "eq-3": (_C.rest,), "eq-4": (_C.geometry_x,), "eq-5": (_C.geometry_y,),
+    "eq-6": (_C.geometry_x, _C.geometry_y), "eq-7": (_C.contact,), "eq-8": (_ALONG,), "eq-9": (_ACROSS,), "eq-10": (_C.friction,),
+    "eq-11": (_C.contact,), "eq-12": (_ALONG, _C.steady), "eq-13": (_ACROSS,), "eq-14": (_BALANCE_X, _C.steady),
+    "eq-15": (_BALANCE_Y,), "eq-16": (_LINEAR,), "eq-17": (_LINEAR, _MATRIX), "eq-18": (_MATRIX,), "eq-19": (_B1, _B2),
+    "eq-20": (_LINEAR,), "eq-21": _CONTACT_QUARTIC, "eq-22": (_LINEAR_LIFTED,), "eq-23": (_LINEAR_LIFTED,),
+    "eq-24": (_MATRIX_LIFTED,), "eq-25": (_B3, _B4), "eq-26": _LIFTED_QUARTIC,
     "eq-27": (_C.alone, _C.damping), "eq-28": (_C.stiffness,), "eq-29": (_C.contact,),
-    "def-tau": (lambda it: it.scale("time"),), "def-prime": (),
-    **{f"def-{name}": ((lambda it, name=name: it.length_of(name)),) for name in ("x", "y", "L")},  # type: ignore[misc]  # a default binds name
-    **_groups(), "def-n": (lambda it: it.scale("force"),),
+    "def-tau": (_of(_C.scale, "time"),), "def-prime": (), "def-n": (_of(_C.scale, "force"),),
+    **{f"def-{name}": (_of(_C.length_of, name),) for name in ("x", "y", "L")},
+    **{f"def-{name}": (_of(_C.group, name),) for name in ("sigma", "alpha", "beta", "kappa")},
     **dict.fromkeys(("A1-c0", "A2", "A3", "A4", "A5"), _CONTACT_QUARTIC),
     **dict.fromkeys(("A1-d0", "A6", "A7", "A8", "A9"), _LIFTED_QUARTIC),
-    "A10": (_C.b1,), "A11": (_C.b2,), "A12": (_C.b3,), "A13": (_C.b4,),
+    "A10": (_B1,), "A11": (_B2,), "A12": (_B3,), "A13": (_B4,),
 }  # fmt: skip

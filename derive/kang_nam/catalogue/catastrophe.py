@@ -210,13 +210,9 @@ def _fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
 
 def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """How f and f′ in contact change with each parameter: what makes a cusp a versal one."""
-    f = elimination.f_in_parameters().subs(equilibrium.SHORTHANDS).subs(equilibrium.SHORTHANDS).subs(equilibrium.CONTACT)
     pairs = []
-    for parameter in (nm.theta0, *nm.PARAMETERS):
-        if parameter == nm.theta0:
-            change = sp.diff(f, nm.s0) * nm.c0 - sp.diff(f, nm.c0) * nm.s0
-        else:
-            change = sp.diff(f, parameter)
+    for row in _changes():
+        change = elimination.f_form.subs(dict(zip(F_COEFFICIENTS, row, strict=True)), simultaneous=True)
         pair = change, unit_circles.rotate_derivative(change)
         pairs.append(tuple(sp.factor_terms(sp.collect(sp.expand(part), (nm.c, nm.s))) for part in pair))
     return tuple(pairs)

@@ -274,15 +274,10 @@ class Page:
     def spring(self, stiffness: sp.Expr, *ends: Point, length: sp.Expr | int = 0, along: sp.Expr | None = None) -> None:
         """A spring: straight between two ``ends``, of undeformed ``length``; or along a coordinate."""
         line = _line()
-        moving = self._moving(expression_of(stiffness))
-        if moving:
-            raise PageError(line, f"the stiffness of this spring depends on {moving}; say its energy with page.potential")
-        growing = self._moving(expression_of(length))
-        if growing:
-            raise PageError(
-                line, f"the undeformed length of this spring depends on {growing}; say its energy with page.potential"
-            )
-        both, way = _ends(ends, along, line), _along(along)
+        for what, value in (("stiffness", stiffness), ("undeformed length", length)):
+            if moving := self._moving(expression_of(value)):
+                raise PageError(line, f"the {what} of this spring depends on {moving}; say its energy with page.potential")
+        way, both = _along(along, line), _ends(ends, along, line)
         self.springs.append(Spring(expression_of(stiffness), both, expression_of(length), way, line))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
@@ -299,22 +294,20 @@ class Page:
     def damper(self, coefficient: sp.Expr, *ends: Point, along: sp.Expr | None = None) -> None:
         """A viscous damper: straight between two ``ends``, or along a coordinate."""
         line = _line()
-        held = [str(entry.rate) for entry in self.coordinates if expression_of(coefficient).has(entry.rate)]
-        if held:
-            raise PageError(line, f"the coefficient {coefficient} holds the speed {', '.join(held)}: {limits.NONLINEAR_DAMPER}")
-        self.dampers.append(Damper(expression_of(coefficient), _ends(ends, along, line), _along(along), line))
+        strength, way = expression_of(coefficient), _along(along, line)
+        self._check_speeds(strength, "the coefficient", line, limits.NONLINEAR_DAMPER)
+        self.dampers.append(Damper(strength, _ends(ends, along, line), way, line))
 
     def force(self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None) -> None:
         """An applied force: two components at a point, or one along a coordinate."""
         line = _line()
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
             raise PageError(line, "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
-        if along is not None and not isinstance(along, sp.Expr):
-            raise PageError(line, f"along = {along!r} is no coordinate; give the coordinate itself, as along=x")
+        way = _along(along, line)
         if at is not None and (not isinstance(at, tuple | list) or len(at) != 2):
             raise PageError(line, f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
         point = None if at is None else (expression_of(at[0]), expression_of(at[1]))
-        self.forces.append(Force(point, tuple(map(expression_of, components)), _along(along), line))
+        self.forces.append(Force(point, tuple(map(expression_of, components)), way, line))
 
     # ------------------------------------------------------------------------------------------------ laws
 
@@ -382,11 +375,11 @@ class Page:
             limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
             raise PageError(line, f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}")
 
-    def _check_speeds(self, expression: sp.Expr, what: str, line: int) -> None:
-        """The normal force follows from the place."""
+    def _check_speeds(self, expression: sp.Expr, what: str, line: int, limit: object = limits.CONTACT_DAMPING) -> None:
+        """The normal force follows from the place; the coefficient of a damper holds no speed either."""
         held = [str(entry.rate) for entry in self.coordinates if expression.has(entry.rate)]
         if held:
-            raise PageError(line, f"{what} {expression} holds the speed {', '.join(held)}: {limits.CONTACT_DAMPING}")
+            raise PageError(line, f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
     def _first(self, line: int | None, what: str, remedy: str) -> None:
         """A statement that a page has once."""
@@ -412,15 +405,17 @@ def _line() -> int:
     return frame.f_lineno if frame else 0
 
 
-def _along(along: sp.Expr | None) -> sp.Expr | None:
-    return None if along is None else expression_of(along)
-
-
-def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Point, Point] | None:
-    if along is not None and not isinstance(along, sp.Expr):
+def _along(along: sp.Expr | None, line: int) -> sp.Expr | None:
+    if along is None:
+        return None
+    if not isinstance(along, sp.Expr):
         raise PageError(
             line, f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks"
         )
+    return expression_of(along)
+
+
+def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Point, Point] | None:
     if (len(ends), along is None) not in ((2, True), (0, False)):
         raise PageError(line, "a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
     if not ends:

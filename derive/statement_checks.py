@@ -65,30 +65,20 @@ def _check_names(page: Page) -> None:
             )
     taken: dict[str, tuple[str, int]] = {}
     for name, what, line in _names(page):
-        if not name.isidentifier() or keyword.iskeyword(name):
-            raise PageError(line, f"{what} is named {name!r}, which is no name in Python; give it another, as {_instead(name)!r}")
-        if not name.isascii():
-            raise PageError(
-                line,
-                f"{what} is named {name!r}, which C can't spell; give it a name of Latin letters, and its symbol with latex=",
-            )
-        if name.startswith("_") or len(name) > LONGEST:
-            raise PageError(
-                line,
-                f"{what} is named {name!r}; a name begins with a letter and has at most {LONGEST}, as languages that code is "
-                "exported to ask; give it another name",
-            )
-        if what == PARAMETER and name in reserved.OF_COMMANDS:
-            raise PageError(
-                line,
-                f"{what} is named {name!r}, as an option of the commands is; give it another name, here or with becomes",
-            )
-        if (
-            name in reserved.RESULTS | reserved.OF_CODE
-            or (what == COORDINATE and name in reserved.OF_MOTIONS)
-            or (what == PARAMETER and name in reserved.OF_SETS)
-        ):
-            raise PageError(line, f"{what} is named {name!r}, which results and generated functions use; give it another name")
+        used = name in reserved.RESULTS | reserved.OF_CODE or name in (
+            reserved.OF_MOTIONS if what == COORDINATE else reserved.OF_SETS if what == PARAMETER else ()
+        )
+        for refused, why in (
+            (not name.isidentifier() or keyword.iskeyword(name), f"which is no name in Python; give it another, as {_instead(name)!r}"),
+            (not name.isascii(), "which C can't spell; give it a name of Latin letters, and its symbol with latex="),
+            (name.startswith("_") or len(name) > LONGEST, f"and a name begins with a letter and has at most {LONGEST}, as languages "
+             "that code is exported to ask; give it another name"),
+            (what == PARAMETER and name in reserved.OF_COMMANDS, "as an option of the commands is; give it another name, here or "
+             "with becomes"),
+            (used, "which results and generated functions use; give it another name"),
+        ):  # fmt: skip
+            if refused:
+                raise PageError(line, f"{what} is named {name!r}, {why}")
         if name in taken:
             other, first = taken[name]
             place = f" of line {first}" if first else ""

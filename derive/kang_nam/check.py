@@ -244,6 +244,9 @@ def _balance_forms() -> dict[str, Derived]:
 def _quartic_forms() -> dict[str, Derived]:
     D, b = equilibrium.matrix_form()
     quartic = elimination.quartic_in_L()
+    # Printed in b₁ … b₄; what those stand for is checked by the rows A10–A13.
+    sides = (*b.subs(equilibrium.CONTACT), *b.subs(equilibrium.LIFTOFF))
+    right_sides = tuple(zip((nm.b1, nm.b2, nm.b3, nm.b4), sides, strict=True))
     forms: dict[str, Derived] = {}
     for equation, vector_names, case, names in (
         ((20, 21), (nm.b1, nm.b2), equilibrium.CONTACT, ("A1-c0", "A2", "A3", "A4", "A5")),
@@ -252,10 +255,6 @@ def _quartic_forms() -> dict[str, Derived]:
         matrix, vector = D.subs(case), b.subs(case)
         coefficients = tuple(value.subs(case) for value in quartic)
         scaled = matrix.adjugate() * vector
-        # Printed in b₁ … b₄; what those stand for is checked by the rows A10–A13.
-        right_sides = tuple(zip((nm.b1, nm.b2), equilibrium.matrix_form()[1].subs(equilibrium.CONTACT), strict=True)) + tuple(
-            zip((nm.b3, nm.b4), equilibrium.matrix_form()[1].subs(equilibrium.LIFTOFF), strict=True)
-        )
         forms[f"eq-{equation[0]}"] = _unit_norm_form()
         forms[f"eq-{equation[1]}"] = Derived(
             (sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), elimination.quartic_in_L, coefficients

@@ -5,18 +5,26 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 
+from ...generated import catastrophe as _catastrophe
 from ...models.parameters import Parameters
-from ...numerics import balls
-from ...numerics.adaptive_bits import as_floats, decided, with_enough_bits
+from ...numerics import balls, descartes, polynomials
+from ...numerics.adaptive_bits import as_floats, decided, sign_or_zero, with_enough_bits
 from ...numerics.balls import Interval
+from ...numerics.half_angle import on_circle
+from ...numerics.line_roots import roots_on_the_line
 from ...questions import NotInClosedForm
 from ...results.lowest_ends import LowestEnd
-from . import cusp_proofs, turning_proofs
+from ..quartic import kernel
+from . import cusp_proofs
 from .fixed_parameters import FIXED
-from .fold_enclosures import Point
+from .fold_enclosures import Angles, Point, SineRoot, in_contact
+
+#: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.
+_DEGREE, _CURVATURE_DEGREE = 6, 9
 
 
 def critical_friction(p: Parameters, vary: str | None = None, over: str | None = None) -> LowestEnd:
@@ -67,8 +75,8 @@ def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[Point,
     for point in cusp_proofs.cusps(exact, bits):
         if _leans_forward(point.parameters[0]) and not _negative(point.parameters[1]):
             yield point, "cusp"
-    yield from ((point, "turn") for point in turning_proofs.turning_points(exact, bits))
-    yield from ((point, "end") for point in turning_proofs.level_folds(exact, bits))
+    yield from ((point, "turn") for point in turning_points(exact, bits))
+    yield from ((point, "end") for point in level_folds(exact, bits))
 
 
 def _leans_forward(theta0: Interval) -> bool:
@@ -81,3 +89,69 @@ def _leans_forward(theta0: Interval) -> bool:
 def _negative(mu0: Interval) -> bool:
     """Whether the friction of a cusp is negative; 0, that of an upright one with α = 0, is known exactly."""
     return any(balls.ends(mu0)) and decided(mu0, "μ₀ = 0 on a cusp") < 0
+
+
+# ------------------------------------------------------------------------ turns of the curve of folds, and folds at θ₀ = 0
+
+
+def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
+    """Every point with f = f′ = f_θ₀ = 0, f″ < 0, 0 < θ₀ < π/2 and μ₀ > 0, for exact κ, α, σ, β; without α there is none.
+
+    f″ < 0: of three states the lower two in θ meet, and friction that rises ends the lowest.
+    """
+    if not exact[1]:
+        return
+    polynomial = polynomials.squarefree(_catastrophe.turning_polynomial(*exact))
+    for low, high in descartes.real_roots(polynomial, Fraction(0), Fraction(1), bits - 32):
+        yield from _turning_at(exact, SineRoot(polynomial, low, high))
+
+
+def _turning_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
+    values = tuple(map(balls.exact, exact))
+    s = balls.between(sine.low, sine.high)
+    numerator, denominator = _catastrophe.turning_sine(s, *values)
+    s0 = numerator / denominator
+    ratio = partial(_ratio, exact)
+    if sine.sign_of(s0, lambda s: ratio(s)[0], _DEGREE, "sin θ₀ = 0 at a turn") <= 0:
+        return
+    if sine.sign_of(1 - s0, lambda s: ratio(s)[1] - ratio(s)[0], _DEGREE, "sin θ₀ = 1 at a turn") <= 0:
+        return
+    c0 = balls.sqrt(1 - s0 * s0)
+    angles = Angles(_catastrophe.turning_cosine(s, s0, *values) / c0, s, c0, s0)
+    mu0 = _catastrophe.surface(*angles, *values)
+    trig = kernel.f_coefficients(c0, s0, mu0, *values, 1)
+
+    def cusp(s: Fraction) -> Fraction:
+        above, below = ratio(s)
+        return (above - below * Fraction(_catastrophe.cusp_sine(s, *exact)[0])) * (3 * s * s - 2)
+
+    curvature = kernel.f_curvature(angles.c, s, *trig)
+    if sine.sign_of(curvature, cusp, _CURVATURE_DEGREE, "f″ = 0 at a turn") < 0:
+        for point in in_contact(angles, mu0, values):
+            if decided(mu0, "μ₀ = 0 at a turn") > 0:
+                yield point
+
+
+def _ratio(exact: tuple[Fraction, ...], s: Fraction) -> tuple[Fraction, ...]:
+    return tuple(map(Fraction, _catastrophe.turning_sine(s, *exact)))
+
+
+def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
+    """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0 leave."""
+    level = Fraction(1), Fraction(0)
+    without, change = kernel.f_along("mu0", *level, Fraction(0), *exact)
+    polynomial = polynomials.primitive(tuple(map(Fraction, kernel.fold_sextic(*without, *change))))
+    repeated = polynomials.common_divisor(polynomial, polynomials.derivative(polynomial))
+    values = tuple(map(balls.exact, exact))
+    for root in roots_on_the_line(polynomials.without(polynomial, repeated), bits - 32, positive=True):
+        c, s, _ = on_circle(root.interval())
+        angles = Angles(c, s, *map(balls.exact, level))
+        mu0 = _catastrophe.surface(*angles, *values)
+        curvature = kernel.f_curvature(c, s, *kernel.f_coefficients(angles.c0, angles.s0, mu0, *values, 1))
+        end = sign_or_zero(curvature, "f″ = 0 on a fold at θ₀ = 0", partial(root.is_of, repeated))
+        if end == 0:
+            (by_angle, slope), (by_friction, other), *_ = _catastrophe.unfolding(*angles, mu0, *values)
+            end = -decided(by_friction * slope - by_angle * other, "how a cusp at θ₀ = 0 opens")
+        L, x, y = kernel.state(*angles, values[0], *values[2:], 1)
+        if end < 0 and decided(mu0, "μ₀ = 0 on a fold at θ₀ = 0") > 0 and decided(y, "y = 0") < 0:
+            yield Point((balls.exact(Fraction(0)), mu0, *values), balls.atan(root.interval()) * 2, L, x, y)

@@ -6,20 +6,15 @@ They are products over multipliers, every factor divided by its size, so that on
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .shooting import Loop
 
 #: Errors of a factor up to which a zero of a test function is told: what is lost concludes nothing.
 LOST = 1e-6
-
-
-def multipliers(loop: Loop) -> NDArray[np.complex128]:
-    """Eigenvalues of the monodromy matrix: the trivial one first, which belongs to the flow's own direction; then by size."""
-    return loop.multipliers.values
 
 
 def _factors(loop: Loop, kind: str) -> Iterator[tuple[complex, float]]:
@@ -36,26 +31,15 @@ def _factors(loop: Loop, kind: str) -> Iterator[tuple[complex, float]]:
         yield (1 + sign * value) / scale, error / scale
 
 
-def _product(loop: Loop, kind: str) -> float:
+def criterion_of(kind: str, loop: Loop) -> float:
+    """Passes zero at a fold, where a multiplier is 1, at a period doubling, where one is −1, and where the product of two is 1.
+
+    That is a torus, if they are complex; nothing, if they are real.
+    """
     product = 1.0 + 0.0j
     for factor, _ in _factors(loop, kind):
         product *= factor
     return float(product.real)
-
-
-def at_one(loop: Loop) -> float:
-    """Passes zero where a multiplier is 1: a fold, in one parameter."""
-    return _product(loop, "fold")
-
-
-def at_minus_one(loop: Loop) -> float:
-    """Passes zero where a multiplier is −1: a period doubling."""
-    return _product(loop, "period_doubling")
-
-
-def on_circle(loop: Loop) -> float:
-    """Passes zero where the product of two multipliers is 1: a torus, if they are complex; nothing, if they are real."""
-    return _product(loop, "torus")
 
 
 def is_lost(loop: Loop, kind: str) -> bool:
@@ -81,4 +65,6 @@ def is_complex_pair(loop: Loop) -> bool:
 
 
 #: Kinds of event that a test function tells.
-CRITERIA: dict[str, Callable[[Loop], float]] = {"fold": at_one, "period_doubling": at_minus_one, "torus": on_circle}
+CRITERIA: dict[str, Callable[[Loop], float]] = {
+    kind: partial(criterion_of, kind) for kind in ("fold", "period_doubling", "torus")
+}

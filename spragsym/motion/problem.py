@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..errors import ConvergenceError
 from ..models.field import Border, Field
 from ..models.parameters import Range
 
@@ -79,15 +79,6 @@ class Problem:
 def reach_of(rtol: float) -> float:
     """Minus the exponent of an exponential of the friction law beyond which it is below a tolerance."""
     return 5 - math.log(rtol)
-
-
-def as_steps(max_steps: int) -> int:
-    """A number of steps, at least one."""
-    if isinstance(max_steps, bool) or not isinstance(max_steps, int | np.integer):
-        raise ParameterTypeError(f"max_steps = {max_steps!r} is not an int")
-    if max_steps < 1:
-        raise ParameterError(f"max_steps = {max_steps} is not at least 1; leave it out for {MAX_STEPS}")
-    return int(max_steps)
 
 
 def too_many_steps(max_steps: int, t: float, t_end: float, rtol: float) -> ConvergenceError:

@@ -11,9 +11,9 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..models.model_field import field_of
-from ..models.parameters import POSITIVE, ParameterSet, as_number
+from ..models.parameters import POSITIVE, ParameterSet, as_count, as_number
 from .motions import Motions
-from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem, as_steps
+from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Problem
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -28,7 +28,7 @@ def prepare(
     constants = model.field.constants(p.scalars(*model.parameters))
     check_start(model, constants, start)
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
-    return Problem(constants, start, t_end, t_record, rtol, as_steps(max_steps), partial(field_of, model))
+    return Problem(constants, start, t_end, t_record, rtol, as_count("max_steps", max_steps), partial(field_of, model))
 
 
 def _directions(model: Model, constants: Any, start: Any) -> Any:

@@ -118,7 +118,7 @@ def exponents_of(
     """As :func:`lyapunov`, of any field."""
     fly, name = carrier(field, backend)
     whole = rates_along(field, fly, values, state, t_end)
-    late = whole.late(len(whole.logs) // 2)
+    late = whole.part(len(whole.logs) // 2)
     times = late.stretch * np.arange(1, len(late.logs) + 1)
     order = np.argsort(-late.exponents, kind="stable")
     zero = np.abs(late.exponents) <= PROVED * late.error

@@ -13,7 +13,6 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import Field
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
-from ..motion.bifurcation_functions import multipliers
 from ..motion.flows import NEAR, carrier, follower, scout
 from ..motion.regimes import Outcome, Regime
 from ..motion.segment import Fly, Turn
@@ -228,7 +227,7 @@ def _by_returns(
         except ConvergenceError:
             continue
         # What a motion approaches is stable; near a state that is given there may be either.
-        if not _rests(loop) and not (stable and np.abs(multipliers(loop)[1:]).max() > 1):
+        if not _rests(loop) and not (stable and np.abs(loop.multipliers.others).max() > 1):
             return loop
     return None
 

@@ -67,9 +67,10 @@ class Rates:
     flow: FloatArray
     end: FloatArray
 
-    def late(self, first: int) -> Rates:
-        """Without the first stretches."""
-        return Rates(self.logs[first:], self.volumes[first:], self.stretch, self.flow[first:], self.end)
+    def part(self, begin: int, end: int | None = None) -> Rates:
+        """Some of the stretches."""
+        flow = self.flow[begin : None if end is None else end + 1]
+        return Rates(self.logs[begin:end], self.volumes[begin:end], self.stretch, flow, self.end)
 
     def joined(self, later: Rates) -> Rates:
         """With what follows, in stretches of the same time."""
@@ -120,14 +121,11 @@ class Rates:
         slowest = float(-across[across < 0].max(initial=-np.inf))
         if before * slowest < SETTLED:
             return f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed for {before:g} before"
-        halves = [half.logs[:, 1:].sum(axis=0) / half.span for half in (self.late(len(self.logs) // 2), self._early())]
+        middle = len(self.logs) // 2
+        halves = [half.logs[:, 1:].sum(axis=0) / half.span for half in (self.part(middle), self.part(0, middle))]
         if (np.abs(halves[0] - halves[1]) > 2 * PROVED * error).any():
             return "exponents of the two halves differ: it has not settled; a longer motion tells"
         return ""
-
-    def _early(self) -> Rates:
-        half = len(self.logs) // 2
-        return Rates(self.logs[:half], self.volumes[:half], self.stretch, self.flow[: half + 1], self.end)
 
 
 def half_widths(logs: FloatArray, stretch: float) -> FloatArray:

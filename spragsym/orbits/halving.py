@@ -6,7 +6,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
-from ..motion.bifurcation_functions import at_minus_one, unsure
+from ..motion.bifurcation_functions import CRITERIA, unsure
 from ..motion.shooting import Guess, Loop, across, extent, looped, rate, recut, solved
 from .arclength import Point, Setting, fixed, point_of
 
@@ -92,7 +92,7 @@ def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: flo
     None if there is none whose states are within ``reach``: then the halves have only come near each other. ``way`` is how far
     the parameter went in the step that leads there: the cycle of half the period may turn back soon after.
     """
-    field, index = setting.field, setting.free[0]
+    field, index, doubling = setting.field, setting.free[0], CRITERIA["period_doubling"]
 
     def at(value: float, near: Guess) -> Loop:
         values = list(near.values)
@@ -113,14 +113,14 @@ def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: flo
 
     try:
         low, before, high, loop = started()
-        last, now = at_minus_one(before), at_minus_one(loop)
+        last, now = doubling(before), doubling(loop)
         for _ in range(STEPS):
             if now == last or abs(high - low) < 2e-15 * (1 + abs(high)):
                 break
             ahead = high - now * (high - low) / (now - last)
             low, last, high = high, now, ahead
             loop = at(high, loop.guess)
-            now = at_minus_one(loop)
+            now = doubling(loop)
     except (ConvergenceError, np.linalg.LinAlgError):
         return None
     off = float(np.linalg.norm(loop.guess.states - begun.states)) / np.sqrt(len(begun.states))

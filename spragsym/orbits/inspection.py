@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
-from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, multipliers, unsure
+from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, unsure
 from ..motion.shooting import Loop
 from .arclength import Point, Setting, between, corrected, placed, uncertainty
 from .grazing import Touch, grazing, may_have_touched, may_touch, paired, signature, touches
@@ -160,7 +160,7 @@ def vertical(one: Seen, other: Seen, length: float) -> bool:
     still = max(abs(float(seen.point.tangent[-1])) for seen in (one, other)) < UPRIGHT * span
     if length <= FINEST or not still or not abs(_value(one) - _value(other)) < UPRIGHT * length * span:
         return False
-    return all(float(np.abs(multipliers(seen.point.loop)[1:] - 1).min()) < DOUBLE for seen in (one, other))
+    return all(float(np.abs(seen.point.loop.multipliers.others - 1).min()) < DOUBLE for seen in (one, other))
 
 
 def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:

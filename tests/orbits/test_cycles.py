@@ -376,9 +376,9 @@ def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
         """Of factors 1 − μ, each over its size."""
         return math.prod(((1 - value) / (1 + abs(value))).real for value in values)
 
-    assert bifurcation_functions.at_one(slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
-    assert bifurcation_functions.at_minus_one(slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
-    assert bifurcation_functions.on_circle(slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
+    assert bifurcation_functions.CRITERIA["fold"](slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
+    assert bifurcation_functions.CRITERIA["period_doubling"](slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
+    assert bifurcation_functions.CRITERIA["torus"](slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
 
 
 @pytest.mark.parametrize("large", [1e3, 1e8, 1e10])

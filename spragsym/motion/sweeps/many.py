@@ -8,10 +8,10 @@ from functools import partial
 from numpy.typing import ArrayLike
 
 from ...errors import ParameterError
-from ...models.parameters import NOT_NEGATIVE, POSITIVE, ParameterSet, as_number
+from ...models.parameters import NOT_NEGATIVE, POSITIVE, ParameterSet, as_count, as_number
 from ...questions import model_of
 from .. import batch_heyoka, integrators
-from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
+from ..problem import MAX_STEPS, RELATIVE_TOLERANCE
 from ..problems import motions
 from ..simulation import initial_state
 from .measure import Settings, measured, reported
@@ -120,7 +120,7 @@ def settings_of(
     transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
-    tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_steps(max_steps)
+    tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_count("max_steps", max_steps)
     return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
 
 

@@ -20,11 +20,11 @@ from .shooting import CLOSED
 #: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
 
-#: Tolerance of SciPy's flow before the last of Newton's steps, and how nearly orbits close by it.
-LOOSE, NEAR = 1e-9, 1e-7
+#: Tolerance by which SciPy follows a motion to where Newton's method can begin.
+LOOSE = 1e-9
 
 #: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap derivatives, and how closely in the end.
-PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN), "scipy": (FINE, NEAR, CLOSED)}
+PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN), "scipy": (FINE, OPEN, CLOSED)}
 
 
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
@@ -35,11 +35,6 @@ def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
 def follower(field: Field, backend: str) -> Any:
     """An integrator of a field without derivatives, for following a motion to where Newton's method can begin."""
     return with_scipy.Flight(field, False, rtol=LOOSE) if backend == "scipy" else flow(field, backend, derivatives=False)
-
-
-def scout(field: Field, backend: str) -> Fly | None:
-    """A cheaper flow with derivatives, to try Newton's method by; None where the flow itself is cheap."""
-    return with_scipy.Flight(field, rtol=LOOSE).fly if backend == "scipy" else None
 
 
 def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
@@ -80,12 +75,8 @@ def onward(problem: Problem, backend: str) -> Onward:
     def field() -> Field:
         return replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
 
-    def plain(ends: Ends) -> Fly:
-        """The flow with rough derivatives that cost little."""
-        return scout(field(), backend) or by_forward_differences(field(), ends)
-
     def roughly(state: FloatArray, fixed: int, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
-        loop = nearly_closed(field(), plain(ends), state, fixed, period, reach, ROUGH)
+        loop = nearly_closed(field(), by_forward_differences(field(), ends), state, fixed, period, reach, ROUGH)
         return loop.guess.states[0], loop.guess.period, loop.monodromy
 
     def closed(state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
@@ -93,7 +84,7 @@ def onward(problem: Problem, backend: str) -> Onward:
         fine, fine_ends = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
-            guess = nearly_closed(field(), plain(fine_ends), state, fixed, period, reach, near).guess
+            guess = nearly_closed(field(), by_forward_differences(field(), fine_ends), state, fixed, period, reach, near).guess
             state, period = guess.states[0], guess.period
         return closed_orbit(field(), derived(fine), state, fixed, period, reach, precision)
 

@@ -23,8 +23,8 @@ CLOSED = 1e-12
 #: A stretch whose derivatives grow beyond this is cut in two.
 LARGEST_GROWTH = 100.0
 
-#: Stretches in one round, at most.
-MOST_STRETCHES = 64
+#: Stretches in one round, at most; and of a guess.
+MOST_STRETCHES, SPLIT = 64, 32
 
 #: States this close are one, whatever their errors.
 ONE = 1e-10
@@ -199,36 +199,6 @@ def solved(
     raise ConvergenceError("Newton's method finds no closed orbit there")
 
 
-def chorded(
-    field: Field, fly: Fly, plain: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, steps: int = 4
-) -> Guess:  # fmt: skip
-    """A guess after steps of Newton's method that keep the first matrix: derivatives cost several times a plain integration.
-
-    The steps end once they no longer shrink tenfold; the guess as it was where even the first one is none.
-    """
-    loop, begun = looped(field, fly, guess, free), guess
-    values, rows = conditions(loop)
-    matrix = np.vstack([loop.slopes(len(free)), rows])
-    before = np.inf
-    for _ in range(steps):
-        step = newton_step(matrix, np.concatenate([loop.gaps.ravel(), values]))
-        width = float(np.abs(step).max())
-        if not width < 0.1 * before:
-            break
-        try:
-            ahead = guess.moved(step, free)
-            loop = looped(field, plain, ahead, free)
-        except ConvergenceError:
-            break
-        if not np.isfinite(loop.gaps).all():
-            return begun
-        guess, before = ahead, width
-        if width < 1e-10 * (1 + float(np.abs(guess.vector).max())):
-            break
-        values, _ = conditions(loop)
-    return guess
-
-
 def newton_step(matrix: FloatArray, residual: FloatArray) -> FloatArray:
     """−matrix⁻¹ residual."""
     try:
@@ -293,6 +263,15 @@ def recut(loop: Loop, fly: Fly, pieces: int, begin: float = 0.0) -> Guess:
         start = guess.states[which]
         states.append(fly(start, loop.constants, left, none).state if left > 1e-14 * stretch else start)
     return Guess(np.array(states), guess.period, guess.values)
+
+
+def split(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
+    """A guess integrated, in as many stretches as its growth asks for."""
+    loop, pieces = looped(field, fly, guess, free), len(guess.states)
+    while growth(loop) > LARGEST_GROWTH and pieces < SPLIT:
+        pieces *= 2
+        loop = looped(field, fly, divided(field, fly, Guess(guess.states[:1], guess.period, guess.values), pieces), free)
+    return loop
 
 
 def once_round(loop: Loop, fly: Fly) -> Loop:

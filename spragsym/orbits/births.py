@@ -12,7 +12,7 @@ from ..bifurcation.onsets import Onsets
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.parameters import POSITIVE, as_number
 from ..motion.flows import carrier
-from ..motion.shooting import LARGEST_GROWTH, Guess, Loop, divided, growth, looped, solved
+from ..motion.shooting import Guess, Loop, solved, split
 from ..numerics.balls import Undecided
 from ..numerics.interval_arrays import FloatArray
 from .orbit import Cycle, cycle_of
@@ -28,8 +28,6 @@ SHARE, FREE = 0.1, 0.01
 MET, ROUNDS, FARTHEST = 1e-3, 20, 2.0
 #: What to do where none is met.
 SMALLER = "give a smaller one, and go on from it with cycle_branch"
-#: Stretches of one round, at most.
-PIECES = 32
 
 
 def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | None) -> Cycle:
@@ -129,11 +127,8 @@ def _along(
     guess = Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()))
     # What is asked of the first state: its part along q, as the normal form has it.
     wanted = float((form.p.conjugate() @ (first - rest)).real)
-    loop, pieces = looped(field, fly, guess, (place,)), 1
-    while growth(loop) > LARGEST_GROWTH and pieces < PIECES:
-        pieces *= 2
-        loop = looped(field, fly, divided(field, fly, guess, pieces), (place,))
-    return cycle_of(solved(field, fly, loop.guess, conditions, (place,), reach=4 * z), fly, name)
+    guess = split(field, fly, guess, (place,)).guess
+    return cycle_of(solved(field, fly, guess, conditions, (place,), reach=4 * z), fly, name)
 
 
 def _of_the_motion(
@@ -149,9 +144,7 @@ def _of_the_motion(
         u = [*unknowns[:n].tolist(), *[0.0] * n]
         mode = field.exact(field.mode_at_rest(u, constants))
         accelerations = field.acceleration(u, constants, mode, math)
-        slopes = np.array(field.jacobian(u, constants, mode, math), dtype=float)
-        A = np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), slopes])
-        roots = np.linalg.eigvals(A)
+        roots = np.linalg.eigvals(field.matrix(u, constants, mode))
         near = roots[np.abs(roots - 1j * form.omega).argmin()]
         return np.array([*accelerations, near.real / form.crossing])
 

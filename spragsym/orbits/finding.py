@@ -13,10 +13,10 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import Field
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
-from ..motion.flows import NEAR, carrier, follower, scout
+from ..motion.flows import carrier, follower
 from ..motion.regimes import Outcome, Regime
 from ..motion.segment import Fly, Turn
-from ..motion.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, error_of, extent, growth, looped, rate, solved
+from ..motion.shooting import Guess, Loop, across, error_of, extent, rate, solved, split
 from ..motion.simulation import motion_of
 from ..questions import model_of
 from .births import born_at
@@ -125,11 +125,9 @@ def cycle_near(
     """As :func:`cycle`, of any field."""
     fly, name = carrier(field, backend)
     values = tuple(float(value) for value in values)
-    rough = scout(field, name)
     if isinstance(near, Cycle):
         near.require(field, "near")
-        known = near.loop.guess if rough is None else _towards(field, rough, near.loop.guess, values, NEAR).guess
-        return _checked(_towards(field, fly, known, values), fly, name)
+        return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
     settled = isinstance(near, Trajectory)
     approached = near is None or settled
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
@@ -142,7 +140,7 @@ def cycle_near(
             passage = follow.fly(start, constants, stage, none)
         except ConvergenceError as error:
             raise ConvergenceError(f"the motion can't be followed: {error}{_steep(field, values)}") from error
-        found = _by_returns(field, fly, rough, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
+        found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
         if found is not None:
             return _checked(found, fly, name)
         if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
@@ -162,9 +160,6 @@ def cycle_at(field: Field, values: Sequence[float], state: FloatArray, period: f
     """The cycle of about a period near a state: Newton's method and nothing else."""
     fly, name = carrier(field, backend)
     guess = Guess(np.asarray(state, dtype=float)[None], period, tuple(float(value) for value in values))
-    rough = scout(field, name)
-    if rough is not None:
-        guess = _from_guess(field, rough, guess, NEAR).guess
     return _checked(_from_guess(field, fly, guess), fly, name)
 
 
@@ -174,18 +169,16 @@ def _steep(field: Field, values: tuple[float, ...]) -> str:
     return f"; {name} = {value:g} is larger than it can carry: give a smaller one" if value > STEEP else ""
 
 
-def _towards(
-    field: Field, fly: Fly, known: Guess, values: tuple[float, ...], closed: float = CLOSED, halvings: int = 6
-) -> Loop:  # fmt: skip
+def _towards(field: Field, fly: Fly, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
     """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
     try:
-        return _from_guess(field, fly, Guess(known.states, known.period, values), closed)
+        return _from_guess(field, fly, Guess(known.states, known.period, values))
     except ConvergenceError:
         if halvings == 0 or values == known.values:
             raise
     middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
-    between = _towards(field, fly, known, middle, closed, halvings - 1)
-    return _towards(field, fly, between.guess, values, closed, halvings - 1)
+    between = _towards(field, fly, known, middle, halvings - 1)
+    return _towards(field, fly, between.guess, values, halvings - 1)
 
 
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
@@ -210,20 +203,17 @@ def _state(field: Field, near: Any) -> FloatArray:
 
 
 def _by_returns(
-    field: Field, fly: Fly, rough: Fly | None, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
+    field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
 ) -> Loop | None:
-    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike: roughly first, if told."""
+    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
     highest = [turn for turn in turns if turn.border == -1 and turn.direction < 0]
     tried = 0
     for first, second in _pairs(highest, from_start):
         tried += 1
         if tried > TRIES:
             break
-        guess = Guess(first.state[None], second.t - first.t, values)
         try:
-            if rough is not None:
-                guess = _from_guess(field, rough, guess, NEAR).guess
-            loop = _from_guess(field, fly, guess)
+            loop = _from_guess(field, fly, Guess(first.state[None], second.t - first.t, values))
         except ConvergenceError:
             continue
         # What a motion approaches is stable; near a state that is given there may be either.
@@ -252,19 +242,12 @@ def _pairs(highest: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]
             yield highest[-2 - k], highest[-1]
 
 
-def _from_guess(field: Field, fly: Fly, guess: Guess, closed: float = CLOSED) -> Loop:
+def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
-    size = field.size
-    loop = looped(field, fly, guess)
-    pieces = len(guess.states)
-    while growth(loop) > LARGEST_GROWTH and pieces < 32:
-        pieces *= 2
-        loop = looped(field, fly, divided(field, fly, Guess(guess.states[:1], guess.period, guess.values), pieces))
+    loop = split(field, fly, guess)
     turns = [turn.state for turn in loop.turns()]
     reach = 0.5 * float(np.ptp(turns, axis=0).max()) if turns else np.inf
-    condition = across(field, loop.guess.states[0], loop.constants, pieces * size + 1)
-    if closed > CLOSED:
-        return solved(field, fly, loop.guess, condition, reach=reach, precision=closed, closed=closed)
+    condition = across(field, loop.guess.states[0], loop.constants, loop.guess.states.size + 1)
     return solved(field, fly, loop.guess, condition, reach=reach)
 
 

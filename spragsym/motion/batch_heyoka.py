@@ -10,6 +10,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -21,7 +22,7 @@ from ..models.parameters import FloatArray
 from .measures import Course
 from .motions import Measured, Motions, Turns
 from .problem import Event, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
-from .with_heyoka import CHUNK, Approach, Equations, tolerance, watched, ways_out
+from .with_heyoka import CHUNK, Approach, Equations, tolerance
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -40,9 +41,8 @@ _ALL = list(range(LANES))
 #: Numbers of events of a motion that did not arrive.
 _NEVER = [0] * EVENTS
 
-#: What crossing a border does in a mode: in which direction it is crossed, the mode beyond, which parameters become what, and
-#: what a user calls it.
-_Passed: TypeAlias = tuple[int, Mode, list[tuple[int, float]], Event | None]
+#: What crossing a border does in a mode: the mode beyond, which parameters become what, and what a user calls it.
+_Passed: TypeAlias = tuple[Mode, list[tuple[int, float]], Event | None]
 
 
 @dataclass
@@ -103,19 +103,9 @@ class Lanes:
         self.looked: list[tuple[float, int]] = [(0.0, 0)] * LANES
         #: Lanes in which a crossing was missed, with the time.
         self.strays: dict[int, float] = {}
-        # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = solver = hy.taylor_adaptive_batch(
             equations.system, np.zeros((len(equations.system), LANES)), tol=tolerance(field, rtol),
-            t_events=[
-                hy.t_event_batch(
-                    watched(border, *equations.seen), callback=self._crossing(field, row), cooldown=0.0,
-                    direction=ways_out(border),
-                )
-                for row, border in enumerate(field.borders)
-            ] + [
-                hy.t_event_batch(each.watched, callback=self._passing(each), direction=hy.event_direction.positive)
-                for each in equations.approaches
-            ],
+            t_events=equations.events(field, hy.t_event_batch, partial(self._crossing, field), self._passing),
             nt_events=[hy.nt_event_batch(1e-3 * equations.seen[0][self.size // 2], self._turning())] if watch else [],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
@@ -129,14 +119,14 @@ class Lanes:
         """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
         border, table = field.borders[row], dict[Mode, _Passed]()
         for mode in field.modes:
-            inside, after = int(border.sign(mode)), border.beyond(mode)
+            after = border.beyond(mode)
             places = range(self.constants, self.constants + len(mode))
             changed = [(place, float(new)) for place, old, new in zip(places, mode, after, strict=True) if old != new]
-            table[mode] = (-inside, after, changed, event_at(border, upward=inside < 0))
+            table[mode] = after, changed, event_at(border, upward=int(border.sign(mode)) < 0)
 
         def cross(solver: Any, direction: int, lane: int) -> bool:
-            leaving, after, changed, kind = table[self.modes[lane]]
-            if direction != leaving:
+            after, changed, kind = table[self.modes[lane]]
+            if direction > 0:
                 self.strays[lane] = float(solver.time[lane])
                 return False
             self.modes[lane] = after

@@ -74,6 +74,6 @@ def classified(
     for row in np.flatnonzero(~aloft & ((measured.maxima >= FEWEST) | turning | is_still(moved, extent, tol))).tolist():
         problem = motions.problem(row)
         try:
-            yield row, classify(measured.course(row), problem, flows.onward(problem, backend), tol)
+            yield row, classify(measured.course(row), problem, flows.Onward(problem, backend), tol)
         except (ConvergenceError, ArithmeticError) as error:
             yield row, error

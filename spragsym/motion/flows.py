@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from ..errors import ConvergenceError
 from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
-from . import integrators, with_heyoka, with_scipy
-from .measures import Courses, Ends
+from . import batch_heyoka, integrators
+from .measures import Course
+from .motions import Motions
 from .periodic_orbit import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
 from .problem import Problem
 from .segment import Fly
-from .shooting import CLOSED
+from .shooting import CLOSED, Loop
+from .with_heyoka import taylor_of
+from .with_scipy import Flight
 
 #: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
@@ -29,12 +33,12 @@ PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN)
 
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
     """An integrator of a field: it has ``fly`` and ``motion``."""
-    return with_heyoka.taylor_of(field, derivatives) if backend == "heyoka" else with_scipy.Flight(field, derivatives)
+    return taylor_of(field, derivatives) if backend == "heyoka" else Flight(field, derivatives)
 
 
 def follower(field: Field, backend: str) -> Any:
     """An integrator of a field without derivatives, for following a motion to where Newton's method can begin."""
-    return with_scipy.Flight(field, False, rtol=LOOSE) if backend == "scipy" else flow(field, backend, derivatives=False)
+    return Flight(field, False, rtol=LOOSE) if backend == "scipy" else flow(field, backend, derivatives=False)
 
 
 def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
@@ -46,54 +50,47 @@ def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
 
 @dataclass(frozen=True)
 class Onward:
-    """How a motion goes on from any state.
+    """How the motion of a problem goes on from any state, by an integrator."""
 
-    Attributes
-    ----------
-    courses : callable
-        ``courses(states, duration)``: what is measured on the way from each of many states.
-    ends : callable
-        ``ends(states, duration)``: where they end.
-    roughly : callable
-        ``roughly(state, fixed, period, reach)``: the closed orbit near a state of a section, where the number at the place
-        ``fixed`` has its value, to some digits: its state, its period, and the derivative of one round.
-    closed : callable
-        ``closed(state, fixed, period, reach)``: the same to all digits.
-    """
+    problem: Problem
+    backend: str
 
-    courses: Courses
-    ends: Ends
-    roughly: Callable[[FloatArray, int, float, float], tuple[FloatArray, float, FloatArray]]
-    closed: Callable[[FloatArray, int, float, float], Closed]
+    @property
+    def field(self) -> Field:
+        """The field of the motion, with its own constants."""
+        return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
 
+    def _motions(self, states: FloatArray, duration: float) -> Motions:
+        one = Motions.of([self.problem])
+        return replace(one, constants=one.constants[[0] * len(states)], starts=states, t_end=duration, t_record=0.0)
 
-def onward(problem: Problem, backend: str) -> Onward:
-    """How the motion of a problem goes on, by the integrator that carries it."""
+    def courses(self, states: FloatArray, duration: float) -> list[Course]:
+        """What is measured on the way from each of many states; an error where one of them cannot be continued."""
+        found = integrators.measure(self._motions(states, duration), self.backend)
+        for error in found.errors.values():
+            raise error
+        return [found.course(row) for row in range(len(states))]
 
-    courses, ends = integrators.flows(problem, backend)
+    def ends(self, states: FloatArray, duration: float) -> FloatArray:
+        """Where they end."""
+        if self.backend == "heyoka":
+            return batch_heyoka.ends(self._motions(states, duration))
+        return np.array([course.last for course in self.courses(states, duration)])
 
-    def field() -> Field:
-        return replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
+    def roughly(self, state: FloatArray, fixed: int, period: float, reach: float, precision: float = ROUGH) -> Loop:
+        """The closed orbit near a state of a section, where the number at the place ``fixed`` has its value, to some digits."""
+        fly = by_forward_differences(self.field, self.ends)
+        return nearly_closed(self.field, fly, state, fixed, period, reach, precision)
 
-    def roughly(state: FloatArray, fixed: int, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
-        loop = nearly_closed(field(), by_forward_differences(field(), ends), state, fixed, period, reach, ROUGH)
-        return loop.guess.states[0], loop.guess.period, loop.monodromy
-
-    def closed(state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
-        rtol, near, precision = PRECISIONS[backend]
-        fine, fine_ends = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
+    def closed(self, state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
+        """The same to all digits."""
+        rtol, near, precision = PRECISIONS[self.backend]
+        fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
-            guess = nearly_closed(field(), by_forward_differences(field(), fine_ends), state, fixed, period, reach, near).guess
+            guess = fine.roughly(state, fixed, period, reach, near).guess
             state, period = guess.states[0], guess.period
-        return closed_orbit(field(), derived(fine), state, fixed, period, reach, precision)
-
-    def derived(fine: Courses) -> Fly:
-        """The flow with its derivatives."""
-        if backend == "heyoka":
-            return with_heyoka.taylor_of(field(), directions=0).fly
-        if backend == "scipy":
-            return with_scipy.Flight(field()).fly
-        return by_differences(field(), fine)
-
-    return Onward(courses, ends, roughly, closed)
+        fly: Fly = by_differences(self.field, fine.courses)
+        if self.backend != "compiled":
+            fly = (taylor_of if self.backend == "heyoka" else Flight)(self.field, directions=0).fly
+        return closed_orbit(self.field, fly, state, fixed, period, reach, precision)

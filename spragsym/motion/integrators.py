@@ -14,10 +14,9 @@ import numpy as np
 
 from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
 from ..models.model import Model
-from ..models.parameters import FloatArray
 from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
 from .events import events_of
-from .measures import Course, Courses, Ends, course_of
+from .measures import course_of
 from .motions import Measured, Motions
 from .problem import Event, Problem, StiffError
 from .solution import Solution, without_chatter
@@ -93,27 +92,3 @@ def measure(motions: Motions, backend: str) -> Measured:
             counts = np.bincount(events_of(motions.field, solution.crossings).which, minlength=len(Event))
             found.put(row, course_of(solution.samples, counts))
     return found
-
-
-def flows(problem: Problem, backend: str) -> tuple[Courses, Ends]:
-    """Functions that integrate a problem from any states for any time: what is measured on the way, and where they end."""
-
-    one = Motions.of([problem])
-    field = one.field
-
-    def motions(states: FloatArray, duration: float) -> Motions:
-        constants = one.constants[[0] * len(states)]
-        return Motions(constants, states, duration, 0.0, one.rtol, one.max_steps, lambda _: field)
-
-    def courses(states: FloatArray, duration: float) -> list[Course]:
-        found = measure(motions(states, duration), backend)
-        for error in found.errors.values():
-            raise error
-        return [found.course(row) for row in range(len(states))]
-
-    def ends(states: FloatArray, duration: float) -> FloatArray:
-        if backend == "heyoka":
-            return batch_heyoka.ends(motions(states, duration))
-        return np.array([course.last for course in courses(states, duration)])
-
-    return courses, ends

@@ -11,7 +11,7 @@ from ..models.field import Field
 from ..models.parameters import FloatArray
 from .measures import Courses, Ends
 from .segment import Fly, Passage, Turn
-from .shooting import Conditions, Guess, Loop, once_round, rate, solved
+from .shooting import Guess, Loop, once_round, rate, solved
 
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.
 STEP = 1e-5
@@ -51,22 +51,10 @@ def section(states: FloatArray, fixed: int) -> FloatArray:
     return kept
 
 
-def _on_section(state: FloatArray, fixed: int) -> Conditions:
-    """The orbit begins on the section of a state."""
-
-    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        row = np.zeros((1, state.size + 1))
-        row[0, fixed] = 1.0
-        return loop.guess.states[0, fixed : fixed + 1] - state[fixed], row
-
-    return condition
-
-
 def closed_orbit(field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, closed: float) -> Closed:
     """The closed orbit of about a period near a state of a section; ConvergenceError where there is none within ``reach``."""
-    condition = _on_section(state, fixed)
     try:
-        loop = solved(field, fly, Guess(state[None], period, ()), condition, reach=reach, precision=closed, closed=closed)
+        loop = nearly_closed(field, fly, state, fixed, period, reach, closed, iterations=12)
     except (OverflowError, ValueError) as error:
         raise ConvergenceError("Newton's method left the range of numbers") from error
     loop = once_round(loop, fly)
@@ -81,11 +69,15 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, fixed: int, period: 
 
 
 def nearly_closed(
-    field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float
+    field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float, *, iterations: int = 9
 ) -> Loop:  # fmt: skip
-    """The loop to a precision, by a flow with rough derivatives that cost little; little is lost where that fails."""
-    guess, condition = Guess(state[None], period, ()), _on_section(state, fixed)
-    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
+    """The loop to a precision that begins on the section of a state."""
+
+    def on_section(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        return loop.guess.states[0, fixed : fixed + 1] - state[fixed], np.eye(1, state.size + 1, fixed)
+
+    guess = Guess(state[None], period, ())
+    return solved(field, fly, guess, on_section, reach=reach, iterations=iterations, precision=precision, closed=precision)
 
 
 def by_forward_differences(field: Field, ends: Ends) -> Fly:

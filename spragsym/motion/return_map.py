@@ -179,10 +179,14 @@ def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> Flo
 def _orbit(onward: Onward, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
     """The closed orbit near a state; ConvergenceError where there is none, or it is soon seen to be far away or to repel."""
     reach = 4 * CLOSE * float(scale.max())
-    place, period, slope = onward.roughly(state, fixed, period, reach)
-    if np.abs(section(place - state, fixed) / scale).max() > 5 * CLOSE or np.abs(np.linalg.eigvals(slope)).max() > REPELS:
+    loop = onward.roughly(state, fixed, period, reach)
+    place = loop.guess.states[0]
+    if (
+        np.abs(section(place - state, fixed) / scale).max() > 5 * CLOSE
+        or np.abs(np.linalg.eigvals(loop.monodromy)).max() > REPELS
+    ):
         raise ConvergenceError("the closed orbit is too far away, or repels")
-    return onward.closed(place, fixed, period, reach)
+    return onward.closed(place, fixed, loop.guess.period, reach)
 
 
 def _scale(turns: FloatArray, fixed: int) -> FloatArray:

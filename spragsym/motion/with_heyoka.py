@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeAlias
@@ -140,6 +140,21 @@ class Equations:
             system += zip(hy.make_vars("sum", "squares"), [UNIT * state[0], UNIT * state[0] * state[0]], strict=True)
         return cls(system, (state, known, mode), Approach.of(xp.called, system[:m]), accelerations)
 
+    def events(
+        self, field: Field, event: Any, cross: Callable[[int], Callable[..., bool]], passing: Callable[[Approach], Any]
+    ) -> list[Any]:  # fmt: skip
+        """Terminal events: levels that are positive within their mode, and approaches, with callbacks of what is done there.
+
+        The gap keeps one crossing from being found twice, which is what a cooldown is for.
+        """
+        inside = [border.sign(self.seen[2]) * watched(border, *self.seen) for border in field.borders]
+        return [
+            event(value, callback=cross(row), cooldown=0.0, direction=ways_out(field.borders[row]))
+            for row, value in enumerate(inside)
+        ] + [
+            event(each.watched, callback=passing(each), direction=library().event_direction.positive) for each in self.approaches
+        ]  # fmt: skip
+
 
 def count_of(field: Field) -> int:
     """How many constants a field takes."""
@@ -172,19 +187,11 @@ class Taylor:
         rates = [(-1, state[self.m // 2])] + [
             (i, b.rate(state, equations.accelerations, known, mode)) for i, b in enumerate(field.borders) if b.kink
         ]
-        # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
             equations.system, [0.0] * len(equations.system), tol=tolerance(field, tol), compact_mode=turning,
-            t_events=[
-                hy.t_event(
-                    border.sign(mode) * watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0,
-                    direction=ways_out(border),
-                )
-                for row, border in enumerate(field.borders)
-            ] + [
-                hy.t_event(each.watched, callback=partial(self._pass, each), direction=hy.event_direction.positive)
-                for each in equations.approaches
-            ],
+            t_events=equations.events(
+                field, hy.t_event, lambda row: partial(self._cross, row), lambda each: partial(self._pass, each)
+            ),
             nt_events=[hy.nt_event(1e-3 * value, partial(self._turn, i)) for i, value in rates] if turning else [],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.

@@ -213,6 +213,14 @@ def limiting(field: Field, known: Attractor) -> tuple[FloatArray, FloatArray]:
     return np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
 
 
+def settled(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> tuple[str, FloatArray, FloatArray]:
+    """The kind of attractor that a decided motion comes to, and its exponents with their errors; NaN for lift-off."""
+    none = np.full(field.size, np.nan)
+    if verdict.kind == Regime.LIFT_OFF:
+        return KINDS[verdict.kind], none, none
+    return KINDS[verdict.kind], *limiting(field, attractor(field, values, verdict, backend))
+
+
 def same(field: Field, one: Attractor, other: Attractor) -> bool:
     """Whether two attractors at the same values of the parameters are one."""
     if one.kind != other.kind or one.kind == Regime.LIFT_OFF:

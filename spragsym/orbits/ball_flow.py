@@ -19,7 +19,7 @@ from typing import Any
 from flint import acb, arb, arb_mat, arb_poly, arb_series, ctx
 
 from ..errors import ParameterError
-from ..models.field import Field, Mode
+from ..models.field import Border, Field, Mode
 from ..numerics.jets import Functions, constant, gradient, variables
 
 #: Radii of convergence that are tried.
@@ -127,15 +127,13 @@ class Balls:
 
     def _disc(self, box: list[Any], mode: Mode | None = None) -> tuple[Any, list[Any], Any]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
-        n, mode = len(self.field.coordinates), mode or self.mode
+        mode = mode or self.mode
 
         def disc(radii: list[Any]) -> list[Any]:
             return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
 
         def sizes(radii: list[Any]) -> list[Any]:
-            about = disc(radii)
-            rates = [*about[n:], *self.field.acceleration(about, self.constants, mode, XP)]
-            return [abs(acb(rate)).abs_upper() for rate in rates]
+            return [abs(acb(rate)).abs_upper() for rate in rates_at(self.field, disc(radii), self.constants, mode)]
 
         if not all(value.rad() < 1e-2 for value in box):
             raise TooWide("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
@@ -148,8 +146,7 @@ class Balls:
                 if not all(size.is_finite() for size in found):
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
-                    rows = slopes_at(self.field, disc(radii), self.constants, mode)
-                    slope = _most([arb(1), *(sum((abs(acb(v)).abs_upper() for v in row), arb(0)) for row in rows)])
+                    slope = steepness(self.field, disc(radii), self.constants, mode)
                     if length * slope < STEEPEST:
                         return arb(length), radii, slope
                     break
@@ -167,8 +164,7 @@ class Balls:
         sign = border.sign(self.mode)
         if sign * border.level(state, self.constants, self.mode) > 0:
             return
-        accelerations = self.field.acceleration(state, self.constants, self.mode, XP)
-        rate = border.rate(state, accelerations, self.constants, self.mode)
+        rate = rate_of(border, self.field, state, self.constants, self.mode)
         if rate > 0 or rate < 0:
             ends = [border.level(piece.at(t), self.constants, self.mode) for t in (begin, end)]
             if all(sign * level > 0 for level in ends):
@@ -196,8 +192,7 @@ class Balls:
         """How far apart in time the states come to a border, about; not rigorous."""
         border = self.field.borders[index]
         middle = [value.mid() for value in self.point]
-        accelerations = self.field.acceleration(middle, self.constants, self.mode, XP)
-        speed = abs(arb(border.rate(middle, accelerations, self.constants, self.mode))).lower()
+        speed = abs(arb(rate_of(border, self.field, middle, self.constants, self.mode))).lower()
         return arb(arb(border.level(self.box, self.constants, self.mode)).rad()) / speed
 
     def cross(self, index: int, window: Any) -> None:
@@ -206,19 +201,15 @@ class Balls:
             raise ParameterError(f"window = {window} is not positive; a set of states is carried onward only")
         border, after = self.field.borders[index], self.field.borders[index].beyond(self.mode)
         sign = border.sign(self.mode)
-        box, n = self.box, len(self.field.coordinates)
+        box = self.box
         if not sign * border.level(box, self.constants, self.mode) > 0:
             raise TooWide(f"that no state has met {border.name} yet could not be shown")
         hull = [_widened(value, arb(1e-6)) for value in box]
         self.keeps_clear(hull, but=index)
-        speeds, slopes, rates = [], [arb(1)], []
-        for mode in (self.mode, after):
-            accelerations = self.field.acceleration(hull, self.constants, mode, XP)
-            rates.append(border.rate(hull, accelerations, self.constants, mode))
-            speeds += [abs(value).abs_upper() for value in (*hull[n:], *map(arb, accelerations))]
-            rows = slopes_at(self.field, hull, self.constants, mode)
-            slopes += [sum((abs(arb(v)).abs_upper() for v in row), arb(0)) for row in rows]
-        speed, slope = _most(speeds), _most(slopes)
+        both = (self.field, hull, self.constants, self.mode), (self.field, hull, self.constants, after)
+        rates = [rate_of(border, *there) for there in both]
+        speed = most([abs(arb(value)).abs_upper() for there in both for value in rates_at(*there)])
+        slope = most([steepness(*there) for there in both])
         if not window * speed < arb(1e-6):
             raise TooWide(
                 f"the states meet {border.name} too far apart in time; more digits would do it, unless it is only touched there"
@@ -238,10 +229,8 @@ class Balls:
 
         Its level falls all the while, so before that one it is in the one mode, and after it in the other.
         """
-        sign, n = border.sign(self.mode), len(self.field.coordinates)
-        level = arb(border.level(self.point, self.constants, self.mode))
-        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
-        due = level / arb(border.rate(self.point, fields[n:], self.constants, self.mode))
+        sign, level = border.sign(self.mode), arb(border.level(self.point, self.constants, self.mode))
+        due = level / arb(rate_of(border, self.field, self.point, self.constants, self.mode))
         half = arb(float((window * NARROWER + APART * due.rad()).upper()))
         lead = arb(float(abs(due).mid())) - half
         if not (lead > 0 and lead + 2 * half < window):
@@ -250,8 +239,8 @@ class Balls:
         if not sign * border.level(self.point, self.constants, self.mode) > 0:
             raise TooWide(unknown(border))
         mixed = 2 * half * slope * 2 * half * speed
-        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
-        self.point = [value + 2 * half * rate + _around(mixed) for value, rate in zip(self.point, fields, strict=True)]
+        rates = rates_at(self.field, self.point, self.constants, self.mode)
+        self.point = [value + 2 * half * rate + _around(mixed) for value, rate in zip(self.point, rates, strict=True)]
         if not sign * border.level(self.point, self.constants, self.mode) < 0:
             raise TooWide(unknown(border))
         self.point = self._alone(after, window - lead - 2 * half)
@@ -328,6 +317,22 @@ def slopes_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) 
     """
     accelerations = field.acceleration(variables(state, 1), constants, mode, XP)
     return [gradient(acceleration, field.size) for acceleration in accelerations]
+
+
+def rates_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> list[Any]:
+    """The rates of all numbers of a state."""
+    return [*state[len(field.coordinates) :], *field.acceleration(state, constants, mode, XP)]
+
+
+def rate_of(border: Border, field: Field, state: list[Any], constants: list[Any], mode: Mode) -> Any:
+    """The rate of a border's level at a state."""
+    return border.rate(state, field.acceleration(state, constants, mode, XP), constants, mode)
+
+
+def steepness(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> Any:
+    """A bound on the field's derivative over a ball of states: the largest sum of a row, and 1."""
+    rows = slopes_at(field, state, constants, mode)
+    return most([arb(1), *(sum((abs(acb(value)).abs_upper() for value in row), arb(0)) for row in rows)])
 
 
 @contextmanager
@@ -408,7 +413,8 @@ def _exact(value: Any) -> Any:
     return arb(float(value.lower()) * (1 - 1e-12))
 
 
-def _most(values: list[Any]) -> Any:
+def most(values: list[Any]) -> Any:
+    """A bound on the largest."""
     found = values[0]
     for value in values[1:]:
         found = found.max(value)

@@ -17,7 +17,20 @@ from flint import acb_mat, arb, arb_mat
 
 from ..errors import ParameterError
 from ..models.field import Field, Mode
-from .ball_flow import APART, XP, Accuracy, Balls, NotProved, TooWide, bits, polynomial, slopes_at, solution
+from .ball_flow import (
+    APART,
+    XP,
+    Accuracy,
+    Balls,
+    NotProved,
+    TooWide,
+    bits,
+    polynomial,
+    rate_of,
+    rates_at,
+    solution,
+    steepness,
+)  # fmt: skip
 
 #: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
 ROUNDS, GAINED = 14, 6
@@ -180,8 +193,7 @@ def _traced(
             that, begun = field.borders[border], left
             for _ in range(10):
                 there = [polynomial(jet, left).mid() for jet in jets]
-                accelerations = field.acceleration(there, constants, mode, XP)
-                change = that.rate(there, accelerations, constants, mode)
+                change = rate_of(that, field, there, constants, mode)
                 level = that.level(there, constants, mode)
                 if not abs(change) > SLOWEST:
                     raise NotProved(touched(that) if abs(level) < SLOWEST else uncrossed(that, float(about)))
@@ -220,17 +232,14 @@ def _krawczyk(
 ) -> dict[str, Any]:  # fmt: skip
     """Krawczyk's operator on the return after a period, in the moved parts of the start and the period."""
     field, m = balls.field, balls.field.size
-    box, n = balls.box, len(balls.field.coordinates)
-    around = [value + arb(0, arb(1e-6)) for value in box]
+    around = [value + arb(0, arb(1e-6)) for value in balls.box]
     balls.keeps_clear(around)
-    accelerations = field.acceleration(around, balls.constants, balls.mode, XP)
-    rates = [*around[n:], *map(arb, accelerations)]
-    rows = slopes_at(field, around, balls.constants, balls.mode)
-    slope = max([arb(1), *(sum((abs(arb(v)) for v in row), arb(0)) for row in rows)], key=lambda ball: float(ball.upper()))
+    rates = [arb(rate) for rate in rates_at(field, around, balls.constants, balls.mode)]
+    slope = steepness(field, around, balls.constants, balls.mode)
     if not all(abs(rate) * radius < arb(1e-6) for rate in rates):
         raise NotProved("the period's ball is too wide")
     # Over the ball of the period the derivative of the flow changes by no more than this share.
-    share = ((slope.abs_upper() * radius).exp() - 1).abs_upper()
+    share = ((slope * radius).exp() - 1).abs_upper()
     sizes = [sum((abs(balls.matrix[k, j]).abs_upper() for k in range(m)), arb(0)) for j in range(m)]
     monodromy = arb_mat(m, m, [balls.matrix[i, j] + arb(0, (share * sizes[j]).abs_upper()) for i in range(m) for j in range(m)])
     gaps = [value - begun for value, begun in zip(balls.point, state, strict=True)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,11 +13,10 @@ from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.flows import carrier
-from ..motion.regimes import Regime
 from ..motion.simulation import state_of
 from ..questions import model_of
 from ..results.result import Result
-from .attractors import KINDS, attractor, judged, limiting
+from .attractors import judged, settled
 from .growth_rates import PROVED, rates_along
 
 
@@ -137,14 +137,9 @@ def exponents_of(
 
 def _kind(field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str) -> tuple[str, str, FloatArray]:
     """What a motion is by the attractor that it comes to, why, and the exponents of that; empty where none is found."""
-    none = np.full(field.size, np.nan)
     verdict = judged(field, values, state, backend, times=(t_end,))
-    if not verdict.decided:
-        return "", "", none
-    why = f"it comes to {verdict.told()}"
-    if verdict.kind == Regime.LIFT_OFF:
-        return KINDS[verdict.kind], why, none
-    try:
-        return KINDS[verdict.kind], why, limiting(field, attractor(field, values, verdict, backend))[0]
-    except ConvergenceError:
-        return "", "", none
+    if verdict.decided:
+        with suppress(ConvergenceError):
+            kind, limit, _ = settled(field, values, verdict, backend)
+            return kind, f"it comes to {verdict.told()}", limit
+    return "", "", np.full(field.size, np.nan)

@@ -16,7 +16,7 @@ from ..motion.regimes import Outcome, Regime
 from ..motion.simulation import state_of
 from ..questions import model_of
 from ..results.result import Result
-from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
+from .attractors import JUDGED, Verdict, judged, settled
 from .finding import cycle_near, stands_still
 from .growth_rates import rates_along
 from .orbit import NEUTRAL
@@ -144,10 +144,9 @@ def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end:
     if verdict.decided:
         why = f"it comes to {verdict.told()}"
         try:
-            limits = (none, none) if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
-            known, error = limits
+            kind, known, error = settled(field, values, verdict, name)
             trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
-            return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
+            return Fate(kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
         except ConvergenceError as failed:
             why = f"{why}, which Newton's method does not find again: {failed}"
             return Fate("undecided", why, verdict.t, Outcome(names=field.components), none, none, -1, scale, "", verdict.end)

@@ -237,14 +237,6 @@ def cycle_branch(
 
 
 @dataclass(frozen=True)
-class End(Finding):
-    """Where a branch ends, and why."""
-
-    how: str = ""
-    value: float | None = None
-
-
-@dataclass(frozen=True)
 class _Trace:
     """One walk along a branch."""
 
@@ -266,9 +258,7 @@ class _Trace:
         if found.crossed is not None:
             how = CROSSES
         cycle = cycle_of(found.loop, self.setting.fly, self.backend)
-        value = self.value(found.loop)
-        if isinstance(found, End) and found.value is not None:
-            value = found.value
+        value = self.value(found.loop) if found.value is None else found.value
         vary = self.setting.field.parameters[self.setting.free[0]]
         return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop, found.crossed, vary)
 
@@ -322,10 +312,10 @@ class _Trace:
             yield ahead
             count += 1
             if vertical(seen, after, arc):
-                yield End("end", ahead.loop, abs(self.value(ahead.loop) - self.value(point.loop)), how=VERTICAL)
+                yield Finding("end", ahead.loop, abs(self.value(ahead.loop) - self.value(point.loop)), how=VERTICAL)
                 return
             if stop is not None:
-                yield End("end", ahead.loop, 0.0, how="the range ends")
+                yield Finding("end", ahead.loop, 0.0, how="the range ends")
                 return
             end = self._ends(Point(start.loop, direction * start.tangent), point, ahead, count)
             if end is not None:
@@ -339,7 +329,7 @@ class _Trace:
             before = seen if finer is ahead else None
             point, seen = finer, after if finer is ahead else Seen(setting, finer)
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
-        yield End("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
+        yield Finding("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
 
     def _last_ones(self, point: Point, end: Loop) -> list[Point]:
         """The points on the last part of a branch of doubled cycles, a bit short of its end, as far as they are found."""
@@ -375,7 +365,7 @@ class _Trace:
         for kind in self._left_out(seen, loop):
             last_one = seen.point.loop
             yield from unlocated(kind, last_one, abs(self.value(loop) - self.value(last_one)))
-        yield End("end", loop, error, how=MERGES)
+        yield Finding("end", loop, error, how=MERGES)
 
     def _soon(self, point: Point, ahead: Point) -> tuple[Loop, float] | None:
         """Where a branch of doubled cycles is about to end within the range."""
@@ -391,14 +381,14 @@ class _Trace:
         onward = (there - begun) * (begun - self.value(point.loop)) > 0
         return found if onward and self.to[0] <= there <= self.to[1] else None
 
-    def _shrunk(self, before: Seen | None, last: Seen) -> End:
+    def _shrunk(self, before: Seen | None, last: Seen) -> Finding:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
         how, value = "it shrinks onto an equilibrium", self.value(last.point.loop)
         if before is None:
-            return End("end", last.point.loop, abs(value), how=how)
+            return Finding("end", last.point.loop, abs(value), how=how)
         first, squares = self.value(before.point.loop), [extent(each.point.loop) ** 2 for each in (before, last)]
         there = value - squares[1] * (value - first) / (squares[1] - squares[0])
-        return End("end", last.point.loop, abs(there - value) * squares[1] / squares[0], how=how, value=there)
+        return Finding("end", last.point.loop, abs(there - value) * squares[1] / squares[0], how=how, value=there)
 
     def _last(self, point: Point, length: float) -> Point | None:
         """The point at the end of the range, where the tangent leads beyond it: there may be no parameters beyond."""
@@ -433,12 +423,12 @@ class _Trace:
     def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
         loop = ahead.loop
         if extent(loop) < LEAST * min(1.0, extent(start.loop)):
-            return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
+            return Finding("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
         error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
         if loop.guess.period > LONG * self.setting.period and stillest(loop, self.backend)[0] < STILL:
-            return End("homoclinic", loop, error, how=_rests(loop, self.backend))
+            return Finding("homoclinic", loop, error, how=_rests(loop, self.backend))
         if count > 10 and self._passes(start, point, ahead):
-            return End("closed", loop, 0.0)
+            return Finding("closed", loop, 0.0)
         return None
 
     def _passes(self, start: Point, point: Point, ahead: Point) -> bool:
@@ -467,11 +457,11 @@ class _Trace:
         """What does not depend on where a round begins: range and averages."""
         return (*range_of(loop), *moments(loop, self.backend))
 
-    def _lost(self, point: Point, error: ConvergenceError) -> End:
+    def _lost(self, point: Point, error: ConvergenceError) -> Finding:
         loop = point.loop
         if loop.guess.period > 2 * self.setting.period and stillest(loop, self.backend)[0] < STILL:
-            return End("homoclinic", loop, 1e-6, how=_rests(loop, self.backend))
-        return End("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
+            return Finding("homoclinic", loop, 1e-6, how=_rests(loop, self.backend))
+        return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
 def _reach(point: Point) -> float:

@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
-from itertools import pairwise
+from functools import cached_property, partial
+from itertools import combinations, pairwise
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -268,6 +268,15 @@ class _Rest:
         constants, state, mode = self.at(point)
         return np.asarray(np.linalg.eigvals(self.field.matrix(state, constants, mode)), dtype=complex)
 
+    def pairs(self, point: FloatArray) -> float:
+        """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ± i ω."""
+        pairs = combinations(self.eigenvalues(point).tolist(), 2)
+        return float(math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real)
+
+    def turning(self, along: FloatArray, point: FloatArray) -> float:
+        """How much of the parameter is in the direction of the branch: 0 where it turns back."""
+        return float(self.tangent(point, along)[-1])
+
     def tangent(self, point: FloatArray, along: FloatArray) -> FloatArray:
         """Direction of the branch, of length 1."""
         tangent: FloatArray = np.linalg.svd(self.slopes(point)[1])[2][-1]
@@ -384,27 +393,10 @@ def _of_equilibria(motion: Field, p: ParameterSet, vary: str, rests: Sequence[Eq
             values = p.replace(**{vary: float(branch.values[i])}).scalars(*motion.parameters)
             rest = _Rest(motion, values, index, [*branch.states[i].tolist(), *[0.0] * branch.states.shape[1]], to)
             chord = (other - one) / np.linalg.norm(other - one)
-            for label, test in (("LP", _turning(rest, chord)), ("H", _pairs(rest))):
+            for label, test in (("LP", partial(rest.turning, chord)), ("H", rest.pairs)):
                 place = _located(rest, one, other, chord, test)
                 if place is not None and (label == "LP" or _is_pair(rest, place)):
                     yield Label(label, rest.value(place), float(place[0]), "equilibria", number)
-
-
-def _turning(rest: _Rest, chord: FloatArray) -> Any:
-    return lambda point: float(rest.tangent(point, chord)[-1])
-
-
-def _pairs(rest: _Rest) -> Any:
-    """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ± i ω."""
-
-    def test(point: FloatArray) -> float:
-        values, product = rest.eigenvalues(point), 1.0 + 0.0j
-        for i in range(len(values)):
-            for j in range(i):
-                product *= (values[i] + values[j]) / (abs(values[i]) + abs(values[j]) or 1.0)
-        return float(product.real)
-
-    return test
 
 
 def _is_pair(rest: _Rest, point: FloatArray) -> bool:
@@ -415,21 +407,22 @@ def _is_pair(rest: _Rest, point: FloatArray) -> bool:
 
 def _located(rest: _Rest, one: FloatArray, other: FloatArray, chord: FloatArray, test: Any) -> FloatArray | None:
     """The point between two where a test function changes its sign; None if it does not."""
+    from scipy.optimize import brentq
+
     first, last = test(one), test(other)
     if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
         return None
-    low, high, found = 0.0, float(np.linalg.norm(other - one)), None
-    for _ in range(60):
-        middle = (low + high) / 2
-        point = rest.corrected(one + middle * chord, chord)
+
+    def at(arc: float) -> FloatArray:
+        point = rest.corrected(one + arc * chord, chord)
         if point is None:
-            return found
-        found = point
-        if (test(point) < 0) == (first < 0):
-            low = middle
-        else:
-            high = middle
-    return found
+            raise ConvergenceError("the branch is lost between two of its points")
+        return point
+
+    try:
+        return at(float(brentq(lambda arc: test(at(arc)), 0.0, float(np.linalg.norm(other - one)), xtol=1e-15)))
+    except (ConvergenceError, ValueError):
+        return None
 
 
 # ------------------------------------------------------------------------------------------------------------------ cycles

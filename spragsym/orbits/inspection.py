@@ -95,7 +95,7 @@ class Finding:
     """Something that happens on a branch: what, the orbit there, and how well its place is known.
 
     ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one crosses it; ``how`` what
-    else is to be said.
+    else is to be said, of an end why it is one; ``value`` that of the parameter, where it is not the orbit's.
     """
 
     kind: str
@@ -104,6 +104,7 @@ class Finding:
     border: int = -1
     crossed: FloatArray | None = None
     how: str = ""
+    value: float | None = None
 
 
 def differing(one: Seen, other: Seen) -> list[str]:

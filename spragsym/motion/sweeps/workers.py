@@ -136,24 +136,28 @@ _MARK = b"\x1e"
 
 @contextmanager
 def pool(size: int) -> Iterator[Map]:
-    """A map over processes, which begin when they are needed and end with the context. One map at a time."""
-    processes = [_Process() for _ in range(size)]
+    """A map over processes, which end with the context. One map at a time."""
+    children: list[subprocess.Popen[bytes]] = []
     try:
-        yield partial(_map, processes)
+        try:
+            for _ in range(size):
+                children.append(_begun())
+        except OSError as error:
+            raise SweepError(f"a worker process cannot be started: {error}; use fewer workers") from error
+        yield partial(_map, children)
     finally:
-        for process in processes:
-            process.end()
+        _end(children)
 
 
-def _map(processes: list[_Process], function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
-    """Results as they come; a process that ends is an error at once. Left before its end, it ends all of them."""
+def _map(children: list[subprocess.Popen[bytes]], function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
+    """Chunks go to whoever is free; the results come as they are done."""
     tasks = list(items)
-    size = max(1, min(16, len(tasks) // (8 * len(processes))))
+    size = max(1, min(16, len(tasks) // (8 * len(children))))
     chunks: queue.SimpleQueue[list[Any]] = queue.SimpleQueue()
     for begin in range(0, len(tasks), size):
         chunks.put(tasks[begin : begin + size])
     found: queue.SimpleQueue[Any] = queue.SimpleQueue()
-    threads = [threading.Thread(target=_drive, args=(process, function, chunks, found), daemon=True) for process in processes]
+    threads = [threading.Thread(target=_drive, args=(child, function, chunks, found), daemon=True) for child in children]
     left = len(tasks)
     try:
         for thread in threads:
@@ -168,8 +172,7 @@ def _map(processes: list[_Process], function: Callable[[Any], Any], items: Itera
             left -= 1
             yield result
     except BaseException:
-        for process in processes:
-            process.end()
+        _end(children)
         raise
     finally:
         for thread in threads:
@@ -177,58 +180,44 @@ def _map(processes: list[_Process], function: Callable[[Any], Any], items: Itera
 
 
 def _drive(
-    process: _Process, function: Callable[[Any], Any], chunks: queue.SimpleQueue[list[Any]], found: queue.SimpleQueue[Any]
-) -> None:
+    child: subprocess.Popen[bytes], function: Callable[[Any], Any], chunks: queue.SimpleQueue[list[Any]],
+    found: queue.SimpleQueue[Any],
+) -> None:  # fmt: skip
     """Let one process work on chunks until none is left."""
-    try:
-        while True:
-            for result in process.ask(function, chunks.get_nowait()):
-                found.put(result)
-    except queue.Empty:
-        return
-    except SweepError as error:
-        found.put(error)
-    except OSError as error:
-        found.put(SweepError(f"a worker process cannot be started: {error}; use fewer workers"))
-
-
-class _Process:
-    """A process that runs functions, begun at its first chunk."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._ended = False
-        self._child: subprocess.Popen[bytes] | None = None
-
-    def ask(self, function: Callable[[Any], Any], chunk: list[Any]) -> Iterator[Any]:
-        """Results of a chunk, one after the other."""
-        child = self._begun()
-        assert child.stdin is not None
-        assert child.stdout is not None
-        said: list[bytes] = []
+    with suppress(queue.Empty):
         try:
-            child.stdin.write(_packed((function, chunk)))
-            child.stdin.flush()
-        except OSError:  # it has ended; its output is still to be read
-            pass
-        left = len(chunk)
-        while left:
-            line = child.stdout.readline()
-            if line.startswith(_MARK) and line.endswith(b"\n"):
-                yield _unpacked(line)
-                left -= 1
-            elif line:
-                said = [*said[-20:], line]
-            else:
-                raise SweepError(_epitaph(child.wait(), b"".join(said).decode(errors="replace")))
+            while True:
+                for result in _asked(child, function, chunks.get_nowait()):
+                    found.put(result)
+        except SweepError as error:
+            found.put(error)
 
-    def end(self) -> None:
-        """Kill it: nothing is lost, since its results are here."""
-        with self._lock:
-            self._ended = True
-            child = self._child
-        if child is None:
-            return
+
+def _asked(child: subprocess.Popen[bytes], function: Callable[[Any], Any], chunk: list[Any]) -> Iterator[Any]:
+    """Results of a chunk, one after the other."""
+    assert child.stdin is not None
+    assert child.stdout is not None
+    if child.stdin.closed:
+        raise SweepError("the processes of this map have ended; start another")
+    said: list[bytes] = []
+    with suppress(OSError):  # it has ended; its output is still to be read
+        child.stdin.write(_packed((function, chunk)))
+        child.stdin.flush()
+    left = len(chunk)
+    while left:
+        line = child.stdout.readline()
+        if line.startswith(_MARK) and line.endswith(b"\n"):
+            yield _unpacked(line)
+            left -= 1
+        elif line:
+            said = [*said[-20:], line]
+        else:
+            raise SweepError(_epitaph(child.wait(), b"".join(said).decode(errors="replace")))
+
+
+def _end(children: list[subprocess.Popen[bytes]]) -> None:
+    """Kill them: nothing is lost, since their results are here."""
+    for child in children:
         child.kill()
         child.wait()
         for pipe in (child.stdin, child.stdout):
@@ -236,18 +225,10 @@ class _Process:
             with suppress(OSError):  # what was still to be sent is dropped
                 pipe.close()
 
-    def _begun(self) -> subprocess.Popen[bytes]:
-        with self._lock:
-            if self._ended:
-                raise SweepError("the processes of this map have ended; start another")
-            if self._child is None:
-                if not sys.executable:
-                    raise SweepError("this Python does not know its own executable, so it starts no others; use workers=1")
-                self._child = _begun()
-            return self._child
-
 
 def _begun() -> subprocess.Popen[bytes]:
+    if not sys.executable:
+        raise SweepError("this Python does not know its own executable, so it starts no others; use workers=1")
     call, pipe = [sys.executable, "-P", "-c", _BOOT], subprocess.PIPE
     # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the others.
     if sys.platform == "win32":

@@ -27,23 +27,10 @@ from .return_map import FEWEST, on_cycle
 
 
 def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETTLED) -> Outcome:
-    """The outcome of a motion, from what was measured of it.
+    """The outcome of a motion, from what was measured of it after its transient, and how it goes on.
 
-    Parameters
-    ----------
-    course : Course
-        The motion after its transient.
-    problem : Problem
-        Its constants and tolerance.
-    onward : Onward
-        How it goes on from any state.
-    tol : float
-        What may be left to the limit of a settled motion.
-
-    Returns
-    -------
-    Outcome
-        Without ``equilibrium``, which :func:`~spragsym.motion.rest.rest_index` finds for many at once.
+    ``tol`` is what may be left to the limit of a settled motion. The outcome is without ``equilibrium``, which
+    :func:`~spragsym.statics.search.rest_index` finds for many at once.
     """
     stays = keeps_apart(course.events) and problem.field.aloft(np.array([problem.constants]), course.last[None])[0]
     if stays:

@@ -19,9 +19,7 @@ from .events import events_of
 from .problem import MAX_STEPS, Problem
 from .problems import prepare
 from .trajectory import Trajectory
-
-#: The smallest tolerance that SciPy accepts, for the second run of an error estimate.
-TIGHTEST = 2.3e-14
+from .with_scipy import RTOL
 
 
 def simulate(
@@ -104,7 +102,7 @@ def simulate(
     chosen = integrators.choose(backend, integrators.offered_for(model))
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:
-        reference = _run(model, p, replace(problem, rtol=max(problem.rtol / 100, TIGHTEST)), chosen)
+        reference = _run(model, p, replace(problem, rtol=max(problem.rtol / 100, RTOL)), chosen)
         difference = np.abs(trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))).max(axis=0)
         trajectory = replace(trajectory, error=difference)
     return trajectory if events else replace(trajectory, events=None)

@@ -15,7 +15,7 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field, apart
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
-from ..motion.flows import carrier, follower
+from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime, same_limit
 from ..motion.simulation import motion_of, state_of
 from ..progress import doing
@@ -503,12 +503,9 @@ def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, Float
     times = np.linspace(0.0, span, int(10 * span) + 1)
     parted = np.abs(one(times) - other(times)).max(axis=0) > PARTED
     until = float(times[int(np.argmax(parted))]) if parted.any() else span
-    none = np.zeros((2, len(asked.field.parameters)))
-    passage = follower(asked.field, asked.backend).fly(asked.start, asked.field.constants(asked.at(low)), until, none)
-    tops = [turn for turn in passage.turns if turn.border == -1 and turn.direction < 0]
-    if not tops:
-        return passage.state[None], np.array([until])
-    return np.array([turn.state for turn in tops]), np.array([turn.t for turn in tops])
+    course = one.course()
+    kept = course.maxima_t <= until
+    return (course.maxima[kept], course.maxima_t[kept]) if kept.any() else (one(until)[None], np.array([until]))
 
 
 def _returns(

@@ -17,6 +17,7 @@ from ..motion.shooting import (
     Conditions,
     Guess,
     Loop,
+    chorded,
     growth,
     looped,
     rate,
@@ -36,7 +37,7 @@ LEAST_SHARE = 1e-3
 class Setting:
     """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length.
 
-    ``event`` is what holds along a curve of events:
+    ``plain`` is the integrator without derivatives, where that is much cheaper. ``event`` is what holds along a curve of events:
     ``event(loop)`` the test function's equation near a loop, and whether it says where the loop begins too.
     """
 
@@ -45,6 +46,7 @@ class Setting:
     free: tuple[int, ...]
     period: float
     spans: tuple[float, ...]
+    plain: Fly | None = None
     event: Callable[[Loop], tuple[Conditions, bool]] | None = None
 
     def weights(self, stretches: int) -> FloatArray:
@@ -112,6 +114,8 @@ def corrected(setting: Setting, point: Point, length: float, *, reach: float = n
         values, rows = others(loop)
         return np.append(values, arc @ (loop.guess.coordinates(setting.free) - target)), np.vstack([rows, arc])
 
+    if setting.plain is not None:
+        guess = chorded(setting.field, setting.fly, setting.plain, guess, conditions, setting.free)
     loop = solved(setting.field, setting.fly, guess, conditions, setting.free, reach=reach, iterations=iterations)
     return point_of(setting, loop, point.tangent)
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
-from ..motion.flows import carrier
+from ..motion.flows import carrier, flow
 from ..motion.shooting import Loop, extent, rate
 from ..progress import doing
 from ..remarks import At, Remark
@@ -213,7 +213,8 @@ def cycle_branch(
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
     fly, backend = carrier(model, cycle.backend)
-    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,))
+    plain = flow(model, backend, derivatives=False).fly if backend == "heyoka" else None
+    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,), plain)
     start = started(setting, in_halves(cycle.loop, setting).guess)
     trace = _Trace(setting, (low, high), points, longest, backend)
     back = list(trace.follow(start, -1.0))

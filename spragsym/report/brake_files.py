@@ -21,7 +21,7 @@ from ..models.parameters import FINITE, Range
 from ..names import hint
 from .friction_tables import FrictionFit, fit_friction, read_friction
 from .quantities import Quantities, quantities
-from .study import Rise, Study, rise_of
+from .study import Rise, Study, rise_of, spanned
 from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
@@ -29,7 +29,7 @@ _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N
 #: What one of a unit of measure is in the file to begin with, by its unit in SI.
 _SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038}
 #: Keys of a file that are no quantities.
-_KEYS = ("friction", "correlation", "model", "vary", "begin", "state")
+_KEYS = ("friction", "correlation", "model", "vary", "begin", "state", "may_change")
 
 
 def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Study:
@@ -38,8 +38,9 @@ def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Study
     For each quantity it has a text with number, unit and, if there is one, a tolerance; ``correlation = [["k", "k_x", 0.9]]`` for
     quantities that vary together; ``vary = "F_L"`` where not the friction but a quantity rises until the state jumps, with
     ``begin = "10 N"`` if not from its least value; and ``state = { phi = "-28 deg" }`` where another state than the reference
-    state is followed. ``trust`` says whether the code of a model's folder may run that the file names, or the one folder whose
-    code may. Every mistake is a ParameterError that names the file, the line, the key, the value and what to write.
+    state is followed; ``may_change = { k = "[100, 250] N/mm" }`` where a proposal may change these only, within these ends.
+    ``trust`` says whether the code of a model's folder may run that the file names, or the one folder whose code may. Every
+    mistake is a ParameterError that names the file, the line, the key, the value and what to write.
     """
     return _Reader(os.fspath(path), text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")).read(trust)
 
@@ -89,6 +90,7 @@ class _Reader:
             quantities=found, model=model, source=Path(self.path).name, fit=fit,
             rise=self._rise(own["vary"], own["begin"], kind, {name: one.value for name, one in found.items()}),
             correlation=self._correlation(own["correlation"], found, fit), state=self._state(own["state"] or {}, kind),
+            may_change=self._may_change(own["may_change"] or {}, kind),
         )  # fmt: skip
 
     def _table(self) -> dict[str, Any]:
@@ -195,6 +197,18 @@ class _Reader:
             example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
             self.refuse("state", f"state = {given!r} does not name coordinates; write state = {{ {example} }}")
         return {name: self._quantity(name, text, units[name], FINITE).value for name, text in given.items()}
+
+    def _may_change(self, given: Any, kind: Quantities) -> dict[str, tuple[float, float]]:
+        """Ranges in SI in which proposals may change quantities."""
+        if not isinstance(given, dict) or not set(given) <= set(kind.units):
+            example = next(iter(kind.units))
+            cure = f'write may_change = {{ {example} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
+            self.refuse("may_change", f"may_change = {given!r} does not name quantities; {cure}")
+        ends = {name: self._quantity(name, text, kind.units[name], kind.ranges()[name]) for name, text in given.items()}
+        try:
+            return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
+        except ParameterError as error:
+            self.refuse("may_change", str(error), error)
 
     def _rise(self, vary: Any, begin: Any, kind: Quantities, values: Mapping[str, float]) -> Rise | None:
         """What rises."""

@@ -114,7 +114,7 @@ class Facts:
         )
         why = "" if found is None else "; ".join(dict.fromkeys(found.remarks))
         if found is not None and found.kind == "undecided":
-            below = f"below a friction of {found.value:.4g} it jumps at no angle"
+            below = f"below a friction of {found.value:.4g} it cannot jump at any angle"
             self.remarks.append(f"{below}; whether it does above is not decided: {why}")
             return None
         if found is not None and not found.complete:

@@ -25,8 +25,8 @@ from .units import factor
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
-#: A single quantity is changed by up to this factor either way.
-_FACTOR = 20.0
+#: A quantity is changed by up to this factor either way, where the data do not say how far it may change.
+FACTOR = 3.0
 #: Designs whose tolerances are looked at in one go.
 _AT_ONCE = 8
 #: By how much of the least joint change it goes further until it is proved.
@@ -93,9 +93,18 @@ class _Search:
 
     def __init__(self, study: Study, target: float) -> None:
         self.study, self.target, self.effort = study, target, effort(study)
-        self.names = tuple(name for name in study.kind.balanced if name != study.rises.quantity)
+        self.span = {name: self._span(name) for name in study.kind.balanced if name != study.rises.quantity}
+        self.names = tuple(name for name, (low, high) in self.span.items() if low < high)
         self.scale = {name: self._scale(name) for name in self.names}
         self.allowed, self.corners = study.kind.ranges(study.values), corners(study)
+
+    def _span(self, name: str) -> tuple[float, float]:
+        """Between which values it may change: as the data say, else by :data:`FACTOR`, an inclination from 1° to 179°."""
+        start = self.study.values[name]
+        if self.study.may_change:
+            return self.study.may_change.get(name, (start, start))
+        low, high = min(start / FACTOR, start * FACTOR), max(start / FACTOR, start * FACTOR)
+        return (max(low, _ANGLE), min(high, math.pi - _ANGLE)) if self.study.kind.units[name] == "rad" else (low, high)
 
     def _scale(self, name: str) -> float:
         study, si = self.study, self.study.kind.units
@@ -162,14 +171,12 @@ class _Search:
         return best
 
     def _ladder(self, name: str, side: int) -> FloatArray:
-        """Values from the present one away, to where a redesign would be another brake."""
-        start, si, share = self.study.values[name], self.study.kind.units[name], np.linspace(0.0, 1.0, self.effort.values)
-        if si == "rad":
-            values = start + share * (math.radians(1.0 if side < 0 else 179.0) - start)
-        elif start == 0:
-            values = share**2 * (self.study.scale(si) if side > 0 else 0.0)
-        else:
-            values = start * _FACTOR ** (side * share)
+        """Values from the present one away, as far as it may change."""
+        start, end, share = self.study.values[name], self.span[name][side > 0], np.linspace(0.0, 1.0, self.effort.values)
+        if (end - start) * side <= 0:
+            return np.empty(0)
+        geometric = start * end > 0 and self.study.kind.units[name] != "rad"
+        values = start * (end / start) ** share if geometric else start + share**2 * (end - start)
         inside = [self._inside(name, value, value) for value in values.tolist()]
         return np.asarray(values[: inside.index(False)] if False in inside else values)
 
@@ -192,7 +199,7 @@ class _Search:
         longer = (
             {name: before[name] + stretch * (value - before[name]) for name, value in after.items()} for stretch in _STRETCHES
         )
-        return self._first_proved(one for one in longer if all(self._inside(name, at, at) for name, at in one.items()))
+        return self._first_proved(one for one in longer if all(self._may_be(name, at) for name, at in one.items()))
 
     def _movers(self) -> tuple[str, ...]:
         """Quantities by how far one tolerance of each moves the jump."""
@@ -222,7 +229,9 @@ class _Search:
         for further in range(4):
             rounded = {name: _rounded(self.study, name, value, further) for name, value in after.items()}
             new = self.study.changed(rounded).quantities
-            kept = all(self._inside(name, new[name].low, new[name].high) for name in rounded)
+            kept = all(
+                self._inside(name, new[name].low, new[name].high) and self._may_be(name, value) for name, value in rounded.items()
+            )
             if kept and self._kept({name: np.array([value]) for name, value in rounded.items()}) is not None:
                 return {name: value for name, value in rounded.items() if value != self.study.values[name]}
         return None
@@ -230,6 +239,11 @@ class _Search:
     def _inside(self, name: str, low: float, high: float) -> bool:
         """Whether all between two ends are values of a quantity."""
         return self.allowed[name].contains(low) and self.allowed[name].contains(high)
+
+    def _may_be(self, name: str, value: float) -> bool:
+        """Whether a quantity may change to a value, but for the rounding of that."""
+        (low, high), rounding = self.span[name], 1e-12 * abs(value)
+        return self.allowed[name].contains(value) and low - rounding <= value <= high + rounding
 
     def _verified(self, after: Mapping[str, float], proof_only: bool) -> Change | None:
         """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""

@@ -87,6 +87,17 @@ def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Map
     return Rise(vary, kind.parameters[vary], start).check(values)
 
 
+def spanned(kind: Quantities, name: str, ends: tuple[float, float]) -> tuple[float, float]:
+    """The range in which a quantity may change, in SI; refused if it is none, or empty."""
+    if name not in kind.balanced:
+        cure = hint(name, kind.balanced) or f"; give some of {', '.join(kind.balanced)}"
+        raise ParameterError(f"may_change: no state depends on {name}{cure}")
+    low, high = (as_number(f"may_change of {name}", end, kind.ranges()[name]) for end in ends)
+    if not low < high:
+        raise ParameterError(f"may_change of {name} from {low:g} to {high:g} is empty; give two ends, the smaller first")
+    return low, high
+
+
 class Study:
     """The data of one brake with tolerances: ask for a report.
 
@@ -106,6 +117,8 @@ class Study:
         The quantity that rises until the state jumps, where that is not the friction: a load, a stiffness, an angle.
     begin : float, optional
         From where it rises, in SI, instead of its least value.
+    may_change : mapping of str to (float, float), optional
+        Quantities that a proposal may change, each with the two ends of its range in SI; without it all, by up to a factor of 3.
     state : mapping of str to float, optional
         Coordinates in SI near which the state begins that is followed, in place of the reference state, as ``{"phi": -0.5}``.
 
@@ -136,11 +149,12 @@ class Study:
     correlation: Correlation = MappingProxyType({})
     rise: Rise | None = None
     state: Mapping[str, float] = MappingProxyType({})
+    may_change: Mapping[str, tuple[float, float]] = MappingProxyType({})
 
     def __init__(
         self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,
         correlation: Correlation | None = None, *, model: str = USUAL, vary: str | None = None, begin: float | None = None,
-        state: Mapping[str, float] | None = None,
+        state: Mapping[str, float] | None = None, may_change: Mapping[str, tuple[float, float]] | None = None,
     ) -> None:  # fmt: skip
         kind, off = quantities(model), dict(tolerance or {})
         given, allowed = _given(parameters, kind, model), kind.ranges()
@@ -153,6 +167,7 @@ class Study:
             for name, si in kind.units.items() if name in given
         }  # fmt: skip
         self.rise = rise_of(kind, vary, begin, self.values)
+        self.may_change = {name: spanned(kind, name, (low, high)) for name, (low, high) in (may_change or {}).items()}
         self.dimensionless  # noqa: B018  # an error for a state that is none here, not later
         dependence(list(self.tolerances), self.correlation)
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..design.probability import JumpProbability
 from ..models.load import USUAL
+from .redesigns import FACTOR
 from .states import AWAY, State
 from .study import Study
 from .units import ENDS
@@ -210,7 +211,7 @@ def _jump(report: Report) -> Rows:
         lowest = _or_unknown(report.mu_lowest, "friction {:.6g}".format, "there is none")
         if report.kind_lowest:
             what = "to infinity" if report.kind_lowest == "infinity" else f"a {report.kind_lowest}"
-            lowest += f", {what} at {report.theta0_lowest_deg:.6g} deg; below it it jumps at no angle"
+            lowest += f", {what} at {report.theta0_lowest_deg:.6g} deg; below this friction it cannot jump at any angle"
         yield "its lowest fold at any angle", lowest
         if report.kind_lowest != "cusp":  # it would be said twice
             yield "friction of the cusp", _or_unknown(report.mu_cusp, "{:.6g}".format, "there is none")
@@ -350,7 +351,7 @@ def _tolerances(report: Report) -> Rows:
     for name, indices in told.items():
         # A share is not negative; what is estimated from samples may be.
         alone, all_of_it = (max(0.0, 100 * part) for part in indices[:2])
-        shares = f"{alone:.0f} % by itself, {all_of_it:.0f} % with what it does together with others"
+        shares = f"{alone:.0f} % of the variance alone, {all_of_it:.0f} % with interactions (Sobol')"
         yield f"how much {name} decides", shares
 
 
@@ -383,7 +384,8 @@ def _aim(report: Report) -> str:
     factor = f" = {report.target / largest:.3g} x {study.amount(largest)}" if largest > 0 else ""
     where = " at full slip" if report.reach == "faster" else ""
     kept = f"the jump at {study.amount(report.target)}{factor}"
-    return f"To keep {kept}, and all within the tolerances from jumping{where}, change"
+    limits = "" if study.may_change else f" by up to a factor of {FACTOR:g}"
+    return f"To keep {kept}, and all within the tolerances from jumping{where}, change{limits}"
 
 
 def _changes(report: Report) -> Rows:

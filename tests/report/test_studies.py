@@ -126,6 +126,26 @@ def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, rede
         assert change.outcome == "proved"
 
 
+@pytest.mark.thorough
+def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
+    ends = {"k": (100e3, 250e3), "theta0": (math.radians(30.0), math.radians(60.0))}
+    text = 'may_change = { k = "[100, 250] N/mm", theta0 = "[30, 60] deg" }'
+    file = written(tmp_path, EXACT | {"mu0": "0.45"})
+    file.write_text(file.read_text(encoding="utf-8") + text + "\n", encoding="utf-8")
+    assert ss.Study.from_file(file).may_change == {name: pytest.approx(two) for name, two in ends.items()}
+    free = ss.Study(brake(mu0=0.45))
+    bounded = ss.Study(brake(mu0=0.45), may_change=ends)
+    for study in (free, bounded):
+        found = redesigns.changes(study, 0.5)
+        assert found
+        for change in found:
+            for name, value in change.after.items():
+                low, high = ends[name] if study is bounded else (study.values[name] / 3, study.values[name] * 3)
+                assert low * (1 - 1e-9) <= value <= high * (1 + 1e-9)
+    with pytest.raises(ss.ParameterError, match="no state depends on m"):
+        ss.Study(brake(), may_change={"m": (0.1, 0.2)})
+
+
 @pytest.mark.validate
 def test_a_change_that_a_brake_refutes_is_not_given() -> None:
     """Eight quantities with tolerances, of which corners used to be sampled: at every corner of every change nothing jumps."""

@@ -35,6 +35,7 @@ def test_a_path_and_the_states_of_a_turning_rod_share_an_axis(ax: Any) -> None:
     assert np.abs(states - np.degrees(path.phi[1])).min() < 0.1  # between two of its points
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("vary", ["mu0", "theta0"])
 def test_what_rises_is_drawn_in_the_units_of_its_axis(ax: Any, vary: str) -> None:
     p = ss.load("sprag_rod").Parameters(theta0=0.6)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.generated.equilibrium import f_coefficients
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, wrong_counts
 
@@ -34,6 +35,17 @@ def test_families_reach_what_they_are_named_for() -> None:
     folds, wedge = FAMILIES["near folds"](rng, 500), FAMILIES["cusp wedge"](rng, 500)
     assert ss.equilibria(folds).escalated.mean() > 0.2
     assert 0.2 < (ss.equilibria(wedge).count == 3).mean() < 0.9
+
+
+def test_three_equilibria_need_a_positive_sum() -> None:
+    """Three imply a + d > 0; the converse is not so."""
+    for number, family in enumerate(("random", "near folds", "cusp wedge")):
+        p = FAMILIES[family](np.random.default_rng([41, number]), 500)
+        theta0, *values = p.broadcast("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+        a, _, d, _ = f_coefficients(np.cos(theta0), np.sin(theta0), *values, 1)
+        count = ss.equilibria(p).count
+        assert (a + d > 0)[count == 3].all()
+        assert (a + d > 0)[count == 1].any()
 
 
 # ------------------------------------------------------------------------------------------------------- shapes

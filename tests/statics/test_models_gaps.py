@@ -51,6 +51,7 @@ def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
         assert eq.complete
 
 
+@pytest.mark.thorough
 def test_a_belt_that_hardens_bounds_where_its_states_are(models: dict[str, Any]) -> None:
     """Depths below 0, from which the law would pull the harder the deeper, widen no region: some hundred boxes for 20,000."""
     model, hand = models["sledge"], HANDS["sledge"]

@@ -52,6 +52,7 @@ def test_of_the_article_it_is_the_state_of_smallest_displacement(friction: float
     assert (slot == smallest)[several].all()
 
 
+@pytest.mark.thorough
 def test_another_state_is_followed_where_it_is_chosen() -> None:
     """By paths, jump values and certificates, closed forms or not: none of them tells what is true of the reference state."""
     rod = ss.load("sprag_rod").Parameters(theta0=0.6, mu0=0.7)

@@ -26,23 +26,17 @@ from .mechanics.forces import Model
 from .mechanics.periodic_coordinates import once_around
 from .mechanics.precise_balance import (
     PreciseBalance,
-    boxes_of,
     clustered,
-    hull_of_each,
-    lines,
     refined,
-    renewed,
     settled_by_digits,
-    unsettled,
 )
 from .regions import by_hand, region
 from .remarks import kinds_of, of_region, summed
 from .states import Held
 
-#: Relative widths of boxes down to which a point is searched: what is left at one is searched anew at the next.
-STAGES = (2.0**-9, 2.0**-19)
-
-#: Boxes of a point that a second, narrower search leaves where roots form a line.
+#: Relative width of boxes down to which a point is searched; what is left is looked at with many digits.
+NARROW = 2.0**-19
+#: Boxes of a point that a search leaves where roots form a line.
 ALL_OVER = 2000
 #: Boxes of a point that are looked at where floats only look for what is there.
 SEEN_BUDGET = 8000
@@ -127,28 +121,13 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     if not given.shape[1]:
         return Roots.none(balance.n)
-    found = _searched(balance, given, around, STAGES[0])
-    along = lines(found)
-    for stage in STAGES[1:]:
-        points = np.setdiff1d(unsettled(found), along)
-        if points.size:
-            left, owner = boxes_of(found.of(points))
-            hulls = hull_of_each(left, np.searchsorted(points, owner), points.size)
-            part = _searched(balance, given[:, points], hulls, stage, again=True).numbered(points)
-            along = np.union1d(along, lines(part))
-            points = np.setdiff1d(points, along)
-            found = renewed(found, around, points, [part.of(points)])
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
+    found = certified_roots.roots(balance, outcome, around, given, given)
+    along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
+    found = certified_roots.concatenated([clustered(around, found.of(along, others=True)), found.of(along)], balance.n)
     found = around_anchors(balance, given, around, found)
     found = settled_by_digits(balance, given, around, found, partial(PreciseBalance, balance), without=along.tolist())
     return around_anchors(balance, given, around, found, 0.0)
-
-
-def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, again: bool = False) -> Roots:
-    """Roots by boxes down to a width, and clusters of what these leave; what a search ``again`` leaves all over is a line."""
-    outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
-    found = certified_roots.roots(balance, outcome, around, given, given)
-    along = lines(found, ALL_OVER) if again else np.empty(0, dtype=np.int64)
-    return certified_roots.concatenated([clustered(around, found.of(along, others=True)), found.of(along)], balance.n)
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> Equilibria:

@@ -34,8 +34,6 @@ TOLERANCE = 1e-12
 CLUSTERS = 24
 #: Parts that are left all over a cluster: more bits do not help.
 ALL_OVER = 32
-#: Boxes that are left of a point where roots form a line.
-LINE = 500
 #: Next boxes of the same point that a box is compared with at once.
 TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
@@ -92,11 +90,6 @@ def clustered(around: FloatArray, found: Roots) -> Roots:
     return renewed(found, around, np.unique(owner), [Roots.none(len(hulls[0])).besides(hulls, owner)])
 
 
-def lines(found: Roots, most: int = LINE) -> NDArray[np.int64]:
-    """Points of which more is left than lies around equilibria: where something is free to move they form lines."""
-    return np.flatnonzero(np.bincount(found.left_point) > most)
-
-
 def refined(given: FloatArray, found: Roots, precise: Precise, among: NDArray[np.bool_] | bool = False) -> Roots:
     """The same roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
@@ -134,13 +127,6 @@ def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
     if not part.left.shape[2] or not inside.any() or not contractors.apart(found.left, hull[:, :, None]).all():
         return part
     return found.kept(inside, slice(0))
-
-
-def hull_of_each(boxes: FloatArray, owner: NDArray[np.int64], count: int) -> FloatArray:
-    """The hull of all boxes of each owner, as they are looked at."""
-    order = np.argsort(owner, kind="stable")
-    hulls: FloatArray = np.maximum.reduceat(boxes[:, :, order], np.searchsorted(owner[order], np.arange(count)), axis=2)
-    return _widened(hulls)
 
 
 def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:

@@ -38,6 +38,7 @@ COMMANDS = (
 def begun(words: tuple[str, ...], folder: Path) -> subprocess.Popen[str]:
     """A command in a folder."""
     command = [sys.executable, "-m", "spragsym", *words, "--force"]
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # which a campaign in the background ignores, and what it starts
     return subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
 

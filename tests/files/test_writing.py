@@ -16,6 +16,7 @@ import pytest
 import spragsym as ss
 from spragsym.errors import ParameterError, SpragsymError, StoreError
 from spragsym.files import text, writing
+from tests.conftest import Begin
 from tests.support import ROOT
 
 PAGE = ROOT / "derive" / "models" / "stick_slip.py"
@@ -154,14 +155,14 @@ def test_what_is_read_has_an_end(tmp_path: Path) -> None:
 @pytest.mark.thorough
 @pytest.mark.skipif(os.name != "posix", reason="Windows has no such signal")
 @pytest.mark.parametrize("after", [0.15, 0.6, 1.2])
-def test_ctrl_c_ends_a_command(after: float) -> None:
+def test_ctrl_c_ends_a_command(after: float, begin: Begin) -> None:
     """While heyoka is imported it was swallowed, or became an ImportError."""
     command = [sys.executable, "-m", "spragsym", "cycles", "--theta0", "42", "--vary", "V=0.05:1.5"]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-        with pytest.raises(subprocess.TimeoutExpired):
-            process.wait(after)
-        process.send_signal(signal.SIGINT)
-        _, said = process.communicate(timeout=10)
+    process = begin(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    with pytest.raises(subprocess.TimeoutExpired):
+        process.wait(after)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=10)
     assert process.returncode in (130, -signal.SIGINT)
     assert "Traceback" not in said
 

@@ -18,7 +18,7 @@ N_0 = page.unit("N_0", "N", "normal force")
 d = page.parameter("d", "s/m", "steepness", "> 0", 1e4)
 m_b = page.parameter("m_b", "kg", "light mass", "> 0", 1e-4, becomes="eps")
 k_b = page.parameter("k_b", "N/m", "its spring", "> 0", 100.0, becomes="stiff")
-c_b = page.parameter("c_b", "N s/m", "its damper", ">= 0", 10.0, becomes="damped")
+c_b = page.parameter("c_b", "N s/m", "its damper", ">= 0", 10.0, becomes="loss")
 V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.2)
 x = page.coordinate("x", "m", "displacement")
 b = page.coordinate("b", "m", "displacement of the light mass")
@@ -46,8 +46,9 @@ def test_an_implicit_method_takes_over_where_steps_collapse() -> None:
     assert not ss.simulate(p.replace(d=10.0, eps=0.1), start=(0.5, 0.5, 0.0, 0.0), t_end=3.0).implicit
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+@pytest.mark.parametrize(
+    "backend", [pytest.param("heyoka", marks=pytest.mark.thorough), pytest.param("scipy", marks=pytest.mark.validate)]
+)
 def test_sweeps_and_flows_go_over_too(backend: str) -> None:
     pytest.importorskip(backend)
     p = model_of(BRISTLE, "bristle").Parameters()

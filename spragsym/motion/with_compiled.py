@@ -9,6 +9,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..generated import C_SOURCE
+from ..models.extensions import fits
 from ..models.field import GAP, WIDTH
 from ..models.parameters import FloatArray
 from . import with_scipy
@@ -22,14 +23,9 @@ CHUNK = 20_000
 ENDED, PASSED, FULL, TOO_SMALL, TOO_MANY = range(5)
 
 
-@cache
 def available() -> bool:
     """Whether the extension module was built, and from the C library that was generated with the rest."""
-    try:
-        from . import _carried
-    except ImportError:
-        return False
-    return bool(_carried.SOURCE == C_SOURCE)
+    return fits(f"{__package__}._carried")
 
 
 def version() -> str:

@@ -4,25 +4,19 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...generated import C_SOURCE
+from ...models.extensions import fits
 from ...results.state_columns import COLUMNS, Slots
 
 _ROOM = threading.local()
 
 
-@cache
 def available() -> bool:
     """Whether the extension module was built, and from the C library that was generated with the rest."""
-    try:
-        from . import _compiled
-    except ImportError:
-        return False
-    return bool(_compiled.SOURCE == C_SOURCE)
+    return fits(f"{__package__}._compiled")
 
 
 def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:

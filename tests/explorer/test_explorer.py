@@ -78,7 +78,7 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
         assert units["parameters"][name] == [quantity, pytest.approx(value / wanted[name]), unit]
     named = CliRunner().invoke(explore, ["--data", str(data), "--model", "trolley", "--out", str(out), "--no-open"]).exception
     assert isinstance(named, ss.ParameterError)
-    assert "holds data for the model kang_nam" in str(named)
+    assert "is about kang_nam" in str(named)
     other = tmp_path / "other.toml"
     other.write_text(data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8")
     problem = CliRunner().invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"]).exception

@@ -7,7 +7,6 @@ ceiling on its right; springs and dampers with two ends go where their ends are 
 
 from __future__ import annotations
 
-import argparse
 import math
 import textwrap
 from collections.abc import Iterator
@@ -19,6 +18,9 @@ import sympy as sp
 from . import pages
 from .model import Coordinate, Page, Point
 from .shapes import Axis, Place, Sheet, arrow, damper, spring, wall
+
+#: Where the documentation has them.
+IMAGES = Path(__file__).parent.parent / "docs" / "images" / "models"
 
 _MASS = 48.0, 30.0  #: half its width and half its height
 _BALL = 32.0
@@ -369,20 +371,6 @@ def _axes(sheet: Sheet, names: list[str]) -> None:
         sheet.name(name, (x + 1.25 * dx + 2, y + 1.25 * dy + (6 if dx else 0)))
 
 
-def main(arguments: list[str] | None = None) -> int:
-    """Write the drawing of every page."""
-    parser = argparse.ArgumentParser(prog="python -m derive.drawing", description="Draw the mechanism of every page.")
-    parser.add_argument(
-        "--out", type=Path, default=Path(__file__).parent.parent / "docs" / "images" / "models", help="folder to write"
-    )
-    options = parser.parse_args(arguments)
-    options.out.mkdir(parents=True, exist_ok=True)
-    for name, svg in every_drawing().items():
-        (options.out / f"{name}.svg").write_text(svg, encoding="utf-8", newline="\n")
-        print(options.out / f"{name}.svg")
-    return 0
-
-
 def every_drawing() -> dict[str, str]:
     """The drawings of the shipped pages, by name."""
     models = {path.stem: pages.read(path) for path in pages.shipped()}
@@ -390,4 +378,5 @@ def every_drawing() -> dict[str, str]:
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    for written, svg in every_drawing().items():
+        (IMAGES / f"{written}.svg").write_text(svg, encoding="utf-8", newline="\n")

@@ -17,22 +17,15 @@ import sympy as sp
 #: Exponents of kilogram, metre and second.
 Dimension: TypeAlias = tuple[Fraction, Fraction, Fraction]
 
-NONE: Dimension = (Fraction(0), Fraction(0), Fraction(0))
-LENGTH: Dimension = (Fraction(0), Fraction(1), Fraction(0))
-TIME: Dimension = (Fraction(0), Fraction(0), Fraction(1))
-FORCE: Dimension = (Fraction(1), Fraction(1), Fraction(-2))
-ENERGY: Dimension = (Fraction(1), Fraction(2), Fraction(-2))
 
+def _of(kilograms: int, metres: int, seconds: int) -> Dimension:
+    return Fraction(kilograms), Fraction(metres), Fraction(seconds)
+
+
+NONE, LENGTH, TIME, FORCE, ENERGY = _of(0, 0, 0), _of(0, 1, 0), _of(0, 0, 1), _of(1, 1, -2), _of(1, 2, -2)
 _NAMED: dict[str, Dimension] = {
-    "1": NONE,
-    "rad": NONE,
-    "kg": (Fraction(1), Fraction(0), Fraction(0)),
-    "m": LENGTH,
-    "s": TIME,
-    "N": FORCE,
-    "J": ENERGY,
-    "Hz": (Fraction(0), Fraction(0), Fraction(-1)),
-}
+    "1": NONE, "rad": NONE, "kg": _of(1, 0, 0), "m": LENGTH, "s": TIME, "N": FORCE, "J": ENERGY, "Hz": _of(0, 0, -1),
+}  # fmt: skip
 
 
 class UnitsError(ArithmeticError):

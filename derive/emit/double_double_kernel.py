@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 
 from .definitions import SPELLED, Definition
 from .language import FLAG, REAL, KernelError, Source, parse, passes
+from .routines import items, places
 
 WIDE = "Wide"
 _ROUTINES = {"maximum": "dd_larger", "minimum": "dd_smaller", "absolute": "dd_absolute", "sqrt": "dd_sqrt"}
@@ -132,13 +133,13 @@ class _Writer:
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 yield self.assigned(name, self.expression(value), indent)
             case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call(func=ast.Name(id=called), args=args)):
-                yield self.unpacked(_leaves(target), called, args, indent)
+                yield self.unpacked(list(places(target)), called, args, indent)
             case ast.For(target=target, body=body):
                 yield f"{indent}for {ast.unparse(target)} in range({passes(node)}):"
                 for statement in body:
                     yield from self.statement(statement, indent + "    ")
             case ast.Return(value=ast.Tuple() as results):
-                leaves = _items(results)
+                leaves = items(results)
                 self.returned = self.program.several(len(leaves))
                 values = [ast.unparse(self.wide(*self.expression(leaf))) for leaf in leaves]
                 yield f"{indent}return {', '.join(values)}"
@@ -285,11 +286,3 @@ def _power_of_two(node: ast.expr) -> float:
         case ast.Constant(value=float() as value) if value and math.frexp(abs(value))[0] == 0.5:
             return value
     return 0.0
-
-
-def _leaves(target: ast.expr) -> list[str]:
-    return [item.id for item in _items(target) if isinstance(item, ast.Name)]
-
-
-def _items(node: ast.expr) -> list[ast.expr]:
-    return [leaf for item in node.elts for leaf in _items(item)] if isinstance(node, ast.Tuple) else [node]

@@ -76,9 +76,9 @@ def assigned(node: ast.stmt) -> Iterator[str]:
 
 def places(target: ast.expr) -> Iterator[str]:
     """Names on the left of an assignment, which may be nested."""
-    if isinstance(target, ast.Tuple):
-        for item in target.elts:
-            yield from places(item)
-    else:
-        assert isinstance(target, ast.Name)
-        yield target.id
+    return (item.id for item in items(target) if isinstance(item, ast.Name))
+
+
+def items(node: ast.expr) -> list[ast.expr]:
+    """What a nested tuple holds, in order."""
+    return [leaf for item in node.elts for leaf in items(item)] if isinstance(node, ast.Tuple) else [node]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ..emit import python, write
+from ..emit.python import kernel, quantities
 from . import article, bounds, ledger, library, mechanics
 from . import nomenclature as nm
 from .catalogue import modules
@@ -12,19 +13,16 @@ from .catalogue import modules
 
 def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
     """The text of every file, by its path below ``generated/``, those of the ``models`` among them."""
-    parts, solver = modules(), library.kernel()
-    package = python.Material(
-        modules=parts,
-        kernel=solver,
-        arithmetic=library.double_doubles(),
-        counts=bounds.counts(solver, {function.name: function for module in parts for function in module.functions}),
-        quantities=mechanics.quantities(),
-        parameters=tuple(map(str, (nm.theta0, *nm.PARAMETERS))),
-        base_values={str(symbol): float(value) for symbol, value in article.BASE.items()},
-        digest=write.DIGEST,
-        header=write.header(),
-    )
-    files = python.render(package) | models
+    parts, solver, named, header = modules(), library.kernel(), mechanics.quantities(), write.header()
+    counts = bounds.counts(solver, {function.name: function for module in parts for function in module.functions})
+    parameters = tuple(map(str, (nm.theta0, *nm.PARAMETERS)))
+    base = {str(symbol): float(value) for symbol, value in article.BASE.items()}
+    files = {
+        **python.render(parts, named, solver, library.double_doubles(), write.DIGEST, header),
+        "kernel.py": kernel.render(solver, counts, parts, header),
+        "quantities.py": quantities.render(named, parameters, base, header),
+        **models,
+    }
     # A variant's functions take arguments that the libraries' own files do not give them.
     in_c = {} if mechanics.further_parameters() else library.render("c", files.__getitem__)
     for source in re.findall(r'_SOURCE "(\w+)"', in_c.get("spragsym.h", "")):
@@ -34,5 +32,5 @@ def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
         **files,
         **{f"c/{name}": text for name, text in in_c.items()},
         "ledger.json": write.as_json(ledger.as_dict(outcome)),
-        "LEDGER.md": ledger.markdown(outcome, write.header()),
+        "LEDGER.md": ledger.markdown(outcome, header),
     }

@@ -224,9 +224,7 @@ class _Compared:
         if ours is None:
             raise NoMeaning(f"the model has no {name}")
         dimensional, scale = mechanics.groups()[symbol]
-        by_name = {it: sp.Symbol(str(it), positive=True) for it in ours.free_symbols | (dimensional / scale).free_symbols}
-        gap = sp.simplify(ours.subs(by_name) / (dimensional / scale).subs(by_name))
-        return {name: sp.S.Zero if gap == 1 else ours}
+        return {name: _quotient_gap(ours, dimensional / scale)}
 
     def length_of(self, name: str) -> dict[str, sp.Expr]:
         """The unit of a coordinate, or of the length of the inclined spring."""
@@ -238,11 +236,15 @@ class _Compared:
 
     def scale(self, name: str) -> dict[str, sp.Expr]:
         ours = physical_checks.scale(self.model.page, {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}[name])
-        theirs = mechanics.scales()[name]
-        by_name = {it: sp.Symbol(str(it), positive=True) for it in (ours or sp.S.One).free_symbols | theirs.free_symbols}
         if ours is None:
             raise NoMeaning(f"the model has no unit of {name}")
-        return {f"unit of {name}": sp.S.Zero if sp.simplify(ours.subs(by_name) / theirs.subs(by_name)) == 1 else ours}
+        return {f"unit of {name}": _quotient_gap(ours, mechanics.scales()[name])}
+
+
+def _quotient_gap(ours: sp.Expr, theirs: sp.Expr) -> sp.Expr:
+    """What ours is where it is not theirs, symbols taken by their names; else 0."""
+    by_name = {it: sp.Symbol(str(it), positive=True) for it in ours.free_symbols | theirs.free_symbols}
+    return sp.S.Zero if sp.simplify(ours.subs(by_name) / theirs.subs(by_name)) == 1 else ours
 
 
 def _law_gap(gap: sp.Expr) -> sp.Expr:

@@ -264,7 +264,7 @@ class Page:
 
     def kinetic(self, energy: sp.Expr) -> None:
         """Kinetic energy, a quadratic form of the rates."""
-        self._first(self.inertia[1] if self.inertia else None, "kinetic energy", "add it there")
+        self._first(self.inertia, "kinetic energy", "add it there")
         self.inertia = expression_of(energy), _line()
 
     def potential(self, energy: sp.Expr) -> None:
@@ -314,7 +314,7 @@ class Page:
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
         """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
         line = _line()
-        self._first(self.normal.line if self.normal else None, "contact", str(limits.SECOND_CONTACT))
+        self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
         self._check_law(law, "contact", "penetration", line)
         distance = expression_of(gap)
         self._check_speeds(distance, "the gap", line)
@@ -323,7 +323,7 @@ class Page:
     def normal_force(self, force: sp.Expr) -> None:
         """A given normal force, in the place of a contact law."""
         given = expression_of(force)
-        self._first(self.normal.line if self.normal else None, "contact", str(limits.SECOND_CONTACT))
+        self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
         self._check_speeds(given, "the normal force", _line())
         self.normal = Contact(None, lambda depth: given, False, _line())
 
@@ -334,7 +334,7 @@ class Page:
         speed.
         """
         line = _line()
-        self._first(self.sliding.line if self.sliding else None, "friction", str(limits.SECOND_CONTACT))
+        self._first(self.sliding, "friction", str(limits.SECOND_CONTACT))
         self._check_law(law, "friction", "sliding speed", line)
         limit = None if at_rest is None else expression_of(at_rest)
         self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, line)
@@ -381,9 +381,10 @@ class Page:
         if held:
             raise PageError(line, f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
-    def _first(self, line: int | None, what: str, remedy: str) -> None:
+    def _first(self, said: Contact | Friction | tuple[sp.Expr, int] | None, what: str, remedy: str) -> None:
         """A statement that a page has once."""
-        if line:
+        if said is not None:
+            line = said[1] if isinstance(said, tuple) else said.line
             raise PageError(_line(), f"line {line} says the {what} already, and this would replace it; {remedy}")
 
     def _moving(self, expression: sp.Expr) -> str:

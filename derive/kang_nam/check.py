@@ -63,12 +63,17 @@ class Row:
 class Derived:
     """What the derivation gives where something is printed: its components, and what a printed relation is about."""
 
-    components: tuple[sp.Expr, ...]
+    value: sp.Expr | tuple[sp.Expr, ...]
     #: The function that derives it.
     by: Callable[..., Any]
     about: tuple[Any, ...] = ()
     #: Substitutions that bring the printed form into the derivation's terms; one comparison for each tuple of them.
     terms: tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...] = ((),)
+
+    @property
+    def components(self) -> tuple[sp.Expr, ...]:
+        """Of a single one that one."""
+        return _several(self.value)
 
 
 def run(printed: Iterable[Printed] = article.PRINTED) -> list[Row]:
@@ -84,7 +89,7 @@ def failures(rows: Sequence[Row]) -> list[Row]:
 
 def check(entry: Printed, derived: Derived) -> Row:
     """Compare one printed statement with the derivation and with its explanation, if there is one."""
-    gaps = _differences(_components(entry, derived), derived)
+    gaps = _differences(_components(entry.expression, derived), derived)
     base = {
         "id": entry.id,
         "where": entry.where,
@@ -97,7 +102,7 @@ def check(entry: Printed, derived: Derived) -> Row:
     }
     differs = any(gap != 0 for gap in gaps)
     if entry.id in explanations.CORRECTIONS:
-        return _misprint(entry.id, _components(entry, derived), derived, differs, base)
+        return _misprint(entry.id, _components(entry.expression, derived), derived, differs, base)
     if entry.id in explanations.APPROXIMATIONS:
         approximation = explanations.APPROXIMATIONS[entry.id]
         if not differs:
@@ -143,13 +148,14 @@ def _misprint(id: str, components: tuple[sp.Expr, ...], derived: Derived, differ
 
 def _is_derived(expression: article.Expression, derived: Derived) -> bool:
     """Whether a form of ours, in the arrangement of the print, is the derived one."""
-    components = expression(*derived.about) if callable(expression) else expression
-    components = components if isinstance(components, tuple) else (components,)
-    return not any(gap != 0 for gap in _differences(components, derived))
+    return not any(gap != 0 for gap in _differences(_components(expression, derived), derived))
 
 
-def _components(entry: Printed, derived: Derived) -> tuple[sp.Expr, ...]:
-    value = entry.expression(*derived.about) if callable(entry.expression) else entry.expression
+def _components(expression: article.Expression, derived: Derived) -> tuple[sp.Expr, ...]:
+    return _several(expression(*derived.about) if callable(expression) else expression)
+
+
+def _several(value: sp.Expr | tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
     return value if isinstance(value, tuple) else (value,)
 
 
@@ -191,30 +197,30 @@ def _motion_forms() -> dict[str, Derived]:
     below_on_above = (((nm.y, -u),), ((nm.y, sp.S.Zero),), ((nm.y, u),))
     (pushing, _), (apart, _) = mechanics.contact_force().args
     return {
-        "eq-1": Derived((with_units.x,), mechanics.measured_motion, terms=(geometry,)),
-        "eq-2": Derived((with_units.y,), mechanics.measured_motion, terms=(geometry,)),
-        "eq-3": Derived((mechanics.compression(),), mechanics.compression),
-        "eq-4": Derived((sp.S.Zero,), equilibrium.displacement, terms=(polar,)),
-        "eq-5": Derived((sp.S.Zero,), equilibrium.displacement, terms=(polar,)),
-        "eq-6": Derived((length,), mechanics.measured_length),
+        "eq-1": Derived(with_units.x, mechanics.measured_motion, terms=(geometry,)),
+        "eq-2": Derived(with_units.y, mechanics.measured_motion, terms=(geometry,)),
+        "eq-3": Derived(mechanics.compression(), mechanics.compression),
+        "eq-4": Derived(sp.S.Zero, equilibrium.displacement, terms=(polar,)),
+        "eq-5": Derived(sp.S.Zero, equilibrium.displacement, terms=(polar,)),
+        "eq-6": Derived(length, mechanics.measured_length),
         "eq-7": Derived((pushing, apart), mechanics.contact_force),
-        "eq-8": Derived((scaled.x,), mechanics.motion),
-        "eq-9": Derived((scaled.y,), mechanics.motion),
-        "eq-10": Derived((mechanics.friction(),), mechanics.friction),
-        "eq-11": Derived((mechanics.contact_law(),), mechanics.contact_law, terms=below_on_above),
+        "eq-8": Derived(scaled.x, mechanics.motion),
+        "eq-9": Derived(scaled.y, mechanics.motion),
+        "eq-10": Derived(mechanics.friction(), mechanics.friction),
+        "eq-11": Derived(mechanics.contact_law(), mechanics.contact_law, terms=below_on_above),
     }
 
 
 def _scale_forms() -> dict[str, Derived]:
     scales, groups = mechanics.scales(), mechanics.groups()
     forms = {
-        "def-tau": Derived((1 / scales["time"],), mechanics.scales),
-        "def-prime": Derived((sp.S.One,), mechanics.scales),
-        **{f"def-{name}": Derived((1 / scales["length"],), mechanics.scales) for name in ("x", "y", "L")},
+        "def-tau": Derived(1 / scales["time"], mechanics.scales),
+        "def-prime": Derived(sp.S.One, mechanics.scales),
+        **{f"def-{name}": Derived(1 / scales["length"], mechanics.scales) for name in ("x", "y", "L")},
     }
     for symbol in (nm.sigma, nm.alpha, nm.beta, nm.kappa, nm.n):
         dimensional, scale = groups[symbol]
-        forms[f"def-{symbol}"] = Derived((dimensional / scale,), mechanics.groups)
+        forms[f"def-{symbol}"] = Derived(dimensional / scale, mechanics.groups)
     return forms
 
 
@@ -227,10 +233,10 @@ def _balance_forms() -> dict[str, Derived]:
     rest = {at_rest.ax: 0, at_rest.ay: 0, nm.vx: 0, nm.vy: 0}
     lifted = tuple(force.subs(liftoff) for force in equilibrium.balance())
     return {
-        "eq-12": Derived((at_rest.x.subs(rest).subs(nm.mu, mechanics.steady_friction()),), mechanics.motion),
-        "eq-13": Derived((at_rest.y.subs(rest),), mechanics.motion),
-        "eq-14": Derived((along,), equilibrium.balance),
-        "eq-15": Derived((across,), equilibrium.balance),
+        "eq-12": Derived(at_rest.x.subs(rest).subs(nm.mu, mechanics.steady_friction()), mechanics.motion),
+        "eq-13": Derived(at_rest.y.subs(rest), mechanics.motion),
+        "eq-14": Derived(along, equilibrium.balance),
+        "eq-15": Derived(across, equilibrium.balance),
         "eq-16": Derived((along, across), equilibrium.matrix_form, about=(D.subs(contact), b.subs(contact))),
         "eq-17": Derived(tuple(D.subs(contact)), equilibrium.matrix_form, about=(equilibrium.matrix_A().subs(contact),)),
         "eq-18": Derived(tuple(equilibrium.matrix_A().subs(contact)), equilibrium.matrix_A, terms=(friction,)),
@@ -270,16 +276,16 @@ def _quartic_forms() -> dict[str, Derived]:
             arranged = value.subs(in_names, simultaneous=True).subs(spelled)
             if not unit_circles.equal(arranged.subs(right_sides), full):
                 raise ArithmeticError(f"{id}: the quartic in shorthand is not the quartic")
-            forms[id] = Derived((arranged,), elimination.quartic_in_L_shorthand, terms=(right_sides,))
+            forms[id] = Derived(arranged, elimination.quartic_in_L_shorthand, terms=(right_sides,))
         for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):
-            forms[id] = Derived((value,), equilibrium.matrix_form)
+            forms[id] = Derived(value, equilibrium.matrix_form)
     return forms
 
 
 def _unit_norm_form() -> Derived:
     """(20) and (23) for any invertible D and any b, so that the printed form is checked as an identity."""
     D, b = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
-    return Derived((elimination.unit_norm(D, b),), elimination.unit_norm, (D, b))
+    return Derived(elimination.unit_norm(D, b), elimination.unit_norm, (D, b))
 
 
 def _stability_forms() -> dict[str, Derived]:
@@ -288,7 +294,7 @@ def _stability_forms() -> dict[str, Derived]:
     law = mechanics.contact_law()
     slopes = tuple(-sp.diff(value, nm.y) for value, _ in law.args)
     return {
-        "eq-27": Derived((stability.characteristic(K, C).subs(stability.lam, article.lam),), stability.characteristic, (K,)),
+        "eq-27": Derived(stability.characteristic(K, C).subs(stability.lam, article.lam), stability.characteristic, (K,)),
         "eq-28": Derived(tuple(K), stability.stiffness),
         "eq-29": Derived(slopes, mechanics.contact_law),
     }

@@ -102,13 +102,10 @@ class _Compared:
 
     # ------------------------------------------------------------------------------------------------ aspects
 
-    def geometry_x(self) -> dict[str, sp.Expr]:
-        """L cos θ."""
-        return {"L cos θ": sp.expand(self.named(self.line.dx) - (nm.c0 - nm.x))}
-
-    def geometry_y(self) -> dict[str, sp.Expr]:
-        """L sin θ."""
-        return {"L sin θ": sp.expand(self.named(self.line.dy) - (nm.s0 - nm.y))}
+    def geometry(self, row: int) -> dict[str, sp.Expr]:
+        """L cos θ or L sin θ."""
+        name, ours, theirs = (("cos", self.line.dx, nm.c0 - nm.x), ("sin", self.line.dy, nm.s0 - nm.y))[row]
+        return {f"L {name} θ": sp.expand(self.named(ours) - theirs)}
 
     def rest(self) -> dict[str, sp.Expr]:
         """The undeformed length."""
@@ -270,6 +267,7 @@ def _of(aspect: Callable[..., dict[str, sp.Expr]], *given: Any) -> _Aspect:
 
 
 _C = _Compared
+_GEOMETRY_X, _GEOMETRY_Y = (_of(_C.geometry, row) for row in (0, 1))
 _ALONG, _ACROSS = (_of(_C.motion, row) for row in (0, 1))
 _BALANCE_X, _BALANCE_Y = (_of(_C.balance, row, 1) for row in (0, 1))
 _LINEAR, _MATRIX = _of(_C.linear, 1), _of(_C.matrix, 1)
@@ -280,8 +278,8 @@ _LIFTED_QUARTIC = (_LINEAR_LIFTED, _MATRIX_LIFTED)
 
 #: Row → what it rests on.
 RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
-    "eq-1": (_ALONG,), "eq-2": (_ACROSS,), "eq-3": (_C.rest,), "eq-4": (_C.geometry_x,), "eq-5": (_C.geometry_y,),
-    "eq-6": (_C.geometry_x, _C.geometry_y), "eq-7": (_C.contact,), "eq-8": (_ALONG,), "eq-9": (_ACROSS,), "eq-10": (_C.friction,),
+    "eq-1": (_ALONG,), "eq-2": (_ACROSS,), "eq-3": (_C.rest,), "eq-4": (_GEOMETRY_X,), "eq-5": (_GEOMETRY_Y,),
+    "eq-6": (_GEOMETRY_X, _GEOMETRY_Y), "eq-7": (_C.contact,), "eq-8": (_ALONG,), "eq-9": (_ACROSS,), "eq-10": (_C.friction,),
     "eq-11": (_C.contact,), "eq-12": (_ALONG, _C.steady), "eq-13": (_ACROSS,), "eq-14": (_BALANCE_X, _C.steady),
     "eq-15": (_BALANCE_Y,), "eq-16": (_LINEAR,), "eq-17": (_LINEAR, _MATRIX), "eq-18": (_MATRIX,), "eq-19": (_B1, _B2),
     "eq-20": (_LINEAR,), "eq-21": _CONTACT_QUARTIC, "eq-22": (_LINEAR_LIFTED,), "eq-23": (_LINEAR_LIFTED,),

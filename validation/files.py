@@ -21,7 +21,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.errors import SpragsymError
-from tests.oracles.sweep_attacks import small_disk
+from validation.machine_attacks import small_disk
 
 CASES = 40
 PAGE = Path(__file__).resolve().parent.parent / "derive" / "models" / "stick_slip.py"

@@ -102,7 +102,7 @@ class Words:
 
 
 def words(thing: Any, above: Words | None = None) -> Words:
-    """Those of a result; of a part that does not know its model, or what varies, with those of what it is a part ``above``."""
+    """Table words of a result; a part that does not know its model or its parameter takes those of the result ``above``."""
     kind = type(thing) if isinstance(thing, Shown) else Shown
     model, vary = thing.table_model if kind is not Shown else None, getattr(thing, "vary", None)
     known: Callable[[str], bool] = getattr(model, "is_angle", above.known if above is not None else _by_name)

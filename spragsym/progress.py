@@ -1,4 +1,4 @@
-"""What long work is at: a line on stderr, or a function that is told, for whoever asks."""
+"""Progress of long work: a line on stderr, or a function that is called, for whoever asks."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
     ("Jump", "tolerances to the nearest jump", "0, it has jumped already", [(JUMPED, True)]),
     ("Jump", "tolerances to the nearest jump", "(?!0, it)", [(JUMPED, False)]),
     ("State", "the state it jumped to", "", [(JUMPED, True)]),
-    ("State", "the state of small deformation", "", [(JUMPED, False)]),
+    ("State", "the reference state", "", [(JUMPED, False)]),
     ("State", "the state (it jumped to|of small deformation)", "stable; ", [(SETTLES, True), (UP_TO_DAMPING, False)]),
     ("State", "the state (it jumped to|of small deformation)", "unstable", [(SETTLES, False), (UP_TO_DAMPING, False)]),
     ("State", "the state (it jumped to|of small deformation)", "stable without", [(SETTLES, False), (UP_TO_DAMPING, True)]),

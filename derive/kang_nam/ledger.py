@@ -82,7 +82,7 @@ def markdown(ledger: Ledger, header: str) -> str:
         "",
         "## The lowest fold",
         "",
-        "For κ > 0, σ > 0 and α, β ≥ 0 the least friction at which, over 0 < θ₀ < π, the state of small deformation ends is the least of: "
+        "For κ > 0, σ > 0 and α, β ≥ 0 the least friction at which, over 0 < θ₀ < π, the reference state ends is the least of: "
         "the cusps with 0 < θ₀ < π/2 and μ₀ ≥ 0; the points with 0 < θ₀ < π/2, μ₀ > 0 and f″ < 0 at which the curve of folds turns back, "
         "f = f′ = f_θ₀ = 0; the folds at θ₀ = 0 with μ₀ > 0 and f″ < 0. Where there is none of these it never ends:",
         "",

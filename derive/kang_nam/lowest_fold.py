@@ -1,4 +1,4 @@
-"""The lowest fold: the least friction at which, over all inclinations 0 < θ₀ < π, the state of small deformation ends.
+"""The lowest fold: the least friction at which, over all inclinations 0 < θ₀ < π, the reference state ends.
 
 Candidates are the cusps, the points at which the curve of folds turns back in μ₀, f = f′ = f_θ₀ = 0, and the folds at θ₀ = 0.
 """
@@ -124,7 +124,7 @@ def identities() -> dict[str, bool]:
 
 
 def steps() -> tuple[Step, ...]:
-    """The least friction at which the state of small deformation ends is that of a cusp, of a turn with f″ < 0, or of a fold at θ₀ = 0."""
+    """The least friction at which the reference state ends is that of a cusp, of a turn with f″ < 0, or of a fold at θ₀ = 0."""
     return (*_start(), *_inclined_backward(), *_follow())
 
 
@@ -179,7 +179,7 @@ def _inclined_backward() -> tuple[Step, ...]:
             and manifestly_positive(turned, (a, lean, sine, friction, push), strict_symbols=(push,)),
         ),
         Step(
-            "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the state of small deformation has cos θ ≤ 0, friction moves "
+            "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference state has cos θ ≤ 0, friction moves "
             "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f = cos θ (a s + b) has the sign of −cos θ",
             sp.expand((f - nm.c * (nm.fa * nm.s + nm.fb)).subs(elimination.f_coefficients()).subs({nm.M: 0, nm.c0: 0})) == 0
             and sp.expand(upright + bound + _sigma * (_beta + 1) * (1 - sine)) == 0
@@ -200,7 +200,7 @@ def _follow() -> tuple[Step, ...]:
             sp.expand(sp.diff(f, nm.M) - sp.cancel(nm.q * nm.s * elimination.state()[nm.y])) == 0,
         ),
         Step(
-            "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the state of small deformation, the first root, lies "
+            "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the reference state, the first root, lies "
             "below it; at the fold f < 0 on both sides, and the third root lies above: to get there the state would pass the fold's θ "
             "at a smaller friction, and that θ has one friction only. So it ends at the fold, or before",
             all(step.holds for step in theorem.one_or_three()),

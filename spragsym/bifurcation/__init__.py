@@ -1,1 +1,1 @@
-"""Where equilibria of any model meet, vanish, flutter and jump: points, curves in a plane, and paths."""
+"""Bifurcations of equilibria for any model: folds, cusps, Hopf points, their curves in a plane, and paths."""

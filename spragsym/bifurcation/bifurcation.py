@@ -117,7 +117,7 @@ def bifurcation_set(
 
 
 def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
-    """That ranges are ``cut``, and each other remark on extrema and ends of curves once, with those of which it is said."""
+    """Remarks: ranges that are ``cut``, and each other remark on extrema and ends of curves once, with the points it concerns."""
     yield from cut
     said: dict[str, dict[str, None]] = {}
     for kind, points in known:
@@ -224,7 +224,7 @@ def rows_of(balance: Balance, vary: Sequence[str], found: Points) -> FloatArray:
 
 
 def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> NDArray[np.bool_]:
-    """Of every two points whether none of the lines separates them: where a curve crosses a line, there is a point of its own."""
+    """Whether no line separates two points, for every pair: where a curve crosses a line, there is a point of its own."""
     room = ON_LINE * (span[1] - span[0])
     first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
     together: NDArray[np.bool_] = np.maximum.outer(first, first) <= np.minimum.outer(last, last)

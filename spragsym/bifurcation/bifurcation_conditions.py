@@ -113,7 +113,7 @@ def double_hopf(along: int | None) -> Condition:
 
 
 def undamped_mode(along: int) -> Condition:
-    """As :data:`HOPF`, where only the coordinate ``along`` is damped, by whatever it may be: a mode in which it does not move.
+    """:data:`HOPF` where only the coordinate ``along`` is damped, by any amount: a mode in which it does not move.
 
     Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ² M. A pair ± i ω is where A
     and B have a common root, however small c is; it is divided out.

@@ -1,4 +1,4 @@
-"""Which equilibria of a model at two values of a parameter lie on one branch, proved by tubes.
+"""Branch matching: the equilibria of a model at two values of a parameter that lie on one branch, proved by tubes.
 
 A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes.tubes`. The two that meet at a
 fold nearby differ in the sign of det K, which no branch changes between folds; of the three at a pitchfork the outer two lie on

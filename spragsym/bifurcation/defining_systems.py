@@ -102,7 +102,7 @@ class Augmented(System):
         self.opens, self.sides = balance.opens, balance.sides
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """As for the balance; what is an unknown is replaced at each evaluation."""
+        """Prepared parameters of the balance; an unknown is replaced at each evaluation."""
         return self.balance.prepared(bounds)
 
     def state(
@@ -123,7 +123,7 @@ class Augmented(System):
         return self._values(unknowns, parameters, self.balance.anywhere)
 
     def _values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
-        """The same on sides of the rays where turnings jump."""
+        """Values of the system on either side of the rays where torsion angles jump."""
         shape = unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape, sides)
         extra = at
@@ -160,7 +160,7 @@ class Augmented(System):
         return out | self.balance.beside_jumps(at.q, at.values, ~out, no_root)
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
-        """As for the balance, and for the condition."""
+        """Boxes that the balance gives up, and those that the condition gives up."""
         at = self.state(list(unknowns), parameters, unknowns.shape[1:])
         poles: NDArray[np.bool_] = self.balance.at_poles(at.q, at.values, at.shape, width)
         return poles if self.condition.given_up is None else poles | self.condition.given_up(at)

@@ -44,7 +44,7 @@ class _Chart(boxes.System):
         self.n = len(self.others) + len(self.vary)
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """As for the balance."""
+        """Prepared parameters of the balance."""
         return self.balance.prepared(bounds)
 
     def rows(self, unknowns: Intervals, parameters: Intervals, order: int) -> tuple[list[Any], Any]:

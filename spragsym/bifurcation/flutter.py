@@ -249,7 +249,7 @@ def _joined(
 
 
 def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, left: FloatArray) -> tuple[str, ...]:
-    """Of boxes that are left at an end of the range."""
+    """Remarks on undecided boxes at an end of the range."""
     remarks = []
     for end in (-span[0], span[1]) if left.shape[2] else ():
         here = int(((-left[0, -1] <= end) & (end <= left[1, -1])).sum())
@@ -262,7 +262,7 @@ def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, l
 
 
 def _undamped(balance: Balance, vary: str, given: FloatArray, left: FloatArray) -> tuple[str, ...]:
-    """Of boxes that are left where the friction law is as good as flat."""
+    """Remarks on undecided boxes where the friction law has practically no slope."""
     if balance.model.about["friction"] is None or not left.shape[2]:
         return ()
     place = balance.parameters.index(vary)

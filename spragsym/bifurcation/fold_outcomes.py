@@ -1,4 +1,4 @@
-"""What ends at the folds along a parameter, when, and where it jumps to: from the normal form at each fold.
+"""Outcome of folds along a parameter, from the normal form: the state that ends, the direction, and the state after the jump.
 
 With K v = 0 and w K = 0 the states near a fold are q + s v, where w · ∂F/∂λ δλ + ½ w · D²F(v, v) s² = 0 up to higher order, and
 det K changes by s ∇(det K) · v. At a regular fold none of these numbers is 0, and each is enclosed over the fold's box.
@@ -17,9 +17,9 @@ from ..numerics.jets import constant, gradient, variables
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends
 from ..statics.equilibria import equilibria
-from ..statics.foremost import foremost
 from ..statics.mechanics.balance import Balance
 from ..statics.stability import with_a_zero
+from ..statics.tie_breaking import least_slot
 from .bifurcation_conditions import FOLD, change
 from .defining_systems import Augmented
 from .points import given_column
@@ -45,7 +45,7 @@ def ended(points: Points) -> Ended:
 
 
 def _at(points: Points, row: int) -> tuple[str, str, dict[str, float]]:
-    """Of one fold: which of the two states that meet is stable, which way they vanish, and what takes the place of that one."""
+    """Outcome of one fold: which of the two states is stable, in which direction they vanish, and the state after the jump."""
     (vary,), p = points.vary, points.parameters.of(points.parameters.model.search)
     balance = Balance(p.model, contact=True)
     z = np.array([float(getattr(points, name)[row]) for name in (*balance.coordinates, vary)])
@@ -101,5 +101,5 @@ def _after(points: Points, row: int, forward: int) -> dict[str, float]:
     before = np.array([getattr(points, name)[row] for name in names])
     behind = np.array([getattr(here, name)[slots] for name in names])
     apart = np.linalg.norm(behind - before[:, None], axis=0)
-    slot = slots[int(foremost(apart, behind, here.error[slots] + points.error[row]))]
+    slot = slots[int(least_slot(apart, behind, here.error[slots] + points.error[row]))]
     return {name: float(getattr(here, name)[slot]) for name in points.columns}

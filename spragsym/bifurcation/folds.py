@@ -96,7 +96,7 @@ def folds(
 
 
 def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[str, ...]:
-    """Of boxes that are left at an end of the range where det K is 0 whatever the state."""
+    """Remarks on undecided boxes at an end of the range where det K is 0 for every state."""
     from .bifurcation_conditions import FOLD
     from .defining_systems import Augmented
     from .degenerate_ends import vanishes

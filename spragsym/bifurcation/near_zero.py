@@ -29,7 +29,7 @@ BUDGET = 100_000
 
 
 class Logarithmic(Augmented):
-    """The same system with the logarithm of its parameter for an unknown."""
+    """A defining system with the logarithm of its parameter as unknown."""
 
     def state(
         self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None

@@ -85,7 +85,7 @@ class Onsets(Points):
 
     @cached_property
     def when(self) -> NDArray[np.str_]:
-        """As the parameter goes ``"up"`` or ``"down"``, the state loses its stability to this pair; else empty."""
+        """Direction of the parameter, ``"up"`` or ``"down"``, in which the state loses its stability to this pair; else empty."""
         known = np.abs(self.crossing) > self.crossing_error
         return np.where(known, np.where(self.crossing > 0, "up", "down"), "")
 

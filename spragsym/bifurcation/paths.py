@@ -23,12 +23,12 @@ from ..results.paths import Jump, Path, followed
 from ..results.points import Points
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from ..statics.foremost import foremost
 from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import chosen_state
 from ..statics.search import columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, one_each, with_state
+from ..statics.tie_breaking import least_slot
 from .bifurcation_conditions import TOUCH
 from .branches import HALVINGS, linked
 from .escapes import INFINITY, escapes
@@ -194,7 +194,7 @@ class _Way:
         self.joined = linked(p, vary, self.eq, self.turns, most=0)
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
-        """The same; at values at which states meet, and which digits don't decide, with what is known of those.
+        """States along the path with those at values where states meet and the digits do not decide.
 
         Of a pitchfork it is the state in which three meet; the one in which two meet at a fold stands in no slot. That no other
         is there is known once all states beside the value are joined to those on it.
@@ -254,7 +254,7 @@ class _Way:
         return np.concatenate([getattr(points, name) for points in self.ends])
 
     def _column(self, name: str) -> NDArray[Any]:
-        """The same of those on the way."""
+        """A column of the states on the path."""
         column: NDArray[Any] = getattr(self.turns, name)
         return column
 
@@ -295,7 +295,7 @@ class _Way:
         states = np.array([self.state(0, slot)[0] for slot in stable]).T
         error = np.full(len(stable), max(self.state(0, slot)[2] for slot in stable))
         if start == "large":
-            return stable[int(foremost(-np.abs(states[0]), states, error))]
+            return stable[int(least_slot(-np.abs(states[0]), states, error))]
         here = self.p.replace(**{self.vary: float(self.stops[0])})
         every = np.ones(len(stable), dtype=np.bool_)
         return stable[int(chosen_state(self.model, here, list(states), error, every, self.p.followed))]
@@ -436,7 +436,7 @@ class _Way:
                 )
             states = np.array([eq.coordinates[name][stable] for name in before])
             apart = np.linalg.norm(states - np.array(list(before.values()))[:, None], axis=0)
-            slot = stable[int(foremost(apart, states, eq.error[stable] + end.error))]
+            slot = stable[int(least_slot(apart, states, eq.error[stable] + end.error))]
         else:
             slot = choose(eq, before)
             if not 0 <= slot < count:

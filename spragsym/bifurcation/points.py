@@ -20,13 +20,13 @@ from ..numerics.jets import Jet, variables
 from ..progress import doing
 from ..results.points import Ended, Points
 from ..statics import stability
-from ..statics.foremost import in_order
 from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.forces import Model
 from ..statics.mechanics.periodic_coordinates import once_around
 from ..statics.regions import by_hand, region
 from ..statics.remarks import of_boxes, of_ranges, of_region
+from ..statics.tie_breaking import in_order
 from . import near_zero
 from .defining_systems import Augmented, Condition
 from .degenerate_ends import shared

@@ -53,7 +53,7 @@ class PreciseAugmented(Digits):
         return [*at.forces(), *self.system.condition.equations(at)]
 
     def values(self, unknowns: Sequence[Any]) -> list[Any]:
-        """The same where the condition asks for derivatives, too."""
+        """Values of the balance and of a condition that needs derivatives."""
         order = self.system.condition.order
         return [constant(row) for row in self.rows(variables(unknowns, order))] if order else self.rows(unknowns)
 

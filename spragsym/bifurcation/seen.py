@@ -118,7 +118,7 @@ def _states(system: Augmented, columns: FloatArray, found: Roots) -> tuple[Float
 
 
 def _pairs_that_cross(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
-    """Of states z that lie on one branch, where a pair λ, λ̄ passes the imaginary axis."""
+    """Numerically detected crossings of the imaginary axis by a pair λ, λ̄ along states z of one branch."""
     every, out = _oscillations(system, given, z), list[Sighting]()
     for one, other in neighbours:
         if _crossing(every[one], every[other]).size:
@@ -127,7 +127,7 @@ def _pairs_that_cross(system: Augmented, given: FloatArray, z: FloatArray, neigh
 
 
 def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Those of the λ at one state, above the real axis, whose real part changes its sign to the next; each is followed."""
+    """Eigenvalues above the real axis whose real part changes sign to the next state; each is followed."""
     i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
     size = max(np.abs([*a, *b]), default=0.0)
     before, after = a[i], b[j]
@@ -177,7 +177,7 @@ def _oscillations(system: Augmented, given: FloatArray, z: FloatArray) -> list[N
 
 
 def _sign_changes(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
-    """Of states z that lie on one branch, where the condition's value passes 0 and Newton's method converges."""
+    """Numerically detected zeros of a condition along states z of one branch, where Newton's method converges."""
     if not neighbours:
         return []
     columns = _at(given, z)

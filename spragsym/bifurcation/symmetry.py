@@ -95,7 +95,7 @@ class _OnMirror(boxes.System):
         self.n = len(self.even) + 1
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """As for the balance."""
+        """Prepared parameters of the balance."""
         return self.balance.prepared(bounds)
 
     def completed(self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...]) -> State:
@@ -169,7 +169,7 @@ def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatA
 def _with_pitchforks(
     balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found, mirror: _Mirror
 ) -> tuple[Found, int]:
-    """The same for one mirror."""
+    """Points with the pitchforks of one mirror symmetry added."""
     known = pitchforks(balance, vary, given, span, mirror)
     inside, beyond = _on_side(balance, vary, given, known.ends)
     left = found.roots.left

@@ -108,7 +108,7 @@ def _plane(case: Case) -> tuple[str, ...]:
 
 
 def _within_ranges(found: Any) -> Any:
-    """Those points at which all that varies is in its range: closed forms know mirror images beyond it."""
+    """Points at which all that varies is in its range: closed forms know mirror images beyond it."""
     ranges, inside = [found.parameters.ranges[name] for name in found.vary], np.ones(len(found), dtype=np.bool_)
     for name, allowed in zip(found.vary, ranges, strict=True):
         inside &= allowed.inside(getattr(found, name))

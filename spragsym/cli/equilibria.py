@@ -110,7 +110,7 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
 
 
 def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[dict[str, Any]]:
-    """As :func:`_states` of each point: of all in one call, and of those that it does not answer whole in one each."""
+    """States of all points in one call; points that it does not answer completely are asked one by one."""
     p = case.model.Parameters(**{name: np.array([point[name] for point in points]) for name in points[0]})
     several = len(points) > 1  # of one alone an error is the answer
     every = [ss.equilibria(p, contact=contact, **case.ask) for contact in case.model.regimes if several]
@@ -142,7 +142,7 @@ def _states(case: Case, point: dict[str, float]) -> dict[str, Any]:
 
 
 def _rows(case: Case, eq: Any, point: tuple[int, ...] = ()) -> Iterator[dict[str, Any]]:
-    """Of each state of a point words, directions and lengths of springs, coordinates, and what is known of it.
+    """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of each state.
 
     ``stability`` and ``eigenvalues`` are those of (27); ``damped`` is with dampers and the slope of the friction law.
     """

@@ -318,7 +318,7 @@ class OfModel(o.Command):
 
 
 def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:
-    """As ``click.command``, for a command about a model."""
+    """A command about a model: ``click.command`` with the common options."""
     return o.command(cls=OfModel, **options)
 
 

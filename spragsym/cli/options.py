@@ -1,4 +1,4 @@
-"""What commands have in common: their help's names, and options with one name, one meaning and one range everywhere."""
+"""Common options of commands: one name, one meaning and one range everywhere, and the form of their help."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What commands give: tables, styled on a terminal, plain in a pipe, never cut; JSON; and files, none overwritten unasked."""
+"""Output of commands: tables, styled on a terminal, plain in a pipe, never cut; JSON; and files, none overwritten unasked."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ LEAST = 2.0**-1022
 @o.method
 @o.as_json
 def path(case: Case, near: tuple[str, ...]) -> Any:
-    """The state of small deformation, followed as one parameter moves: where it goes and where it jumps.
+    """The reference state, followed as one parameter moves: where it goes and where it jumps.
 
     \b
     Examples:
@@ -89,7 +89,7 @@ def _places(case: Case, columns: tuple[str, ...], place: Mapping[str, float], en
 @o.method
 @o.as_json
 def critical(case: Case, near: tuple[str, ...]) -> Any:
-    """Where the state of small deformation jumps first as one parameter moves, and the frictions that decide whether it can.
+    """Where the reference state jumps first as one parameter moves, and the frictions that decide whether it can.
 
     Friction and inclination rise from their lower end; the others move up and down from their value, at a friction at which
     nothing has jumped.

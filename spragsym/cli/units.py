@@ -1,4 +1,4 @@
-"""What a command prints, in degrees; with ``--data`` in the units of that file."""
+"""Units of printed results: degrees, or with ``--data`` the units of that file."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Units:
         return {title: _scaled(value, size) for (title, size), value in titles}
 
     def varied(self, name: str) -> tuple[str, float, str]:
-        """Of a parameter, or with a file of a quantity: the parameter, what one of it is there, and what it is called."""
+        """A parameter, or with a file its quantity: the parameter, its unit in SI, and its title."""
         entries = self.model.about["parameters"]
         for entry in entries:
             if name == entry["name"] and (self.study is None or name != entry["quantity"] or entry["quantity_unit"] == "1"):

@@ -1,4 +1,4 @@
-"""What is known of a claim about every point of a box of parameters: proved, refuted by a point, or left open."""
+"""Certificate of a claim about every point of a box of parameters: proved, refuted by a point, or undecided."""
 
 from __future__ import annotations
 

@@ -151,7 +151,7 @@ def space(
 
 
 def _design(base: ParameterSet | PhysicalParameters) -> Design:
-    """Of a set its parameters; of a brake all that the jump depends on where friction works fully."""
+    """Design variables: the parameters of a set; of a brake all on which the jump depends where friction works fully."""
     if isinstance(base, PhysicalParameters):
         given = {name: getattr(base, name) for name in PHYSICAL}
         ranges = {name: RANGES[name] if name in RANGES else range_of(name) for name in PHYSICAL}

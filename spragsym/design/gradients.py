@@ -1,4 +1,4 @@
-"""How the value at which a state jumps changes with each parameter, as a result."""
+"""Gradient of a jump value with respect to each parameter, as a result."""
 
 from __future__ import annotations
 

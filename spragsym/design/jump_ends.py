@@ -1,4 +1,4 @@
-"""Where followed states end, of many points, of some of which nothing may be known, and from where parameters rise."""
+"""Ends of followed states at many points, from which jump values and their gradients are taken."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How probable it is that the followed state of any model ends, from tolerances: by samples, and between proved bounds."""
+"""Probability that the followed state ends within tolerances, for any model: by sampling, and between proved bounds."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def jump_probability(
 
     Notes
     -----
-    Source: an event is an end of the state up to the value of what rises; interval by Student's distribution over the
+    Source: an event is an end of the state up to the value of the loading parameter; interval by Student's distribution over the
     replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't. Proved bounds: tubes around curves of states
     about parts of the box, whose probability is the product of that of their sides, see :mod:`spragsym.bifurcation.tubes.tubes`.
 

@@ -46,7 +46,7 @@ def jump_value(
     p: ParameterSet, vary: str | None = None, *, direction: str = "up", begin: float | None = None, until: float | None = None,
     method: Method = "auto",
 ) -> float | FloatArray:  # fmt: skip
-    """Where the followed state ends first as one parameter moves: the state of small deformation jumps there.
+    """Where the followed state ends first as one parameter moves: the reference state jumps there.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How far a design is from a jump: the nearest parameters at which the followed state ends."""
+"""Distance of a design to a jump: the nearest parameters at which the followed state ends."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _SHARES, BOXES = (0.95, 0.8, 0.5, 0.2), 500
 
 @dataclass(frozen=True)
 class JumpMargin(Result):
-    """The nearest parameters at which the state of small deformation jumps as the friction rises to μ₀.
+    """The nearest parameters at which the reference state jumps as the friction rises to μ₀.
 
     Attributes
     ----------

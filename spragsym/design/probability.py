@@ -1,4 +1,4 @@
-"""How probable a jump is when parameters are known within tolerances only, and which of them matters."""
+"""Probability of a jump when parameters are known within tolerances, and the sensitivity to each."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ POINTS = 1 << 16
 
 @dataclass(frozen=True)
 class JumpProbability(Result):
-    """The probability that the state of small deformation jumps as the friction, or another parameter, rises to its value.
+    """The probability that the reference state jumps as the friction, or another parameter, rises to its value.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What to change, and by how little, so that a jump lies beyond a target."""
+"""Least changes of a design that move a jump beyond a target."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Redesign(Result):
     parameters : Parameters or PhysicalParameters or None
         The new design.
     jump : dict of str to float
-        Where the state of small deformation jumps in the new design, solved for again, exactly; NaN where it never does.
+        Where the reference state jumps in the new design, solved for again, exactly; NaN where it never does.
     """
 
     distance: float

@@ -72,7 +72,7 @@ def _mixed(base: FloatArray, second: FloatArray, group: Sequence[int]) -> FloatA
 
 
 def _evaluated(function: Function, sets: Iterable[FloatArray]) -> list[tuple[FloatArray, float]]:
-    """Of each set of points, all of one size, its values, 0 where there is none, and how many have none; small sets at once."""
+    """Values of each set of points, all of one size, 0 where there is none, and the number without one; small sets together."""
     found, left = [], iter(sets)
     while some := list(itertools.islice(left, 1)):
         some += itertools.islice(left, max(0, TOGETHER // len(some[0]) - 1))

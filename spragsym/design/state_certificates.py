@@ -90,7 +90,7 @@ STATES: dict[str, tuple[Claim, Callable[[Equilibria], Flags]]] = {
 
 
 def certify_states(low: Any, high: Any, claim: str, max_boxes: int, refute: bool) -> Certificate:
-    """As :func:`spragsym.design.tube_certificates.certify`, for the claims of :data:`STATES`."""
+    """:func:`spragsym.design.tube_certificates.certify` for the claims of :data:`STATES`."""
     box = _Box(low, high, claim)
     if claim == "no flutter" and box.without_flutter():
         return Certificate(claim, "proved", None, 0.0, 1)
@@ -154,7 +154,7 @@ class _Box:
         return self.model.Parameters(**dict(zip(self.balance.parameters, values, strict=True)))
 
     def settled(self, parts: Parts) -> tuple[Flags, Roots, FloatArray]:
-        """Of which parts the claim holds; their states; and the boxes in which those are, infinite where that is not known."""
+        """Parts for which the claim holds; their states; and the boxes around those, infinite where unknown."""
         balance, bounds = self.balance, Intervals.between(parts.low, parts.high)
         around: FloatArray = parts.around
         whole = np.asarray(np.isfinite(around).all(axis=(0, 1)))

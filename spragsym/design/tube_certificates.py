@@ -324,7 +324,7 @@ def certify(
 
 
 def _volume(pieces: Pieces) -> FloatArray:
-    """Of each piece, over the sides that have a width."""
+    """Volume of each piece, over the sides that have a width."""
     width = pieces.high - pieces.low
     out: FloatArray = width.prod(axis=0, where=width > 0)
     return out

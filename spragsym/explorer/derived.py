@@ -1,4 +1,4 @@
-"""What the explorer takes from a page's derivation: its functions as an ES module, and its drawing."""
+"""Input of the explorer from a page's derivation: its functions as an ES module, and its drawing."""
 
 from __future__ import annotations
 

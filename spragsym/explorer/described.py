@@ -1,4 +1,4 @@
-"""What the page's script is told of a model."""
+"""Description of a model for the explorer's script."""
 
 from __future__ import annotations
 

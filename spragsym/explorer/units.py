@@ -27,5 +27,5 @@ class Units:
     parameters: dict[str, tuple[str, float, str]] = field(default_factory=dict)
 
     def data(self) -> dict[str, Any]:
-        """As the page takes them."""
+        """The units in the form that the page reads."""
         return {"length": self.length, "time": self.time, "force": self.force, "parameters": self.parameters}

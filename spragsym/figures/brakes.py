@@ -86,21 +86,22 @@ def draw_rising(
     p: ParameterSet, ends: tuple[float, float], ax: Axes | None = None, *, vary: str = "mu0", begin: float = 0.0,
     length: float = 1.0, label: str | None = None, size: float = 1.0, across: str = r"friction $\mu$", n: int = 200,
 ) -> Any:  # fmt: skip
-    """The states of any model over what rises, the one followed as it does, and the range of its tolerance shaded.
+    """The states of any model over the loading parameter, the one followed as it does, and the range of its tolerance shaded.
 
     Parameters
     ----------
     p : Parameters
         Scalars, of which the one that rises is not used.
     ends : (float, float)
-        Of the tolerance of what rises.
+        Of the tolerance of the loading parameter.
     ax : Axes, optional
     vary : str
-        What rises.
+        The loading parameter.
     begin : float
         From where.
     length, size : float
-        What one of the first coordinate, and of what rises, is in the unit that the axis shows; of an angle, what a degree is.
+        What one of the first coordinate, and of the loading parameter, is in the unit that the axis shows; of an angle, what a
+        degree is.
     label, across : str, optional
         Of these axes.
     n : int

@@ -1,4 +1,4 @@
-"""What captions and axes of several figures share: which paths they show, the article's letters, and sentences."""
+"""Common parts of captions and axes: the paths shown, the article's letters, and sentences."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which parts of a line in space lie behind a surface: matplotlib sorts whole artists by depth, not points."""
+"""Hidden parts of a line in space: matplotlib sorts whole artists by depth, not points."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def _stretches(line: FloatArray) -> list[FloatArray]:
 
 
 def _dense(line: FloatArray, sheet: Cover) -> FloatArray:
-    """The same line with points added, so that no step on the screen is longer than :data:`STEP` of the picture."""
+    """The line with points added, so that no step on the screen is longer than :data:`STEP` of the picture."""
     places = sheet.screen(line)[:, :2]
     corners = sheet.triangles[..., :2].reshape(-1, 2) if sheet.triangles.size else places
     width = float(np.ptp(corners, axis=0).max()) or 1.0

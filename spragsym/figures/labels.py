@@ -1,4 +1,4 @@
-"""What axes call the parameters and coordinates of a model, and which ranges they show."""
+"""Axis labels of a model's parameters and coordinates, and the ranges that axes show."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def as_drawn(model: Model, name: str, values: Any) -> Any:
 
 
 def with_unit(model: Model, name: str) -> str:
-    """The same with what the model measures it in."""
+    """Axis label with the unit of the model."""
     if model.is_angle(name):
         return label(model, name)
     scales = {entry["name"]: entry["scale"] for entry in model.about["coordinates"]}

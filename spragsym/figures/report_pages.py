@@ -72,7 +72,7 @@ def pictures(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _planes(report: Report) -> Iterator[tuple[str, str]]:
-    """The brake in the plane of angle and friction, where that rises and there is an angle, and its states as what rises does."""
+    """The brake in the plane of angle and friction, where there is an angle, and its states over the loading parameter."""
     study, jump = report.study, report.mu_jump
     (low, _, high), p, first = study.working, study.at_work, study.kind.about["coordinates"][0]
     if "theta0" in p.model.parameters and study.of_friction:
@@ -81,7 +81,7 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
         caption = "Shaded: three states of sliding; on the lines two of them meet." if three else (
             "On the lines two states of sliding meet."
         )  # fmt: skip
-        caption += " Cross: the friction at which the state of small deformation jumps at this angle." if jump < math.inf else ""
+        caption += " Cross: the friction at which the reference state jumps at this angle." if jump < math.inf else ""
         with suppress(SpragsymError):
             yield (
                 picture(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), jump, ax=ax, n=_LINES)),

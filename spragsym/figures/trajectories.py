@@ -85,7 +85,7 @@ def figure_13() -> Sheet:
 
 
 def both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path]:
-    """The state of small deformation followed up, and the state where it ends followed back."""
+    """The reference state followed up, and the state where it ends followed back."""
     up = ss.quasi_static_path(p, vary, values)
     back = ss.quasi_static_path(p, vary, values[::-1], start=_slot_of(p.replace(**{vary: values[-1]}), up.x[-1]))
     return up, back

@@ -1,4 +1,4 @@
-"""What users wrote, on any system: bytes up to a bound, and text."""
+"""Reading of users' files on any system: bytes up to a bound, and text."""
 
 from __future__ import annotations
 

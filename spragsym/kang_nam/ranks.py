@@ -1,4 +1,4 @@
-"""Which equilibria at neighbouring values of a parameter lie on one branch: between folds they keep their order in θ."""
+"""Branch matching of the article's equilibria: between folds they keep their order in θ."""
 
 from __future__ import annotations
 

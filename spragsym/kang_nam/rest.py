@@ -1,4 +1,4 @@
-"""Which of the equilibria a motion rests at."""
+"""Equilibrium at which a motion rests."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
 
 
 def _of_motions(places: Sequence[Place], time: str, rate: str) -> dict[str, tuple[str, str]]:
-    """Of what is computed of motions, by the coordinates."""
+    """Quantities of motions, by the coordinates."""
     (x, unit, *_), *others = places
     after, top = "after the transient", f"of the cycle where its {x} is largest"
     found = {f"mean_{y}": (across, f"mean of {y} {after}") for y, across, *_ in others}

@@ -1,4 +1,4 @@
-"""What integrators and the search for cycles know of a model: a field of second order that is smooth in each of its modes."""
+"""Vector field of a model for integrators and the search for cycles: of second order, smooth in each of its modes."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def apart(one: Any, other: Any, around: Sequence[int]) -> FloatArray:
 
 
 def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
-    """The same state with coordinates that come ``around`` in the turn from :data:`BEGIN` on."""
+    """The state with periodic coordinates in the turn from :data:`BEGIN` on."""
     found = np.array(state, dtype=float)
     for place in around:
         found[..., place] -= TURN * np.floor((found[..., place] - BEGIN) / TURN)
@@ -90,7 +90,7 @@ def in_one_turn(state: FloatArray, around: Sequence[int]) -> FloatArray:
 
 
 def never(constants: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
-    """That no motion is known to stay above the belt."""
+    """The answer of a model of which no motion is known to stay above the belt."""
     return np.zeros(len(states), dtype=bool)
 
 
@@ -192,7 +192,7 @@ class Field:
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)
 
     def are_inside(self, states: Any, constants: Any, modes: Any) -> NDArray[np.bool_]:
-        """The same of many at once, a column each."""
+        """Whether many states are inside, a column each."""
         within = np.ones(np.shape(states)[1:], dtype=bool)
         for border in self.borders:
             within &= border.sign(modes) * border.level(states, constants, modes) >= -2 * GAP

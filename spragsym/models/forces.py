@@ -1,4 +1,4 @@
-"""What follows from a state: directions, lengths and forces of springs, and the force of the contact."""
+"""Quantities of a state: directions, lengths and forces of springs, and the force of the contact."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ class Model:
 
     @cached_property
     def search(self) -> Model:
-        """The same model without its closed forms: every question by the general way, as with ``method="search"``."""
+        """The model without its closed forms: every question by the general algorithm, as with ``method="search"``."""
         if not self.closed:
             return self
         own: Any = type(self.Parameters.__name__, (self.Parameters,), {"searched": True})
@@ -159,7 +159,7 @@ class Model:
         return tuple(values)
 
     def rising_over(self, vary: str | None, over: str | None, called: str = "vary") -> tuple[str, str]:
-        """What rises, and over the range of what; ``called`` is the argument that says the first."""
+        """The loading parameter, and over the range of what; ``called`` is the argument that says the first."""
         if vary is None or over is None:
             if len(self.axes) < 2:
                 text = f"{self.name} has not both theta0 and mu0; give {called} and over, two of {', '.join(self.parameters)}"
@@ -192,7 +192,7 @@ class Model:
         return self.axes[0] if vary is None else vary
 
     def rising(self, vary: str | None, begin: float | FloatArray | None) -> tuple[str, Any]:
-        """What rises unless told otherwise, the friction at full slip, and from where."""
+        """The loading parameter unless told otherwise, the friction at full slip, and from where."""
         if vary is None and "mu0" not in self.parameters:
             raise ParameterError(
                 f"{self.name} has no mu0; give vary, the parameter that rises, one of {', '.join(self.parameters)}"

@@ -105,7 +105,7 @@ class _Rooted:
         return getattr(self._xp, name)
 
     def log(self, value: Any) -> Any:
-        """The same of a logarithm: −∞ of 0, whose exponential is 0."""
+        """Logarithm, −∞ of 0, whose exponential is 0."""
         if isinstance(value, float):
             return math.log(value) if value > 0 else -math.inf
         if isinstance(value, np.ndarray):
@@ -114,7 +114,7 @@ class _Rooted:
         return self._xp.log(value)
 
     def sqrt(self, value: Any) -> Any:
-        """Of a float or an array; an expression of heyoka's is taken as it is."""
+        """Square root of a float or an array; an expression of heyoka's is taken as it is."""
         if isinstance(value, float | np.ndarray | np.floating):
             return self._xp.sqrt(np.maximum(value, 0.0))
         return self._xp.sqrt(value)

@@ -1,4 +1,4 @@
-"""What a motion comes to: one classifier for trajectories, sweeps and basins.
+"""Classification of the limit of a motion, for trajectories, sweeps and basins.
 
 A motion is judged by the limit that it approaches and by the rate at which it does, never by how alike two parts
 of a window look: lift-off for good where the model knows it, rest at an equilibrium by its

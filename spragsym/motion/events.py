@@ -1,4 +1,4 @@
-"""Where a motion passed a kink of its field."""
+"""Events of a motion: crossings of kinks of its field."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a motion goes on, with derivatives of its flow: which integrator carries them."""
+"""Flows with derivatives: the integrator that carries them."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ class Motions:
 
     @classmethod
     def of(cls, problems: Sequence[Problem]) -> Motions:
-        """Those of problems that share all but constants and starts."""
+        """Common data of problems that share all but constants and starts."""
         one = problems[0]
         return cls(
             np.array([problem.constants for problem in problems], dtype=np.float64),

@@ -172,7 +172,7 @@ def _passed(onward: Onward, state: FloatArray, goal: float, duration: float) -> 
 
 
 def _near(states: FloatArray, place: FloatArray, around: tuple[int, ...]) -> FloatArray:
-    """The same states, coordinates that come around by whole turns nearer to a place."""
+    """States with periodic coordinates shifted by whole turns nearer to a place."""
     return place + apart(states, place, around)
 
 

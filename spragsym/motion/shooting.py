@@ -272,7 +272,7 @@ def phase(loop: Loop, guess: Guess) -> Conditions:
 
 
 def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
-    """The same loop cut into ``pieces`` equal stretches, from its first state on."""
+    """The loop cut into ``pieces`` equal stretches, from its first state on."""
     constants, states = field.constants(guess.values), [guess.states[0]]
     none = np.zeros((2, len(field.parameters)))
     for _ in range(pieces - 1):
@@ -306,7 +306,7 @@ def split(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> L
 
 
 def once_round(loop: Loop, fly: Fly) -> Loop:
-    """The same orbit over its least period: rounds are one if they differ by no more than the orbit's error.
+    """The orbit over its least period: rounds are one if they differ by no more than the orbit's error.
 
     Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little.
     """

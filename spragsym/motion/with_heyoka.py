@@ -64,7 +64,7 @@ class Approach:
 
     @classmethod
     def of(cls, called: list[tuple[str, Any]], system: list[Any]) -> list[Approach]:
-        """Those of all functions that were ``called``."""
+        """Subexpressions of all functions that were ``called``."""
         import heyoka as hy
 
         names, found = [name for name, _ in system], list[Approach]()

@@ -82,7 +82,7 @@ def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
 
 @dataclass(frozen=True)
 class Signs:
-    """Of many polynomials on a part each: the sign at its lower end; whether all of it is negative, or some of it positive.
+    """Signs of many polynomials on a part each: at its lower end; whether all of it is negative, or some of it positive.
 
     What the bounds leave open is 0 and neither.
     """

@@ -67,11 +67,11 @@ class Roots:
         return self.kept(*(np.isin(part, points, invert=others) for part in (self.point, self.left_point)))
 
     def numbered(self, points: NDArray[np.int64]) -> Roots:
-        """Those of some points by the numbers of all."""
+        """Roots of some points, by the numbers of all points."""
         return replace(self, point=points[self.point], left_point=points[self.left_point])
 
     def besides(self, left: FloatArray, point: NDArray[np.int64]) -> Roots:
-        """The same with more boxes that are left."""
+        """The roots with further undecided boxes."""
         more = np.concatenate([self.left, left], axis=2)
         return replace(self, left=more, left_point=np.concatenate([self.left_point, point]))
 

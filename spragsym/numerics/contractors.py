@@ -1,4 +1,4 @@
-"""What one look at many boxes tells: that there is no root inside, exactly one, or where any root must be.
+"""Contractors of many boxes: no root inside, exactly one, or a smaller box that holds every root.
 
 For a system F of n equations, a box X, its middle m, enclosures J of the Jacobian over X and r of |x − m| for x in X:
 
@@ -55,14 +55,14 @@ def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: Floa
 
 
 def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> FloatArray:
-    """The same operator with the unit matrix for Y: ends of its result."""
+    """The operator with the unit matrix for Y: ends of its result."""
     return _solved(slopes.ends, values.ends, middle, reach).ends
 
 
 def by_each_row(
     values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """The same operator with every permutation of the rows that is a shift: each unknown by each row, without a matrix.
+    """The operator with every cyclic permutation of the rows: each unknown by each row, without a matrix.
 
     Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a single row tells how the unknowns
     depend on each other along the direction that is left.

@@ -35,7 +35,7 @@ class _Cell(NamedTuple):
 
 
 def _sign(value: Any) -> int:
-    """Of an integer or a ball; only an integer may be 0."""
+    """Sign of an integer or a ball; only an integer may be 0."""
     found = balls.sign(value)
     if not found and isinstance(value, Ball):
         raise Undecided("a polynomial holds 0 where its sign is needed")
@@ -127,7 +127,7 @@ def _homogeneous(coefficients: Sequence[Any], numerator: int, denominator: int) 
 
 
 def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int], int]) -> _Cell:
-    """The same root in a cell that lacks nothing and whose ends are no roots, or the root itself.
+    """The root in a cell that lacks nothing and whose ends are no roots, or the root itself.
 
     The secant's guess is tried on a grid of 2^j parts of the cell, j twice as large where it is right, else half.
     Source: quadratic interval refinement, J. Abbott (2006).

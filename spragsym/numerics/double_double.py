@@ -39,12 +39,12 @@ class DoubleDouble:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of the arrays."""
+        """Shape of the arrays."""
         return np.broadcast_shapes(self.high.shape, self.low.shape)
 
     @property
     def ndim(self) -> int:
-        """Of the arrays."""
+        """Number of axes of the arrays."""
         return len(self.shape)
 
     def each(self, change: Callable[[Array], Array]) -> DoubleDouble:

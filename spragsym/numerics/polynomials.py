@@ -78,7 +78,7 @@ def _coprime(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
 
 
 def squarefree(polynomial: Polynomial) -> tuple[int, ...]:
-    """The same roots, each once; exact coefficients only."""
+    """The squarefree part, with the roots each once; exact coefficients only."""
     return without(polynomial, common_divisor(polynomial, derivative(polynomial)))
 
 

@@ -167,7 +167,7 @@ def along(setting: Setting, point: Point, value: float) -> Point:
 
 
 def cut_finer(setting: Setting, point: Point) -> Point:
-    """The same point in more stretches, where the derivatives over one of them have grown large."""
+    """The point in more stretches, where the derivatives over one of them have grown large."""
     loop = point.loop
     pieces = len(loop.guess.states)
     if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:

@@ -156,7 +156,7 @@ def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend
 
 
 def followed(field: Field, known: Attractor, values: tuple[float, ...], backend: str) -> Attractor:
-    """The same attractor at another value of one parameter; ConvergenceError where it ends or is lost on the way."""
+    """The attractor continued to another value of one parameter; ConvergenceError where it ends or is lost on the way."""
     if known.kind == Regime.LIFT_OFF or known.values == values:
         return Attractor(known.kind, values, known.state, known.orbit)
     if known.orbit is not None:
@@ -187,7 +187,7 @@ def followed(field: Field, known: Attractor, values: tuple[float, ...], backend:
 
 
 def followed_cycle(field: Field, known: Cycle, values: tuple[float, ...], backend: str) -> Cycle:
-    """The same cycle at another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
+    """The cycle continued to another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
     (index,) = (i for i, (now, then) in enumerate(zip(known.values, values, strict=True)) if now != then)
     fly, name = carrier(field, backend)
     setting = Setting(field, fly, (index,), known.period, (abs(values[index] - known.values[index]),))

@@ -62,7 +62,7 @@ def bits(count: int) -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """Of Taylor polynomials: their order, and the bits of their coefficients."""
+    """Accuracy of Taylor polynomials: their order, and the bits of their coefficients."""
 
     order: int
     bits: int
@@ -274,7 +274,7 @@ class _Piece:
 
 
 def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
-    """Of a Taylor polynomial, in units of the bound on the field: the step is ``ratio`` times the radius of convergence."""
+    """Remainder of a Taylor polynomial over the bound on the field: the step is ``ratio`` times the radius of convergence."""
     return ratio ** (accuracy.order + 1) / (1 - ratio)
 
 

@@ -1,4 +1,4 @@
-"""Where the stable manifold of a divergent equilibrium meets a plane of starts, and where that bounds a basin."""
+"""Basin boundaries: the stable manifold of a divergent equilibrium in a plane of starts, and where it bounds a basin."""
 
 from __future__ import annotations
 

@@ -175,7 +175,7 @@ def _default(model: Model, given: FloatArray, state: FloatArray, form: NormalFor
 
 
 def _beyond(model: Model, given: FloatArray, state: FloatArray, form: NormalForm, asked: float, size: float) -> str:
-    """That an amplitude takes the motion past a border of the field, and which one would not; nothing where it does not."""
+    """Error: an amplitude takes the motion past a border of the field; nothing where it does not."""
     name, reach = _first_border(model, given, state, form)
     least = 2 * reach * size
     return f"; to first order only amplitudes below {least:.3g} do not come to {name}" if asked > least else ""

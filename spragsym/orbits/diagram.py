@@ -239,7 +239,7 @@ class _Rest:
 
     @cached_property
     def mode(self) -> Mode:
-        """That of the state, with all that is left out of motions where it is below rounding."""
+        """The mode of the state, with all that is left out of motions where it is below rounding."""
         return self.field.exact(self.field.initial_mode(self.state, self.field.constants(self.values)))
 
     def at(self, point: FloatArray) -> tuple[tuple[float, ...], list[float], Mode]:
@@ -264,7 +264,7 @@ class _Rest:
         return force, np.column_stack([by_state, by_value * (self.to[1] - self.to[0]) / 2])
 
     def eigenvalues(self, point: FloatArray) -> NDArray[np.complex128]:
-        """Of the linearized motion."""
+        """Eigenvalues of the linearized motion."""
         constants, state, mode = self.at(point)
         return np.asarray(np.linalg.eigvals(self.field.matrix(state, constants, mode)), dtype=complex)
 

@@ -115,7 +115,7 @@ def lyapunov(
 def exponents_of(
     field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str | None = None
 ) -> Lyapunov:
-    """As :func:`lyapunov`, of any field."""
+    """:func:`lyapunov` of any field."""
     fly, name = carrier(field, backend)
     whole = rates_along(field, fly, values, state, t_end)
     late = whole.part(len(whole.logs) // 2)

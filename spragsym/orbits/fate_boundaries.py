@@ -176,7 +176,7 @@ def boundary_of(
     field: Field, values: tuple[float, ...], vary: str, bracket: tuple[float, float], start: FloatArray,
     backend: str | None = None,
 ) -> FateBoundary:  # fmt: skip
-    """As :func:`fate_boundary`, of any field."""
+    """:func:`fate_boundary` of any field."""
     index = field.parameters.index(vary)
     _, name = carrier(field, backend)
 
@@ -255,7 +255,7 @@ class _Asked:
         return same_limit(one.outcome, other.outcome, self.field.around)
 
     def _label(self, value: float, verdict: Verdict) -> int:
-        """That of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
+        """Label of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
 
         To follow an attractor in vain takes seconds: only the likeliest is, and not any more after some failures.
         """
@@ -319,7 +319,7 @@ class _Asked:
         return low, high
 
     def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
-        """That both ends of the bracket have one fate."""
+        """Error: both ends of the bracket have one fate."""
         other = next((each for each in self.known if each.label not in (-1, low.label)), None)
         one, another = low.verdict.told(), high.verdict.told()
         ends = f"{one} at both ends" if one == another else f"{one} at one end and to {another} at the other"
@@ -334,7 +334,7 @@ class _Asked:
         return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
 
     def alternating(self, low: _Fate, high: _Fate, value: float, width: float) -> ConvergenceError:
-        """That no value can be told, and why."""
+        """Error: fates alternate, so that no value is the boundary."""
         return ConvergenceError(
             f"{self.told(low, high)}, and between the two fates alternate more closely than rounding can tell: within "
             f"{width:.1g} of {self.vary} = {value:.15g} motions by the tolerances {ROUGH[0]:g} and {FINE[0]:g} do not have one "
@@ -355,7 +355,7 @@ class _Asked:
         return True
 
     def inside(self, *values: float) -> list[float]:
-        """Those within the bracket."""
+        """Values within the bracket."""
         return [value for value in values if self.known[0].value <= value <= self.known[-1].value]
 
 

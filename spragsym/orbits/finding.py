@@ -122,7 +122,7 @@ def cycle(
 def cycle_near(
     field: Field, values: Sequence[float], near: Any = None, backend: str | None = None, *, patient: bool = True
 ) -> Cycle:  # fmt: skip
-    """As :func:`cycle`, of any field."""
+    """:func:`cycle` of any field."""
     fly, name = carrier(field, backend)
     values = tuple(float(value) for value in values)
     if isinstance(near, Cycle):
@@ -265,7 +265,7 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
 
 
 def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> str:
-    """That the first coordinate stands still while others move, in words; empty where it moves, or nothing does.
+    """Reason: the first coordinate stands still while others move; empty where it moves, or nothing does.
 
     Returns of a motion are looked at where its first coordinate is largest: there are none then.
     """

@@ -1,4 +1,4 @@
-"""Where an orbit only touches a border: the number of kinks on it changes there."""
+"""Grazing: an orbit only touches a border, and the number of its kinks changes."""
 
 from __future__ import annotations
 

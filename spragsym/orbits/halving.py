@@ -1,4 +1,4 @@
-"""Where a branch of doubled cycles ends: its two halves become one, on the cycle of half the period, which doubles there."""
+"""Ends of branches of doubled cycles: the two halves become one, on the cycle of half the period, which doubles there."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happens on a branch between two of its points: test functions that change sign, and levels that do."""
+"""Events of a branch between two of its points: test functions that change sign, and levels that are passed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What motions come to over a grid of parameters: each point by the rules of :func:`spragsym.fate`, resumable."""
+"""Maps of fates over a grid of parameters: each point by the rules of :func:`spragsym.fate`, resumable."""
 
 from __future__ import annotations
 

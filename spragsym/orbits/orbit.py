@@ -263,7 +263,7 @@ def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
 
 
 def refined(loop: Loop, fly: Fly) -> Loop:
-    """The same orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
+    """The orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
     field = loop.field
     begin, pieces, known = _top(loop), len(loop.guess.states), loop
     while True:

@@ -24,7 +24,7 @@ FAR = 30
 
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
-    """As :meth:`CycleBranch.switch` says."""
+    """The cycle of :meth:`CycleBranch.switch`."""
     from .branch import MERGES
 
     cycle = event.cycle

@@ -125,7 +125,7 @@ def fate(
 
 
 def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None = None) -> Fate:
-    """As :func:`fate`, of any field; a motion that can't be followed is undecided, with the reason."""
+    """:func:`fate` of any field; a motion that can't be followed is undecided, with the reason."""
     try:
         return _followed(field, values, start, t_end, backend)
     except ConvergenceError as failed:

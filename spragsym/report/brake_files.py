@@ -211,7 +211,7 @@ class _Reader:
             self.refuse("may_change", str(error), error)
 
     def _rise(self, vary: Any, begin: Any, kind: Quantities, values: Mapping[str, float]) -> Rise | None:
-        """What rises."""
+        """The loading parameter."""
         if not isinstance(vary, str | None):
             self.refuse("vary", f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
         start = begin

@@ -1,4 +1,4 @@
-"""What is so with a brake, computed once: sentences, rows and pages say these facts, and decide nothing themselves."""
+"""Facts about a brake, computed once: sentences, rows and pages say these, and decide nothing themselves."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ class Asked:
 class FoldRow:
     """One fold, or another point at which states meet.
 
-    ``friction``, ``inclination_deg`` or ``value``, of what rises in SI, is where, the others None; ``ends`` and ``when`` are as
-    of :class:`~spragsym.Points`. ``before`` and ``after`` are the coordinates in the units of the file, of which those after are
-    NaN where nothing is left.
+    ``friction``, ``inclination_deg`` or ``value``, of the loading parameter in SI, is where, the others None; ``ends`` and
+    ``when`` are as of :class:`~spragsym.Points`. ``before`` and ``after`` are the coordinates in the units of the file, of which
+    those after are NaN where nothing is left.
     """
 
     kind: str
@@ -192,7 +192,7 @@ class Facts:
 
     @cached_property
     def others(self) -> tuple[tuple[dict[str, float], float | None], ...]:
-        """Other stable states, by coordinate and unit, and where each ends as what rises goes on; NaN if nowhere."""
+        """Other stable states, by coordinate and unit, and where each ends as the loading parameter goes on; NaN if nowhere."""
         found = others(self.study, self._equilibria, self._here)
         if self._here is None and self.study.rise is None:
             self.remarks.append("which of the states the brake is in is not known: nothing is said to rise to where it is")
@@ -207,7 +207,7 @@ class Facts:
 
     @cached_property
     def folds(self) -> dict[str, Points]:
-        """Folds along what rises and along the inclination, where they are known."""
+        """Folds along the loading parameter and along the inclination, where they are known."""
         study, rise = self.study, self.study.rise
         sets = {} if rise is None else {rise.name: study.dimensionless if study.of_friction else study.at_work}
         sets |= {"theta0": study.at_work} if "theta0" in study.at_work.model.parameters else {}
@@ -223,7 +223,7 @@ class Facts:
 
     @cached_property
     def fold_rows(self) -> tuple[FoldRow, ...]:
-        """The same, one by one."""
+        """Rows of folds, one by one."""
         rows, study = [], self.study
         for vary, found in self.folds.items():
             for i, value in enumerate(getattr(found, vary).tolist()):
@@ -240,7 +240,7 @@ class Facts:
 
     @property
     def complete(self) -> bool:
-        """Whether states and folds along what rises are proved to be all there are."""
+        """Whether states and folds along the loading parameter are proved to be all there are."""
         rise = self.study.rise
         return bool(self._equilibria.complete and (rise is None or (rise.name in self.folds and self.folds[rise.name].complete)))
 
@@ -303,12 +303,12 @@ class Facts:
 
     @property
     def target(self) -> float:
-        """The value of what rises that changes are for; of friction at full slip, if it jumps only there."""
+        """The value of the loading parameter that changes are for; of friction at full slip, if it jumps only there."""
         return self.asked.safety * self.largest
 
     @property
     def largest(self) -> float:
-        """The largest value of what rises to which that refers."""
+        """The largest value of the loading parameter to which that refers."""
         return (self.study.full if self.reach == "faster" else self.study.working)[2]
 
     @cached_property

@@ -51,7 +51,7 @@ def depends_on(study: Study) -> tuple[str, ...]:
 
 
 def rising(study: Study) -> set[str]:
-    """Those of them along which it is proved not to fall, over all tolerances."""
+    """Quantities along which friction is proved not to fall, over all tolerances."""
     if not study.kind.about["friction"]:
         return set()
     law = _Law(study)

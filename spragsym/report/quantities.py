@@ -54,7 +54,7 @@ class Quantities:
         return {name: values[quantity] / self.scale(self.units[quantity], values) for name, quantity in given}
 
     def parameter_set(self, values: Mapping[str, Any]) -> Any:
-        """The same as the model's parameters."""
+        """The values as the model's parameters."""
         return self.model.Parameters(**self.groups(values))
 
     def ranges(self, values: Mapping[str, Any] | None = None) -> dict[str, Range]:
@@ -80,7 +80,7 @@ class Quantities:
 
     @cached_property
     def of_statics(self) -> tuple[str, ...]:
-        """The same, and those of the friction that works at rest: all on which the states of a model depend."""
+        """Quantities on which the states depend: those of the balance and of the friction that works at rest."""
         friction = ("mu0",) if self.law["at_rest"] == "mu0" else self.law["quantities"]
         return self._ordered({*self.balanced, *friction})
 
@@ -113,7 +113,7 @@ def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
 
 
 def quantities(name: str) -> Quantities:
-    """Those of a model by its name, or its folder."""
+    """Quantities of a model by its name, or its folder."""
     return _of(load(name))
 
 

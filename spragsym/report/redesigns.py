@@ -1,4 +1,4 @@
-"""What to change, so that the jump lies beyond a target: single quantities, and the least joint change, with certificates.
+"""Changes that move the jump beyond a target: single quantities, and the least joint change, with certificates.
 
 A value is rounded to what stands in the report, away from the old one, and verified as it stands there. A change that a brake
 within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing.
@@ -135,7 +135,7 @@ class _Search:
         return None
 
     def singles(self) -> list[Change]:
-        """Of single quantities the nearest values that keep the target, of as many as are asked for."""
+        """Nearest values of single quantities that keep the target, of as many as are asked for."""
         starts, found = {name: self._starts(name) for name in self.names}, list[Change]()
         for name in sorted((name for name in self.names if starts[name]), key=lambda name: self._off(name, starts[name][0][0])):
             change = self._nearest(name, starts[name]) if len(found) < self.effort.most else None
@@ -183,7 +183,7 @@ class _Search:
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
         study, rise = self.study, self.study.rises
-        # Where a unit of what rises changes, the target is another one of its parameter.
+        # Where a unit of the loading parameter changes, the target is another one of its parameter.
         free = [name for name in self.names if not study.kind.powers(study.kind.units[rise.quantity]).get(name)]
         names = tuple(name for name in free if name in study.tolerances)
         try:

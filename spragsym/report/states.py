@@ -185,7 +185,7 @@ def _forces(study: Study, ends: Mapping[str, tuple[float, float]]) -> tuple[Any,
 
 
 def _extremes(p: Any, states: FloatArray) -> dict[str, tuple[float, float]]:
-    """Of each force the least and the largest over states of a motion."""
+    """Least and largest value of each force over states of a motion."""
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     told = {name: np.asarray(force(states, constants)) for name, force in forces.told_of(p.model).items()}
     return {name: (float(force.min()), float(force.max())) for name, force in told.items()}
@@ -205,7 +205,8 @@ def states(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
 
 
 def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tuple[tuple[dict[str, float], float | None], ...]:
-    """Other stable states of ``eq`` than the one that is ``here``: each place in units, and where it ends as what rises goes on.
+    """Other stable states of ``eq`` than the one that is ``here``: each place in units, and where it ends as the loading
+    parameter goes on.
 
     Where it ends is told as the jump is; NaN where it does not, None where that is not known, or nothing rises.
     """
@@ -224,7 +225,9 @@ def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
 def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
     """The coordinates of the state that the brake is in; None where that can't be said.
 
-    It is the one that is reached from small deformation as what rises does; where nothing is said to, the only one of ``eq``.
+
+    It is the one that is reached from small deformation as the loading parameter rises; where nothing is said to, the only one of
+    ``eq``.
     """
     if study.rise is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
@@ -293,10 +296,10 @@ def jump_peak(study: Study, value: float, jump: float, speed: float) -> JumpPeak
 
     Notes
     -----
-    Source: the equations of motion, (8)–(11), at the belt's speed, where what rises is at the jump: friction by the μ₀ at which
-    that works; where no μ₀ within the tolerances is enough, at the largest and the speed at which it is. The motion begins at
-    rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is left, and the others
-    are balanced; forces are looked at over equal steps of time.
+    Source: the equations of motion, (8)–(11), at the belt's speed, where the loading parameter is at the jump: friction by the
+    μ₀ at which that works; where no μ₀ within the tolerances is enough, at the largest and the speed at which it is. The
+    motion begins at rest, where the coordinate that moves most is a hundredth of the way from the fold to the state that is left,
+    and the others are balanced; forces are looked at over equal steps of time.
     """
     rise, at = study.rises, _moving(study, value, jump, speed)
     if at is None:

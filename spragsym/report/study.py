@@ -1,4 +1,4 @@
-"""A brake: its data with units and tolerances, what rises until it jumps, and the friction that works."""
+"""A brake: its data with units and tolerances, the loading parameter, and the friction that works."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ PLAIN_UNITS: Mapping[str, str] = {"N/m": "N/mm", "m": "mm", "rad": "deg", "1": "
 
 @dataclass(frozen=True)
 class Rise:
-    """What rises: its quantity in the file, the parameter that it is in the model, and from where it rises, in SI.
+    """The loading parameter: its quantity in the file, the parameter that it is in the model, and from where it rises, in SI.
 
     Friction is told as the friction of the law, of which :mod:`~spragsym.report.friction` says how much works; of any other
     quantity values are told as they are, in SI, and the friction stays.
@@ -65,7 +65,7 @@ class Rise:
 
 
 def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Mapping[str, float]) -> Rise | None:
-    """What rises: the quantity that is named, else the friction at full slip; None for a model without it.
+    """The loading parameter: the quantity that is named, else the friction at full slip; None for a model without it.
 
     ``begin`` and the quantities are in SI; without it the quantity rises from its least value. Refused are what is no
     quantity, or one on which no state depends; one that has no least value, without ``begin``; and a ``begin`` that is not
@@ -76,7 +76,7 @@ def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Map
             raise ParameterError(f"begin = {begin!r} says from where a quantity rises; give vary, its name, too")
         return Rise("mu0", "mu0", 0.0) if "mu0" in kind.parameters else None
     if vary not in kind.may_rise:
-        cure = hint(vary, kind.may_rise) or f"; what may rise is {', '.join(kind.may_rise)}"
+        cure = hint(vary, kind.may_rise) or f"; a loading parameter is one of {', '.join(kind.may_rise)}"
         raise ParameterError(f"vary = {vary!r} is no quantity of {kind.model.where} on which its states depend, or a unit{cure}")
     allowed = kind.ranges(values)[vary]
     if begin is None and not allowed.contains(allowed.low):
@@ -131,7 +131,7 @@ class Study:
     fit : FrictionFit or None
         The fit of the friction law, if it was measured.
     rise : Rise or None
-        What rises until the state jumps; None for a model without mu0 of which that is not said.
+        The loading parameter until the state jumps; None for a model without mu0 of which that is not said.
 
     Examples
     --------
@@ -252,7 +252,7 @@ class Study:
 
     @cached_property
     def at_work(self) -> Any:
-        """The same with the μ₀ with which statics has the friction that works, where the model has one."""
+        """The brake with the μ₀ with which statics has the friction that works, where the model has one."""
         p = self.dimensionless
         return p.replace(mu0=self.fraction * p.mu0) if "mu0" in p.model.parameters else p
 
@@ -298,7 +298,7 @@ class Study:
 
     @property
     def rises(self) -> Rise:
-        """What rises, of a study of which something does."""
+        """The loading parameter, of a study of which something does."""
         assert self.rise is not None
         return self.rise
 
@@ -309,7 +309,7 @@ class Study:
 
     @property
     def working(self) -> tuple[float, float, float]:
-        """What rises, where the brake works: least, as drawn, and largest within the tolerances."""
+        """The loading parameter, where the brake works: least, as drawn, and largest within the tolerances."""
         if self.rise is None or self.of_friction:
             return self.friction
         one = self.quantities[self.rise.quantity]
@@ -317,7 +317,7 @@ class Study:
 
     @property
     def full(self) -> tuple[float, float, float]:
-        """The same of the friction at full slip."""
+        """The friction at full slip."""
         if not self.of_friction:
             return self.working
         one = self.quantities["mu0"]
@@ -341,7 +341,7 @@ class Study:
         return found if values else float(found)
 
     def along(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """What rises as arguments of the model's questions, which take friction at full slip unless told otherwise."""
+        """The loading parameter as arguments of the model's questions, which take friction at full slip unless told otherwise."""
         return {} if self.of_friction else {"vary": self.rises.name, "begin": self.begins(values or self.values)}
 
     def jump(self) -> float:
@@ -349,7 +349,7 @@ class Study:
         return float(ss.jump_value(self.dimensionless if self.of_friction else self.at_work, **self.along()))
 
     def risen(self, values: Mapping[str, Any], target: float | None) -> Any:
-        """Parameters of brakes, by their quantities in SI, where what rises is at a target, or at the own value that works."""
+        """Parameters of brakes, by their quantities in SI, with the loading parameter at a target, or at its own value."""
         if target is not None and not self.of_friction:
             values = {**values, self.rises.quantity: target}
         p = self.placed(self.kind.parameter_set(values))
@@ -383,13 +383,13 @@ class Study:
         return f"{self.belt} = {self.shown(self.belt, speed, digits)}"
 
     def amount(self, value: float, digits: int = 4) -> str:
-        """A value of what rises: a friction as a number, a quantity with its unit."""
+        """A value of the loading parameter: a friction as a number, a quantity with its unit."""
         if self.rise is None or self.of_friction:
             return f"{value:.{digits}g}"
         return self.shown(self.rise.quantity, value, digits)
 
     def named(self, value: float, digits: int = 4) -> str:
-        """The same in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
+        """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
         return f"{'a friction of' if self.of_friction else f'{self.rises.quantity} ='} {self.amount(value, digits)}"
 
     @property

@@ -52,7 +52,7 @@ def _on_others(report: Report) -> str:
 def followed_state(study: Study) -> str:
     """What the state is called that is followed."""
     if not study.state:
-        return "the state of small deformation"
+        return "the reference state"
     units = {entry["name"]: entry["unit"] for entry in study.kind.about["coordinates"]}
     shown = {"rad": ("deg", math.degrees(1.0)), "m": ("mm", 1e3)}
     near = ", ".join(
@@ -184,7 +184,7 @@ def sections(report: Report) -> list[tuple[str, list[tuple[str, str]]]]:
 
 
 def _jump(report: Report) -> Rows:
-    """The friction, where it jumps as what rises does, and how far that is."""
+    """The friction, where it jumps as the loading parameter rises, and how far that is."""
     study, rise, (low, works, high) = report.study, report.study.rise, report.study.friction
     if study.kind.about["friction"]:
         yield "friction at the belt's speed", f"{works:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else "")

@@ -39,7 +39,7 @@ def outward(one: Measured, scale: float, off: float) -> tuple[float, float]:
 
 
 def sides(study: Study) -> dict[str, tuple[str, float]]:
-    """Of each parameter, and of each unit, the quantity that it is, and what one of it is in SI."""
+    """For each parameter and each unit the quantity that it is, and its unit in SI."""
     kind = study.kind
     return {f"{base}/{base}_0": (base, study.values[base]) for base in kind.bases} | {
         name: (quantity, study.scale(kind.units[quantity])) for quantity, name in kind.parameters.items()

@@ -1,4 +1,4 @@
-"""What varies within the tolerances of a brake: brakes at shares of it, corners in which all lie, proofs and probabilities."""
+"""Variation within the tolerances of a brake: brakes at shares of it, corners, proofs and probabilities."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ _CLOSED = Effort(
 
 
 def effort(study: Study) -> Effort:
-    """That of the study's model, whose closed forms are of rising friction."""
+    """Effort for the study's model, whose closed forms are of rising friction."""
     closed = has_closed_form(first_ends, study.at_work) and (study.rise is None or study.of_friction)
     return _CLOSED if closed else Effort()
 
@@ -88,7 +88,7 @@ def deciding(study: Study) -> tuple[str, ...]:
 
 
 def varied(study: Study) -> list[str]:
-    """Those of them that have a tolerance."""
+    """Quantities that have a tolerance."""
     return [name for name in deciding(study) if study.quantities[name].varies]
 
 
@@ -135,7 +135,7 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
 
 
 def ending(study: Study, values: Mapping[str, Any], target: float | None = None, *, hasty: bool = False) -> FloatArray:
-    """The same of brakes by their quantities in SI: up to a target, or up to the own value of each that works."""
+    """Whether brakes, by their quantities in SI, jump: up to a target, or up to the own value of each that works."""
     found: FloatArray = have_jumped(study.risen(values, target), **study.along(values), hasty=hasty)
     return found
 

@@ -102,7 +102,7 @@ class Measured:
         return ndtr((value - self.value) / self.sd) if self.sd else value
 
     def scaled(self, value: float, share: bool) -> Measured:
-        """The same tolerance about another value, as a share of it, or as it is."""
+        """The tolerance about another value, as a share of it, or as it is."""
         by = value / self.value if share and self.value else 1.0
         low, high = (value + by * (end - self.value) for end in (self.low, self.high))
         return Measured(value, low, high, self.unit, by * self.sd, self.cut)

@@ -1,1 +1,1 @@
-"""What is known of equilibria, and of the points, curves and paths on which they change: one class each, for every model."""
+"""Results on equilibria, and on the points, curves and paths on which they change: one class each, for every model."""

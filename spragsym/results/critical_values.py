@@ -1,4 +1,4 @@
-"""Where the lowest end of a followed state comes to a given friction, as another parameter moves: one search for every model."""
+"""Critical value of a parameter: the lowest end of a followed state reaches a given friction; one search for every model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def value_at(
 ) -> float:  # fmt: skip
     """The value in a bracket of ``vary`` at which ``lowest`` of it, infinite where there is no end, has a level.
 
-    That is the name and the value of what rises to the end.
+    That is the name and the value of the loading parameter to the end.
     """
     from scipy.optimize import brentq
 

@@ -1,4 +1,4 @@
-"""What is known of the equilibria of many points: one class for every model, however they were found."""
+"""Equilibria of many points: one class for every model, however they were found."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Source(Protocol):
         """The full linearization of some states, by their indices into the columns: ``growth``, ``kind`` and ``eigenvalues``."""
 
     def held(self, columns: Mapping[str, NDArray[Any]]) -> Source:
-        """The same with these columns made, for a file."""
+        """The source with these columns made, for a file."""
 
 
 @dataclass(frozen=True, eq=False)

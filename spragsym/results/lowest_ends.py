@@ -46,7 +46,7 @@ class LowestEnd(Shown, NDArrayOperatorsMixin):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of the parameters."""
+        """Shape of the parameters."""
         return np.shape(self.value)
 
     def __getattr__(self, name: str) -> Any:

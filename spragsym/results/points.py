@@ -26,7 +26,7 @@ class Ended(Result):
 
 
 def nothing_ends(points: Points) -> Ended:
-    """As if no point were a fold."""
+    """Columns for points of which none is a fold."""
     ends, when = np.full((2, len(points)), "", dtype="<U9")
     return Ended(ends, when, {name: np.full(len(points), np.nan) for name in points.columns})
 

@@ -1,4 +1,4 @@
-"""What every result can do: show itself, give its columns, be written to a file and be drawn."""
+"""Base of results: shown as a table, given as columns, written to a file and drawn."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class Result(Shown):
         save(self, path)
 
     def _for_file(self) -> Result:
-        """The same with all that is made when it is asked for: data alone."""
+        """The result with all columns made: data alone."""
         return self
 
     def _save_columns(self, path: Path) -> None:

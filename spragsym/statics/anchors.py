@@ -69,7 +69,7 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
 
 
 def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
-    """Of all springs, or as ``"torsions"`` of all torsion springs, shape (springs, points)."""
+    """Stiffnesses of all springs, or for ``"torsions"`` of all torsion springs, shape (springs, points)."""
     values = balance.arguments(balance.prepared(Intervals.point(given)))
     return stacked(balance.of_no_place(name, values), given.shape[1:])
 
@@ -120,7 +120,7 @@ def _of_points(system: Polar, given: FloatArray, around: FloatArray, points: NDA
 
 
 def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-    """Of each point: the region in the unknowns, the scale, and whether the length stays away from 0."""
+    """For each point the region in the unknowns, the scale, and whether the length stays away from 0."""
     balance, shape = system.balance, given.shape[1:]
     values = balance.arguments(balance.prepared(Intervals.point(given)))
     stiffnesses = balance.of_no_place("stiffnesses", values)

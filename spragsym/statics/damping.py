@@ -1,4 +1,4 @@
-"""What damps a model: dampers and the slope of the friction law, which coordinates, and whether K is symmetric."""
+"""Damping of a model: dampers and the slope of the friction law, the damped coordinates, and whether K is symmetric."""
 
 from __future__ import annotations
 

@@ -98,7 +98,7 @@ class Polar(boxes.System):
     tight: bool
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """As for the balance, with the scale behind."""
+        """Prepared parameters of the balance, with the scale last."""
         return Intervals(np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1))
 
     def place(self, unknowns: Sequence[Any], values: Mapping[str, Any], scale: Any, kind: Kind) -> Place:
@@ -135,7 +135,7 @@ class Polar(boxes.System):
     def rows_at(
         self, q: Sequence[Any], directions: Sequence[Any], elongation: Any, values: Mapping[str, Any], kind: Kind
     ) -> list[Any]:
-        """The same in a place with directions."""
+        """Rows in a place with directions."""
         stiffnesses = self.balance.of_no_place("stiffnesses", values, kind.xp)
         c, s, length = directions[3 * self.spring : 3 * self.spring + 3]
         forces = self.other_forces(q, directions, values, stiffnesses, kind)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..numerics.interval_arrays import FloatArray
 from ..results.equilibria import Equilibria, Stability
-from .foremost import foremost
+from .tie_breaking import least_slot
 
 #: Strain energies that differ by less than this, relative to the largest, are equal: those of mirror images differ by rounding.
 EQUAL = 1e-9
@@ -46,10 +46,10 @@ def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None
 def chosen_state(
     model: Any, p: Any, q: Sequence[FloatArray], error: FloatArray, among: NDArray[np.bool_], near: Mapping[str, float] | None
 ) -> NDArray[np.intp]:
-    """The same of coordinates, one array each with slots last, bounds on their errors, and the slots to choose from."""
+    """The chosen state from coordinates, slots last, bounds on their errors, and the slots to choose from."""
     if near is not None:
         off = np.linalg.norm([q[model.coordinates.index(name)] - value for name, value in near.items()], axis=0)
-        return foremost(np.where(among, off, np.inf), np.array(q), error)
+        return least_slot(np.where(among, off, np.inf), np.array(q), error)
     (_, point), *_ = model.cases()
     missing = {
         name: getattr(point, name) for name in model.parameters if getattr(p, name) is None
@@ -72,7 +72,7 @@ def chosen_state(
     sizes = np.where(np.isfinite(strain), np.abs(strain), 0.0).max(axis=-1, keepdims=True, initial=0.0)
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
     least = strain <= strain.min(axis=-1, keepdims=True, initial=np.inf) + EQUAL * largest
-    return foremost(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
+    return least_slot(np.where(least & among, np.abs(q[0]), np.inf), np.array(q), error)
 
 
 def _expanded(energy: Callable[..., FloatArray], n: int) -> tuple[FloatArray, FloatArray]:

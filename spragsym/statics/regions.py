@@ -120,7 +120,7 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray
 
 
 def _in_pieces(balance: Balance, bounds: Intervals, known: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """The same of points that are boxes of parameters, as hulls of those of parts of these; by scales where there is no bound."""
+    """Regions of boxes of parameters, as hulls over parts of these; by scales where there is no bound."""
     count = bounds.shape[1]
     by_scales = np.where(known < FAR * 1e-6, known, np.minimum(NEAR * _scales(balance, bounds), balance.border[:, :, None]))
     hulls = np.full((2, balance.n, count), -np.inf)
@@ -147,7 +147,7 @@ def _halved(bounds: Intervals, row: int) -> Intervals:
 
 
 def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
-    """Of each point the largest length that the model has: of springs, to anchors, to where forces balance; at least 1."""
+    """For each point the largest length of the model: of springs, to anchors, to where forces balance; at least 1."""
     scale = np.ones(bounds.shape[1])
     origin = np.zeros((balance.n, bounds.shape[1]))
     with np.errstate(all="ignore"):

@@ -1,4 +1,4 @@
-"""What is known of boxes that are left undecided, and of all that was not searched, in plain words: a reason for each."""
+"""Reasons for undecided boxes, and for all that was not searched, in plain words."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def summed(kinds: Sequence[str]) -> tuple[str, ...]:
 
 
 def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> list[str]:
-    """Of what kind each box is: where it is, and what is known of it.
+    """Kind of each box: where it is, and what is known of it.
 
     Parameters
     ----------

@@ -19,7 +19,6 @@ from ..questions import question
 from ..results.equilibria import Equilibria, Undecided
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
-from .foremost import in_order
 from .mechanics.balance import Balance
 from .mechanics.border import on_its_side
 from .mechanics.forces import Model
@@ -33,6 +32,7 @@ from .mechanics.precise_balance import (
 from .regions import by_hand, region
 from .remarks import kinds_of, of_region, summed
 from .states import Held
+from .tie_breaking import in_order
 
 #: Relative width of boxes down to which a point is searched; what is left is looked at with many digits.
 NARROW = 2.0**-19

@@ -25,7 +25,7 @@ TOGETHER = 1 << 14
 
 @dataclass(frozen=True)
 class Types:
-    """Of N states: codes, whether each is proved, and the 2 n roots without damping."""
+    """Stability of N states: codes, whether each is proved, and the 2 n roots without damping."""
 
     stability: NDArray[np.int8]
     proved: NDArray[np.bool_]
@@ -34,7 +34,7 @@ class Types:
 
 @dataclass(frozen=True)
 class Linearized:
-    """Of N states by the full linearization, with dampers and the slope of the friction law."""
+    """N states by the full linearization, with dampers and the slope of the friction law."""
 
     growth: FloatArray  #: largest real part of the λ
     sign: NDArray[np.int8]  #: 1 where it is proved that something grows, −1 that nothing does, 0 where neither is
@@ -54,7 +54,7 @@ class Linearized:
 
 
 def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
-    """Of some states, by their indices into the columns; ``around`` are boxes around all states, and around each alone, if known.
+    """The full linearization at some states, by their indices; ``around`` are boxes around all states, and around each alone.
 
     Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see
     :mod:`spragsym.statics.spectrum`.

@@ -23,13 +23,13 @@ class Linearizing:
     around: tuple[FloatArray, FloatArray] | None = None
 
     def linearized(self, eq: Equilibria, states: tuple[NDArray[np.int64], ...]) -> Linearized:
-        """Of some states, by their indices into the columns."""
+        """The linearization of some states, by their indices into the columns."""
         from .stability import linearized  # closed forms answer without it
 
         return linearized(eq, states, self.around)
 
     def held(self, columns: Mapping[str, NDArray[Any]]) -> Held:
-        """The same with these columns made, for a file."""
+        """The source with these columns made, for a file."""
         return Held(columns, self.around)
 
 
@@ -53,13 +53,13 @@ def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.i
 
 
 def as_decided(eq: Equilibria, point: int) -> Equilibria:
-    """The same along one axis of points, one of them decided otherwise: it has the states that are known, and no others."""
+    """The equilibria with one point decided: it has the states that are known, and no others."""
     left = tuple(box for box in eq.undecided if box.index != (point,))
     return replace(eq, decided=eq.decided | (np.arange(eq.count.size) == point), undecided=left)
 
 
 def with_state(eq: Equilibria, point: int, state: Mapping[str, float], stability: int, error: float) -> Equilibria:
-    """The same along one axis of points, with one more state of one of them that is known otherwise: its coordinates."""
+    """The equilibria with one more state of one point, given by its coordinates."""
     slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
     new: dict[str, Any] = {**state, "stability": stability, "error": error, "marginal": True}
 

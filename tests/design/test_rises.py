@@ -1,4 +1,4 @@
-"""What rises until the state jumps, where that is not the friction: a load on a truss, the preload of the article's brake.
+"""Loading parameters other than friction: a load on a truss, the preload of the article's brake.
 
 The truss snaps where P(u) = k u (l/r − 1), r² = b² + u², has its maximum over the height u that is left: r³ = l b².
 """

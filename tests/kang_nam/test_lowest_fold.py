@@ -92,7 +92,7 @@ def test_fifty_digits_by_another_way(seed: int) -> None:
 
 
 def test_the_state_ends_nowhere_where_the_spring_leans_backward() -> None:
-    """θ₀ ≥ π/2: no friction makes the state of small deformation jump, and cusps there are not counted."""
+    """θ₀ ≥ π/2: no friction makes the reference state jump, and cusps there are not counted."""
     rng = np.random.default_rng(29)
     sets = [random_fixed(rng) for _ in range(40)]
     values = {name: np.array([float(getattr(p, name)) for p in sets])[:, None] for name in FIXED}

@@ -158,7 +158,7 @@ def _changes() -> tuple[tuple[sp.Expr, ...], ...]:
 def _in_differences() -> tuple[sp.Expr, ...]:
     """q sin θ F_x as a sum over springs: the inclined one, the one along the belt, and friction."""
     if not all(step.holds for step in theorem.smallest_without_friction()):
-        raise ArithmeticError("the state of small deformation without friction is not what certificates over boxes take it to be")
+        raise ArithmeticError("the reference state without friction is not what certificates over boxes take it to be")
     c, s, c0, s0, B = nm.c, nm.s, nm.c0, nm.s0, nm.B
     rise, push = B * (s - s0) - nm.kappa, -(nm.sigma * (s - s0) + nm.kappa)
     along = B * (s * c0 - c * s0) + nm.sigma * s * (c0 - c) - nm.kappa * c

@@ -11,6 +11,6 @@ export function lowestFold(shapes) {
   }
   const { theta0, mu0, kind } = shapes.lowest;
   return kind
-    ? `Lowest fold that ends the state of small deformation: μ₀ = ${written(mu0, 6)} at θ₀ = ${written(degrees(theta0), 5)}°, ${KINDS[kind]}. Below that friction it jumps at no inclination (in double precision, not proved).`
-    : "No fold ends the state of small deformation, at any inclination and friction (in double precision, not proved).";
+    ? `Lowest fold that ends the reference state: μ₀ = ${written(mu0, 6)} at θ₀ = ${written(degrees(theta0), 5)}°, ${KINDS[kind]}. Below that friction it jumps at no inclination (in double precision, not proved).`
+    : "No fold ends the reference state, at any inclination and friction (in double precision, not proved).";
 }

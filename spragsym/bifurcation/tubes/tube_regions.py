@@ -91,7 +91,7 @@ class Parts(ByColumn):
     half: FloatArray
 
     def middles(self) -> Parts:
-        """The same without width."""
+        """Regions of zero width: their midpoints."""
         return replace(self, half=np.zeros_like(self.half))
 
 
@@ -121,7 +121,7 @@ class Place(ByColumn):
         return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
 
     def region(self) -> Region:
-        """The same, as the slopes over it are asked for."""
+        """The region over which slopes are evaluated."""
         return Region(self.box(), self.z, np.zeros_like(self.z), np.zeros(self.z.shape[1]), self.by_p, self.off)
 
     def lies_in(self, other: Place, n: int, shift: Any = 0.0, turned: Any = 0.0) -> Flags:

@@ -46,7 +46,7 @@ class Slopes:
 
 
 def of_intervals(slopes: Intervals) -> Slopes:
-    """Of a matrix of intervals, shape (n, n + 1 + free, N)."""
+    """Slopes from a matrix of intervals, shape (n, n + 1 + free, N)."""
 
     def newton(*given: Any) -> FloatArray:
         return contractors.newton(*given).ends
@@ -60,7 +60,7 @@ def _same(value: Any) -> Any:
 
 
 def of_affine(rows: Sequence[Sequence[Any]], others: Sequence[int], shape: tuple[int, ...]) -> Slopes:
-    """Of rows of affine numbers, multiplied by the inverse of their middles before anything is taken for an interval."""
+    """Slopes from rows of affine numbers, multiplied by the inverse of their midpoints before they become intervals."""
     middles = np.array([[_middle(row[j], shape) for j in others] for row in rows])
     Y, zero = contractors.inverse(middles), Affine(np.zeros(shape), np.zeros((1, *shape)))
     n = range(len(rows))

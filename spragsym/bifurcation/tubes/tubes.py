@@ -76,14 +76,14 @@ class Tubes:
             return matrix(self._rows(q, directions, values, XP, self._moving(parts)), shape)
 
     def over(self, parts: Parts, region: Region, pivot: int) -> Slopes:
-        """The same over regions, ready to be solved for all but the pivot: affine where parameters have a width."""
+        """Slopes over regions, solved for all unknowns but the pivot: affine where parameters have a width."""
         if not parts.half.any():
             return of_intervals(self.slopes(parts, region.box))
         with np.errstate(all="ignore"):
             return of_affine(self.affine_slopes(parts, region), self._others(pivot), parts.half.shape[1:])
 
     def affine_slopes(self, parts: Parts, region: Region) -> list[list[Any]]:
-        """The same in affine arithmetic, by row and column."""
+        """Slopes in affine arithmetic, by row and column."""
         apart, shape = self.apart(parts), parts.half.shape[1:]
         z = region.numbers(apart)
         fixed = zip(self.balance.parameters, parts.fixed, strict=True)
@@ -96,7 +96,7 @@ class Tubes:
         return affine_rows(self.balance, values, z[: self.n], self._turnings(parts, region), self._moving(parts))
 
     def _turnings(self, parts: Parts, region: Region) -> list[Intervals]:
-        """Of torsion springs, in intervals."""
+        """Angles of torsion springs, in intervals."""
         if not self.balance.torsions:
             return []
         values = self.balance.arguments(self._bounds(parts, region.box[self.n]))
@@ -345,7 +345,7 @@ class Tubes:
     def _passed(
         self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, sharp: bool, over: bool = True
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """As :meth:`passed`, for one pivot; ``over`` says whether the tube goes over the fold, or up to it only."""
+        """:meth:`passed` for one pivot; ``over`` says whether the tube goes over the fold, or up to it only."""
         towards, straight = np.sign(by_v), np.abs(by_v * (goal - start.z[self.n]))
         by_s, by_p = self.tangents(parts, start.z, pivot)
         safe, top, highest = start.z[self.n].copy(), np.full(goal.size, np.inf), np.full(goal.size, -np.inf)

@@ -1,1 +1,1 @@
-"""Where states meet, vanish and flutter: the surface, folds, cusps and onsets, all without a guess."""
+"""Bifurcations of the article's model in closed form: surface, folds, cusps and onsets, all complete."""

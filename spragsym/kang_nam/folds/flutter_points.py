@@ -1,4 +1,4 @@
-"""Where flutter sets in: all onsets at one friction, proved complete, and the curves of onsets in the plane of θ₀ and μ₀."""
+"""Onsets of flutter: all onsets at one friction, proved complete, and the curves of onsets in the plane of θ₀ and μ₀."""
 
 from __future__ import annotations
 

@@ -80,7 +80,7 @@ class Elimination:
 
     @cached_property
     def simple(self) -> tuple[int, ...]:
-        """The same roots, each once."""
+        """The roots, each once."""
         return polynomials.without(self.full, self.repeated)
 
     def roots(self, bits: int) -> list[Root]:

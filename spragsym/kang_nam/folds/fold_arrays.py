@@ -221,7 +221,7 @@ def _kept(
     side: NDArray[np.int8],
     upper: NDArray[np.int8],
 ) -> FoldArrays:
-    """Those in contact with the value in its range; a sign that is needed and open makes the point undecided."""
+    """Candidates in contact with the value in its range; a sign that is needed and open makes the point undecided."""
     L, _, y = kernel.state(*angles, here["kappa"], here["sigma"], here["beta"], 1)
     tests = [value.sign(), L.sign(), -y.sign(), angles[3].sign()]
     out = functools.reduce(np.logical_or, [test < 0 for test in tests])

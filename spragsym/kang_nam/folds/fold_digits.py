@@ -55,7 +55,7 @@ def _around(value: float, error: float) -> Interval:
 
 
 def _narrower(one: Interval, other: Interval) -> Interval:
-    """That of two which says more; the number is in both."""
+    """The intersection of two enclosures of one number."""
     (low, high), (begin, end) = balls.ends(one), balls.ends(other)
     return one if high - low <= end - begin else other
 

@@ -1,4 +1,4 @@
-"""Where the number of folds at a direction θ changes, or one of them has no friction: 0 < θ < π/2 in stretches, proved.
+"""Directions θ at which the number of folds changes or the friction of one is 0, isolated by proof in 0 < θ < π/2.
 
 Both happen at roots of polynomials in sin θ (derived: ``fold_events``), hence in t = tan(θ/2), which Descartes' rule isolates
 exactly. Between two of them the number of folds is that at one rational t, where it is counted exactly.
@@ -109,7 +109,7 @@ def _values(exact: Fixed, s: Fraction) -> tuple[Fraction, ...]:
 
 
 def _without_common_roots(conditions: Iterator[Polynomial]) -> Iterator[Polynomial]:
-    """The same roots, each once, and each of one polynomial only."""
+    """The roots, each once, and each of one polynomial only."""
     before: list[Polynomial] = []
     for condition in conditions:
         rest = polynomials.squarefree(condition)

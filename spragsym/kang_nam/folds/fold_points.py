@@ -54,7 +54,7 @@ def folds(
 
 
 def in_ranges(found: PointsT, between: Mapping[str, tuple[float, float]] | None) -> PointsT:
-    """Those in ranges of what varies, if there are any."""
+    """Points in the ranges of what varies, if ranges are given."""
     if between is None:
         return found
     from ...bifurcation.points import ranges  # which loads the search

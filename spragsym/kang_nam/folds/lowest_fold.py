@@ -1,4 +1,4 @@
-"""The lowest fold: the friction below which the state of small deformation jumps at no inclination."""
+"""The lowest fold: the friction below which the reference state jumps at no inclination."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ class Boxes(ByColumn):
         return out
 
     def apart(self, changes: Mapping[str, FloatArray]) -> FloatArray:
-        """The same if nothing of it cancelled: sums of sizes."""
+        """Sums of sizes: the value if nothing cancelled."""
         out = np.zeros_like(self.low)
         for side, name, slope in self._slopes():
             out[side] += np.abs(changes[name] * slope)

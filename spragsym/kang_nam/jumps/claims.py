@@ -1,4 +1,4 @@
-"""What can be certified over a box of parameters: for each claim a proof for many boxes, and a search for counterexamples."""
+"""Claims over a box of parameters: for each a proof for many boxes, and a search for counterexamples."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def _flutters(boxes: Boxes) -> Parameters | None:
 
 def _no_jump(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
     """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at another, and is 0 once between,
-    at the state of small deformation: so that is followed without a fold.
+    at the reference state: so that is followed without a fold.
 
     Candidates for the two directions come from the middle of a box, and the proof does not depend on how.
     """

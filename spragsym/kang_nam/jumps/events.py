@@ -1,4 +1,4 @@
-"""Whether the state of small deformation has jumped at the friction of each of many points: the event, not where it is.
+"""Test of whether the reference state has jumped at the friction of each of many points, without the place of the jump.
 
 Along the surface f = 0 is μ₀ a function of θ, since f is linear in it, and a fold is where that has no slope. Let θ₁ be the
 first equilibrium at μ₀ beyond the state without friction. If nothing has jumped, μ₀(θ) rises all the way between the two; and if

@@ -1,4 +1,4 @@
-"""Where the state of small deformation jumps first as one parameter moves, for many points at once.
+"""First jump of the reference state as one parameter moves, for many points at once.
 
 All folds along the parameter are found with proof (:mod:`spragsym.kang_nam.folds.fold_arrays`). Between two folds the
 equilibria keep their order in θ, and each fold says which two of them meet and on which side: so the state followed is a rank,
@@ -76,7 +76,7 @@ def require_usual(asked: Parameters | Space, vary: str, begin: FloatArray | floa
 
 
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> FirstJumps:
-    """Where the state of small deformation jumps first, with the direction of the spring on the fold at which it ends.
+    """Where the reference state jumps first, with the direction of the spring on the fold at which it ends.
 
     With ``apart_from``, an array of the shape of ``p``, a value need only be known well enough to say on which side of that
     number it lies.

@@ -1,4 +1,4 @@
-"""Which code solves many points: NumPy, or the same kernel compiled from the generated C."""
+"""Backends that solve many points: NumPy, or the same kernel compiled from the generated C."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
 
 
 def solve_widely(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
-    """As :func:`solve`, in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
+    """:func:`solve` in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
     theta0, *others = values
     u = np.float64(kernel.WIDE_ROUNDOFF)
     cos0, sin0 = cosine_and_sine(theta0)

@@ -20,7 +20,7 @@ def available() -> bool:
 
 
 def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
-    """As :func:`.block.solve` in float64: write settled points to ``out`` and return which are not settled.
+    """:func:`.block.solve` in float64: write settled points to ``out`` and return which are not settled.
 
     ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
     """
@@ -30,7 +30,7 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
 
 
 def solve_widely(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
-    """The same in double-double arithmetic, as :func:`.block.solve_widely`."""
+    """:func:`.block.solve_widely`: double-double arithmetic."""
     from . import _compiled
 
     return _solve(_compiled.solve_widely, values, contact, out, begin, size)

@@ -98,7 +98,7 @@ class PhysicalParameters(Values):
         return Scales(*(_as_given(value) for value in _scales.scales(self.m, self.k_c, self.L_0)))
 
     def dimensionless(self) -> Parameters:
-        """The same system as :class:`Parameters`; without V and d if these were not given."""
+        """The system as :class:`Parameters`; without V and d if these were not given."""
         V, d = (0.0 if value is None else value for value in (self.V, self.d))  # they enter their own groups only
         kappa, alpha, sigma, beta, V, d = _scales.dimensionless_groups(
             self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y, V, d

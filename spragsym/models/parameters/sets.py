@@ -1,4 +1,4 @@
-"""What sets of parameters have in common: one shape, equality, and errors that suggest the name that was meant."""
+"""Base of parameter sets: one shape, equality, and errors that suggest the name that was meant."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ class ParameterSet(Values):
         return cls._model
 
     def of(self, model: Any) -> Self:
-        """The same values as a set of the model without closed forms, ``model.search``, or of the one that has them."""
+        """The values as a set of ``model``: of the one without closed forms, ``model.search``, or of the one that has them."""
         return self if model.Parameters is type(self) else self._copied(model.Parameters)
 
     def _copied(self, kind: type[Self]) -> Self:

@@ -45,7 +45,7 @@ class Sensitivity(Result):
 
     @property
     def table_model(self) -> Any:
-        """That of the sweep."""
+        """The model of the sweep."""
         return self.sweep.model
 
 

@@ -1,4 +1,4 @@
-"""What is measured of one motion of a sweep, or why there is nothing to measure."""
+"""Measures of one motion of a sweep, or the reason why there are none."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ class Balance(Forces, System):
         return self.nothing_at(*self._taken(unknowns, parameters))
 
     def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
-        """The same, of coordinates and arguments."""
+        """Whether nothing acts at coordinates, with their arguments."""
         out = self.beyond_border(q, values, shape)
         for spring, (dx, dy) in enumerate(self.anchors(q, values, shape)):
             # Farther from the anchor the direction is known so well that the forces themselves tell.
@@ -135,7 +135,7 @@ class Balance(Forces, System):
         return self.at_poles(*self._taken(unknowns, parameters), width)
 
     def at_poles(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], width: float) -> NDArray[np.bool_]:
-        """The same, of coordinates and arguments, for boxes up to a width."""
+        """Whether boxes up to a width hold a pole, with their arguments."""
         out = np.zeros(shape, dtype=np.bool_)
         if self._lengths:
             for dx, dy in self.anchors(q, values, shape):
@@ -159,12 +159,12 @@ class Balance(Forces, System):
         return np.fmin(step.ends, unknowns.ends)
 
     def by_rows(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
-        """The same, each coordinate from the row of its number and from forces near 0, which serves where slopes are unknown."""
+        """Bounds on each coordinate from its own row and from forces near 0, where slopes are unknown."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
         return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions, self.by_coordinate)), unknowns.ends)
 
     def with_waves(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
-        """The same with cosines and sines of the coordinates left free, as directions are."""
+        """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
         shape = unknowns.shape[1:]
         at_near = self.by_coordinate("forces", list(Intervals.point(near)), directions, values, FREE)

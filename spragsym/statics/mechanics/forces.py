@@ -27,7 +27,7 @@ class Model(Protocol):
 
     @property
     def algebra(self) -> Any:
-        """Of the balance of forces, and of small motions about it."""
+        """Generated functions of the balance of forces, and of small motions about it."""
 
 
 class Forces:
@@ -107,7 +107,7 @@ class Forces:
         return found
 
     def floats(self, columns: Iterable[NDArray[np.float64]]) -> dict[str, Any]:
-        """The same of floats, shape (parameters, N)."""
+        """Arguments as floats, shape (parameters, N)."""
         return self.arguments_of(dict(zip(self.parameters, columns, strict=True)), np)
 
     def only_turns(self, name: str) -> bool:
@@ -223,7 +223,7 @@ class Forces:
         xp: Any = XP,
         pushing: Any = None,
     ) -> Any:
-        """The same, each row that of its coordinate; with ``pushing`` 0 as in lift-off."""
+        """Rows by coordinate; with ``pushing`` 0 as in lift-off."""
         mu = self.friction(values, xp)
         function = undecorated(getattr(self.model.algebra, name))
         given = self.pushing if pushing is None else pushing

@@ -81,7 +81,7 @@ class _Functions:
 
     @staticmethod
     def sqrt(value: Any) -> Any:
-        """Of even order half of it."""
+        """Square root of an even order: half of it."""
         if not isinstance(value, Scaled):
             return XP.sqrt(value)
         if value.order % 2:
@@ -90,7 +90,7 @@ class _Functions:
 
     @staticmethod
     def atan2(sine: Any, cosine: Any) -> Any:
-        """Of no number that runs away."""
+        """Angle; of no number that runs to infinity."""
         raise NoChart
 
     def __getattr__(self, name: str) -> Callable[[Any], Any]:

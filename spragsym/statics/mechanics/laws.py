@@ -12,7 +12,7 @@ from ...numerics.jets import Functions, Jet, constant
 
 
 class LawFunctions(Functions):
-    """As for any interval, but that roots and logarithms are taken of what is not negative.
+    """Interval functions in which roots and logarithms are taken of what is not negative.
 
     A law of contact that is no polynomial is asked for on its own side of the border only (``Balance.limits``), and what else has
     roots or logarithms has them of what is seen to be positive when its page is read. So their arguments are not negative, and
@@ -50,7 +50,7 @@ def _not_negative(value: Any) -> Any:
 
 
 class FreeWaves(LawFunctions):
-    """The same with cosines and sines for numbers of their own, anything from −1 to 1 and the same for every value."""
+    """Functions with cosines and sines as free numbers from −1 to 1, the same for every value."""
 
     def of(self, name: str, value: Any) -> Any:
         """A function of one number or jet."""

@@ -1,4 +1,4 @@
-"""Which coordinates may change their signs with all forces following: parity as a number type of the generated algebra."""
+"""Mirror symmetries: coordinates that may change sign with all forces following; parity as a number type of the algebra."""
 
 from __future__ import annotations
 

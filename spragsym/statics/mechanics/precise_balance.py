@@ -85,13 +85,13 @@ def renewed(found: Roots, around: FloatArray, points: NDArray[np.int64], parts: 
 
 
 def clustered(around: FloatArray, found: Roots) -> Roots:
-    """The same with one hull for each cluster of boxes that are left, and of boxes around roots that are known to few digits."""
+    """Roots with one hull for each cluster of undecided boxes, and of boxes around roots known to few digits."""
     hulls, owner = clusters(*boxes_of(found))
     return renewed(found, around, np.unique(owner), [Roots.none(len(hulls[0])).besides(hulls, owner)])
 
 
 def refined(given: FloatArray, found: Roots, precise: Precise, among: NDArray[np.bool_] | bool = False) -> Roots:
-    """The same roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
+    """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
         system = precise(given[:, found.point[root]], ROOT_BITS)

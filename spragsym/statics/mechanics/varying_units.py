@@ -21,7 +21,7 @@ from .laws import XP
 
 
 class BalanceInUnits(Balance):
-    """The same balance, with units among its parameters after those of the page."""
+    """The balance with units among its parameters, after those of the page."""
 
     def __init__(self, model: Model, contact: bool, units: Mapping[str, Unit], law: str = "friction_at_rest") -> None:
         super().__init__(model, contact, law)
@@ -54,7 +54,7 @@ class BalanceInUnits(Balance):
         return Intervals(np.concatenate([known.ends, *(found[self.factors[name]].ends[:, None] for name in self.needed)], axis=1))
 
     def arguments_of(self, values: Mapping[str, Any], xp: Any) -> dict[str, Any]:
-        """The same by name, of any number type."""
+        """Arguments by name, of any number type."""
         return super().arguments_of(self.scaled(values, xp, self.needed), xp)
 
     def by_parameters(

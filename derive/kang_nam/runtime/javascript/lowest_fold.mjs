@@ -1,7 +1,7 @@
 // ------------------------------------------------------------------------------------------------- the lowest fold
 
 /**
- * The friction below which the state of small deformation, followed from mu0 = 0, jumps at no inclination: the lowest fold with
+ * The friction below which the reference state, followed from mu0 = 0, jumps at no inclination: the lowest fold with
  * f'' < 0 and 0 < theta0 < pi/2. It is a cusp, a point where the curve of folds turns back in mu0, or at the end theta0 = 0.
  *
  * @param {object} parameters kappa, alpha, sigma and beta; theta0 and mu0 are not used

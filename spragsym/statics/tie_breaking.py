@@ -13,7 +13,7 @@ ALIKE = 8.0
 EQUAL = 1e-12
 
 
-def foremost(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDArray[np.intp]:
+def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDArray[np.intp]:
     """The slot of the least measure, and of those that are alike the one of larger coordinates, the first one first.
 
     Parameters
@@ -29,7 +29,7 @@ def foremost(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDAr
     --------
     >>> h = np.array([-0.2, 0.5, 0.2])
     >>> x = np.array([-6e-19, 0.0, 1e-17])
-    >>> int(foremost(np.abs(x), np.array([x, h]), np.full(3, 1e-16)))
+    >>> int(least_slot(np.abs(x), np.array([x, h]), np.full(3, 1e-16)))
     1
     """
     sizes = np.maximum(1.0, np.abs(states).max(axis=0))

@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "1d7d1f3093d3b4fa"
+#define SPRAGSYM_SOURCE "d7bf9ee8af50b1c4"
 
 /** What became of a call. */
 typedef enum {
@@ -134,13 +134,13 @@ spragsym_status spragsym_step(const spragsym_model *model, double V, double d, d
 
 /** Where the lowest fold is: on the curve of folds in the plane of theta0 and mu0. */
 typedef enum {
-    SPRAGSYM_NO_FOLD = 0, /**< no fold ends the state of small deformation */
+    SPRAGSYM_NO_FOLD = 0, /**< no fold ends the reference state */
     SPRAGSYM_CUSP = 1,    /**< at a cusp */
     SPRAGSYM_TURN = 2,    /**< where the curve turns back in mu0 */
     SPRAGSYM_END = 3      /**< as theta0 goes to 0 */
 } spragsym_fold_kind;
 
-/** The lowest fold that ends the state of small deformation. */
+/** The lowest fold that ends the reference state. */
 typedef struct {
     double mu0;    /**< its friction; HUGE_VAL if no fold ends that state */
     double theta0; /**< its inclination; 0 if none does */
@@ -148,7 +148,7 @@ typedef struct {
 } spragsym_lowest_fold;
 
 /**
- * The lowest fold: the friction below which the state of small deformation, followed from mu0 = 0, jumps at no inclination.
+ * The lowest fold: the friction below which the reference state, followed from mu0 = 0, jumps at no inclination.
  *
  * Cusps and points where the curve of folds turns back are roots of polynomials in sin theta, searched in double precision between the
  * roots of their derivatives. Unlike the equilibria this is not proved: SPRAGSYM_OK says that rounding, as estimated, can't have hidden

@@ -138,7 +138,7 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     drawn(path, drawing, lambda: bifurcation_figure(p, vary, between=None if closed else shown, n=n, onsets=onsets), axes)
 
 
-@of_model(statics=True)
+@of_model(statics=True, spanned=2)
 @o.vary("A parameter, with a range as theta0=5:175; give two. Default: {axes}.", several=True)
 @o.undamped
 @o.plot("the map of stability")

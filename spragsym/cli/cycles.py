@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..orbits import Cycle, CycleBranch
 
 
-@of_model(begins=True)
+@of_model(spanned=0)
 @click.option("--near", metavar="{state}", help="A state near the cycle, angles in degrees. Default: the motion from rest at 0.")
 @o.vary("Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too.")
 @click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")

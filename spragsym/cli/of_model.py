@@ -142,13 +142,13 @@ class Case(Units):
                 raise click.UsageError(f"--state {word}: give NAME=VALUE, NAME one of {known}")
         return p.following(**chosen) if chosen else p
 
-    def spanning(self, typed: o.Typed, values: bool, begins: bool) -> Span:
+    def spanning(self, typed: o.Typed, values: bool, alone: bool) -> Span:
         """What varies as it was typed; with ``values``, both ends are values themselves.
 
-        With a range it has no value besides, unless it ``begins`` there.
+        Where it stands ``alone`` a range has no value besides.
         """
         name, unit, title = self.varied(typed.name)
-        asked = typed.low is not None and not begins
+        asked = typed.low is not None and alone
         if asked and click.get_current_context().get_parameter_source(name) == ParameterSource.COMMANDLINE:
             flag = options_of(self.model.about, name)[0]
             raise ParameterError(f"{flag} gives {name} a value, and --vary {typed.text} varies it; leave one of the two out")
@@ -189,8 +189,8 @@ class OfModel(o.Command):
 
     Parameters are of the type ``kind``. With ``start`` each number of the initial state has an option too. ``statics`` of a brake
     takes the friction that works at the speed of its belt. ``--vary``, ``--within`` and ``--method`` come with the case; where
-    ``values`` are asked for, the ends of a range are values themselves; what ``begins`` at one may have another. Files of
-    ``--plot`` are looked at before anything is computed. The work gives what JSON says, and what prints the table.
+    ``values`` are asked for, the ends of a range are values themselves; the first ``spanned`` ranges have no value besides. Files
+    of ``--plot`` are looked at before anything is computed. The work gives what JSON says, and what prints the table.
 
     Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told otherwise, ``{last}`` of them,
     ``{coordinate}``, the first, and ``{state}``, all of the initial state. What ``--vary`` names there is its default.
@@ -198,11 +198,11 @@ class OfModel(o.Command):
 
     def __init__(
         self, *args: Any, kind: Callable[[Range], Any] = o.Number, start: bool = False, statics: bool = False,
-        values: bool = False, begins: bool = False, **more: Any,
+        values: bool = False, spanned: int = 1, **more: Any,
     ) -> None:  # fmt: skip
         super().__init__(*args, **more)
         self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
-        self.values, self.begins = values, begins
+        self.values, self.spanned = values, spanned
         self.text = inspect.cleandoc(self.help or "")
         self._be_about(load(USUAL))
 
@@ -257,8 +257,7 @@ class OfModel(o.Command):
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
         asked = given.pop("vary", None) or [o.Typed(name, name) for name in self._varies()]
         typed = [asked] if isinstance(asked, o.Typed) else asked
-        # Folds are looked for at a value of the second, and cycles followed from one.
-        spans = tuple(units.spanning(one, self.values, self.begins or place > 0) for place, one in enumerate(typed))
+        spans = tuple(units.spanning(one, self.values, place < self.spanned) for place, one in enumerate(typed))
         case = Case(self.model, ctx.obj, values, start, {name: one for name, one in ask.items() if one}, spans)
         json_output, plot = given.pop("json_output", False), given.get("plot")
         assert self.callback is not None  # each has its work

@@ -186,7 +186,7 @@ def plot(what: str) -> Decorator:
 
 def lines(default: int, text: str) -> Decorator:
     """``--n``."""
-    return click.option("--n", type=click.IntRange(2, 2000), default=default, show_default=True, help=text)
+    return click.option("--n", type=click.IntRange(2, 500), default=default, show_default=True, help=text)
 
 
 def backend(*names: str) -> Decorator:

@@ -134,6 +134,7 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["equilibria", "--theta0", "30", "--theta0=40"], USAGE, ["--theta0", "2 times"]),
         (["equilibria", "-V", "1", "--speed", "2"], USAGE, ["--speed", "2 times"]),
         (["equilibria", "--theta0", "30", "--vary", "mu0=0:1:3", "--mu0", "4"], USAGE, ["--mu0", "leave one of the two out"]),
+        (["onsets", "--vary", "theta0=20:60", "--vary", "mu0=0:1", "--mu0", "0.5"], USAGE, ["--mu0", "leave one of the two out"]),
         (["equilibria", "--theta0", "30", "--mu0", "0,5"], USAGE, ["--mu0", "0.5", "0.0,5"]),
         (["folds", "--theta0", "30", "--vary", "mu0=0:1e300"], USAGE, ["mu0 = 1e+300", "at most 1e+06"]),
         (["explore", "--no-open", "--model", ""], USAGE, ["--model", "empty"]),

@@ -36,7 +36,7 @@ from .tie_breaking import in_order
 
 #: Relative width of boxes down to which a point is searched; what is left is looked at with many digits.
 NARROW = 2.0**-19
-#: Boxes of a point that a search leaves where roots form a line.
+#: Boxes of a point that a search leaves where roots form a line: they are told as the one box around them.
 ALL_OVER = 2000
 #: Boxes of a point that are looked at where floats only look for what is there.
 SEEN_BUDGET = 8000
@@ -124,7 +124,11 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
     along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
-    found = certified_roots.concatenated([clustered(around, found.of(along, others=True)), found.of(along)], balance.n)
+    parts = [clustered(around, found.of(along, others=True))]
+    for point in along.tolist():
+        own = found.of(np.array([point]))
+        parts.append(own.kept(left=slice(0)).besides(own.left.max(axis=2, keepdims=True), np.array([point])))
+    found = certified_roots.concatenated(parts, balance.n)
     found = around_anchors(balance, given, around, found)
     found = settled_by_digits(balance, given, around, found, partial(PreciseBalance, balance), without=along.tolist())
     return around_anchors(balance, given, around, found, 0.0)

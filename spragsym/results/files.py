@@ -1,12 +1,14 @@
 """Results as files: all that a result holds as JSON, and read back as the same class, bit for bit.
 
-Only classes of this package are made from a file, from their fields, and no code in it is run.
+Only data classes of this package are made from a file, from their fields: it runs no code and loads no folder. It has a digest,
+so that a damaged one is refused.
 """
 
 from __future__ import annotations
 
 import base64
 import enum
+import hashlib
 import importlib
 import json
 import os
@@ -36,7 +38,8 @@ LARGEST = 1 << 30
 def save(result: Any, path: str | os.PathLike[str]) -> None:
     """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
     if Path(path).suffix == ".json":
-        put(path, json.dumps({"spragsym": __version__, "result": _written(result)}, separators=(",", ":")) + "\n")
+        body = _text(_written(result))
+        put(path, f'{{"spragsym":"{__version__}","sha256":"{_digest(body)}","result":{body}}}\n')
     else:
         result._save_columns(Path(path))
 
@@ -53,7 +56,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     Raises
     ------
     ParameterError
-        If the file can't be read, holds no result of this version, or is of a model that is not known.
+        If the file can't be read, is damaged, holds no result of this version, or is of a model that is not known.
 
     Examples
     --------
@@ -66,16 +69,26 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     text = text_of(path, LARGEST, "a file that save() wrote")
     try:
         held = json.loads(text)
-        version, held = held["spragsym"], held["result"]
+        version, body = held["spragsym"], held["result"]
         if version == __version__:
-            return _read(held, model)
-    except (ValueError, TypeError, KeyError, AttributeError, ImportError) as error:
+            if _digest(_text(body)) != held["sha256"]:
+                raise ValueError("it is not as it was written")
+            return _read(body, model)
+    except (ValueError, TypeError, LookupError, AttributeError, ImportError, ArithmeticError, RecursionError) as error:
         if isinstance(error, ParameterError):
             raise
         raise ParameterError(
             f"{os.fspath(path)} holds no result of spragsym ({error!r:.80}); give a file that save() wrote"
         ) from error
     raise ParameterError(f"{os.fspath(path)} was written by spragsym {version}, this is {__version__}; compute it anew")
+
+
+def _text(body: Any) -> str:
+    return json.dumps(body, separators=(",", ":"))
+
+
+def _digest(body: str) -> str:
+    return hashlib.sha256(body.encode("ascii")).hexdigest()
 
 
 def _written(thing: Any) -> Any:
@@ -91,6 +104,10 @@ def _written(thing: Any) -> Any:
             return {"float": float(thing).hex()}
         case np.ndarray() | np.generic():
             array = np.ascontiguousarray(thing)
+            if array.dtype.hasobject:
+                raise ParameterError(
+                    f"{array.dtype} is no kind of numbers or words that a file holds; write its columns to *.csv"
+                )
             return {"array": [array.dtype.str, list(np.shape(thing)), base64.b64encode(array.tobytes()).decode()]}
         case mpmath.mpf():
             return {"mpf": [int(part) for part in thing._mpf_]}
@@ -165,7 +182,10 @@ def _read(held: Any, given: Model | None) -> Any:
 
 def _class(module: str, name: str) -> Any:
     """A class of this package that holds data."""
-    made = getattr(importlib.import_module(module), name) if module.startswith("spragsym.") else None
+    package, *inner = module.split(".")
+    # What derives, and what runs as a command when it is imported, has no results.
+    known = package == __package__.partition(".")[0] and not {"derive", "__main__"} & {*inner}
+    made = getattr(importlib.import_module(module), name) if known else None
     if not isinstance(made, type) or not (is_dataclass(made) or issubclass(made, enum.Enum) or hasattr(made, "_fields")):
         raise ValueError(f"{module}.{name} is no class of results")
     return made

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from typing import Any
 
@@ -60,14 +61,29 @@ def test_a_saved_result_is_read_back(result: Any, tmp_path: Path) -> None:
     [
         ("{}", "holds no result"),
         ('{"spragsym":"0.0.1","result":null}', "was written by spragsym 0.0.1"),
-        ('{"spragsym":"VERSION","result":{"class":["os","system",{}]}}', "is no class of results"),
-        ('{"spragsym":"VERSION","result":{"model":["elsewhere",false]}}', "no shipped model"),
+        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["os","system",{}]}}', "is no class of results"),
+        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"class":["spragsym.article.__main__","Path",{}]}}', "is no class"),
+        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"model":["elsewhere",false]}}', "no shipped model"),
+        ('{"spragsym":"VERSION","sha256":"DIGEST","result":{"array":["<f8",[2]]}}', "holds no result"),
+        ('{"spragsym":"VERSION","sha256":"0","result":null}', "not as it was written"),
     ],
 )
 def test_a_file_runs_no_code(text: str, what: str, tmp_path: Path) -> None:
-    (tmp_path / "a.json").write_text(text.replace("VERSION", ss.__version__))
+    digest = hashlib.sha256(text.partition('"result":')[2][:-1].encode()).hexdigest()
+    (tmp_path / "a.json").write_text(text.replace("VERSION", ss.__version__).replace("DIGEST", digest))
     with pytest.raises(ss.ParameterError, match=what):
         ss.open(tmp_path / "a.json")
+
+
+def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
+    ss.folds(ss.Parameters.article()).save(tmp_path / "a.json")
+    whole, rng = (tmp_path / "a.json").read_bytes(), np.random.default_rng(3)
+    for place in rng.integers(0, len(whole) - 1, 100):  # but for the line's end
+        changed = bytearray(whole)
+        changed[place] ^= int(rng.integers(1, 128))
+        (tmp_path / "a.json").write_bytes(changed)
+        with pytest.raises(ss.ParameterError):
+            ss.open(tmp_path / "a.json")
 
 
 def test_rows_are_the_columns(result: Any) -> None:

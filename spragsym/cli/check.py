@@ -56,6 +56,8 @@ def check(
     \b
     Exit codes: 0 every row is as recorded; 1 a row is not; 2 usage.
     """
+    if again and (model_name is not None or report is not None):
+        raise click.UsageError(f"--again is about rows of the article; leave it or {'--report' if report else '--model'} out")
     if model_name is not None and (claims or report is not None):
         raise click.UsageError(f"{'--claims' if claims else '--report'} is about the article's own model; leave --model out")
     if model_name is not None:

@@ -147,8 +147,8 @@ class Facts:
     @cached_property
     def speed(self) -> float:
         """The speed of the belt in m/s above which the largest friction within the tolerances reaches the jump; else NaN."""
-        never = self.jump_at is None or math.isnan(self.jump_at) or not self.study.of_friction
-        return math.nan if never else speed_for(self.study, self.jump_at)  # type: ignore[arg-type]  # a number then
+        jump = self.jump_at
+        return math.nan if jump is None or math.isnan(jump) or not self.study.of_friction else speed_for(self.study, jump)
 
     @property
     def reach(self) -> str:
@@ -315,8 +315,7 @@ class Facts:
     def needed(self) -> bool:
         """Whether changes were looked for."""
         study, jump, about = self.study, self.jump_at, self.study.kind.about
-        sprags = jump is not None and (jump < self.target or self.hits or self.within == "refuted")
-        if not self.asked.redesign or not sprags:
+        if not self.asked.redesign or jump is None or not (jump < self.target or self.hits or self.within == "refuted"):
             return False
         plain = not study.of_friction or about["friction"]["at_rest"] == "mu0"
         if not plain:
@@ -325,7 +324,7 @@ class Facts:
         if not self.target > 0:
             times = f"{self.asked.safety:g} times {study.named(study.working[2])}"
             self.remarks.append(f"what to change is not looked for: {times} does not lie beyond it")
-        return self.target > 0 and plain and (self.reach != "faster" or jump <= self.largest)  # type: ignore[operator]
+        return self.target > 0 and plain and (self.reach != "faster" or jump <= self.largest)
 
     @cached_property
     def redesign(self) -> tuple[Change, ...]:

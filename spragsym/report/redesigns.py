@@ -177,6 +177,7 @@ class _Search:
             return np.empty(0)
         geometric = start * end > 0 and self.study.kind.units[name] != "rad"
         values = start * (end / start) ** share if geometric else start + share**2 * (end - start)
+        values = np.clip(values, *self.span[name])  # the last by rounding, the first where the present value lies outside
         inside = [self._inside(name, value, value) for value in values.tolist()]
         return np.asarray(values[: inside.index(False)] if False in inside else values)
 

@@ -142,6 +142,9 @@ def test_proposals_stay_within_what_may_change(tmp_path: Path) -> None:
             for name, value in change.after.items():
                 low, high = ends[name] if study is bounded else (study.values[name] / 3, study.values[name] * 3)
                 assert low * (1 - 1e-9) <= value <= high * (1 + 1e-9)
+    low, high = math.radians(20.0), math.radians(33.0)  # in which the present inclination does not lie
+    (change,) = redesigns.changes(ss.Study(brake(mu0=0.45), may_change={"theta0": (low, high)}), 0.5)
+    assert low < change.after["theta0"] == pytest.approx(high)  # the nearest that it may be
     with pytest.raises(ss.ParameterError, match="no state depends on m"):
         ss.Study(brake(), may_change={"m": (0.1, 0.2)})
 

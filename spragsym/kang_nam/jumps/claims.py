@@ -52,7 +52,7 @@ def _point(values: dict[str, FloatArray], i: int) -> Parameters:
 
 def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
     """f, f′, f_μ₀ and f_μ₀′."""
-    return kernel.f_in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)  # type: ignore[no-any-return]
+    return kernel.f_in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)  # type: ignore[no-any-return]  # of any number type
 
 
 def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:

@@ -87,7 +87,8 @@ class Equilibria(Result):
         Largest real part of the λ of it.
     damped : ndarray of str
         What small deviations do by that linearization: ``"decays"``, ``"grows"``, or ``"neutral"``, practically neutral: growth
-        below 1e-4 of the frequency, so that damping that no model knows decides. Empty beyond ``count``.
+        below 1e-4 of the frequency, so that damping that no model knows decides. Empty beyond ``count``, and where
+        no float holds the rate.
     growth_sign : ndarray of int8
         1 where it is proved that something grows by it, −1 that nothing does, 0 where 256 bits do not tell.
     error : ndarray

@@ -44,13 +44,14 @@ class Linearized:
     def damped(self) -> NDArray[np.str_]:
         """``"decays"``, ``"grows"``, or ``"neutral"`` where the rate is below :data:`NEUTRAL` of the frequency.
 
-        That is the frequency of the λ of the largest real part, or the lowest one where that λ does not oscillate.
+        That is the one of the λ of the largest real part, or the lowest one where that λ does not oscillate. Empty where no float
+        holds the rate.
         """
         frequency = np.abs(self.eigenvalues.imag)
         frequency = np.where(frequency > REAL * np.abs(self.eigenvalues), frequency, np.inf)
         own = np.where(np.isfinite(frequency[:, 0]), frequency[:, 0], frequency.min(axis=1))
         neutral = np.abs(self.growth) <= NEUTRAL * np.where(np.isfinite(own), own, 0.0)
-        return np.where(neutral, "neutral", np.where(self.growth < 0, "decays", "grows"))
+        return np.select([neutral, self.growth < 0, self.growth > 0], ["neutral", "decays", "grows"], "")
 
 
 def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.statics.stability import Linearized
 from tests.oracles.user_pages import model_of, shipped_page
 
 
@@ -16,3 +17,9 @@ def test_growth_is_proved_though_the_slope_of_the_law_is_not_told_from_0(mu0: fl
     K = np.array([[1.3 + 0.25, mu0 - 0.25], [-0.25, 1.25]])
     assert eq.growth[0, 0] == pytest.approx(np.sqrt(-np.linalg.eigvals(K).astype(complex)).real.max(), rel=1e-9)
     assert (eq.growth_sign[0, 0], eq.damped[0, 0]) == (1, "grows")
+
+
+def test_what_no_float_holds_neither_grows_nor_decays() -> None:
+    rates = np.array([np.nan, -1.0, 1.0, 1e-5])
+    every = (rates + 1j)[:, None]
+    assert Linearized(rates, np.zeros(4, dtype=np.int8), every).damped.tolist() == ["", "decays", "grows", "neutral"]

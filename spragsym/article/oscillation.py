@@ -17,8 +17,11 @@ _MODEL = load(USUAL)
 #: Inclinations far below the fold, degrees.
 FAR_BELOW = (10.0, 20.0, 30.0, 40.0)
 
-#: V and d of other belts: the article states neither.
-OTHER_BELTS = ((0.25, 10.0), (0.5, 5.0), (0.4, 12.5))
+#: V and d of other belts, of which the article states neither: between rest and oscillation the motions of these are regular.
+OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
+
+#: Inclinations, degrees, at which the motion from rest comes to rest and at which it goes on: one pair for each of these belts.
+FATES_CHANGE = ((41.2, 43.0), (41.2, 43.7), (41.2, 42.0))
 
 #: The inclination at which the cycle is looked for with these, degrees.
 WITH_OTHERS = 30.0
@@ -61,9 +64,8 @@ def fate_of_rest() -> Found:
     at, fold = float(np.degrees(found.value)), float(np.degrees(ss.folds(Parameters.article()).theta0[0]))
     holds = found.saddle == "equilibrium" and 1 < fold - at < 5
     others, apart = [], []
-    for speed, creep in OTHER_BELTS:
-        bracket = (np.radians(41.2), np.radians(43.8))  # beyond, motions are irregular, and rounding decides what they come to
-        other = fate_boundary(Parameters.article(), vary="theta0", bracket=bracket, V=speed, d=creep)
+    for (speed, creep), (low, high) in zip(OTHER_BELTS, np.radians(FATES_CHANGE), strict=True):
+        other = fate_boundary(Parameters.article(), vary="theta0", bracket=(low, high), V=speed, d=creep)
         sliding = ss.folds(Parameters.article(mu0=float(_MODEL.friction(Parameters.article(V=speed, d=creep))))).theta0[0]
         others.append(float(np.degrees(other.value)))
         apart.append(float(np.degrees(sliding)) - others[-1])

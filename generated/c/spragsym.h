@@ -8,7 +8,8 @@
  * Every function returns a status, and writes results only with SPRAGSYM_OK or SPRAGSYM_UNCERTAIN: no NaN ever leaves this
  * library. For gcc, clang and MSVC, as C99 or C++11; link with -lm where there is one. No operations are fused, so that all but what
  * the C library's functions return is the same to the bit: -ffast-math, /fp:fast and x87 arithmetic are refused. What can't be seen
- * here is clang's -ffp-contract=fast, which fuses all the same: leave it out. Numbers are those of IEEE 754, rounded to nearest.
+ * here is -ffp-contract=fast, which fuses all the same: the makefile ends its flags with -ffp-contract=off, as others should. Numbers
+ * are those of IEEE 754, rounded to nearest.
  */
 #ifndef SPRAGSYM_H
 #define SPRAGSYM_H
@@ -20,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "d7bf9ee8af50b1c4"
+#define SPRAGSYM_SOURCE "4019999713d3db29"
 
 /** What became of a call. */
 typedef enum {

@@ -62,12 +62,14 @@ class Machine:
 
 
 HERE = platform.machine()
+#: What the makefile of an export puts behind whatever flags it is given.
+BEHIND = (ROOT / "derive/emit/targets/c/runtime/Makefile").read_text(encoding="utf-8").split("$(ARCH) ")[1].split("\n")[0].split()
 CPP = ("-x", "c++", "-std=c++11", "-O2", "-march=native")
 #: The first is what the others are compared with.
 MACHINES = (
     Machine(f"{HERE}, gcc", "gcc", ("-std=c99", "-O2")),
     Machine(f"{HERE}, gcc with extensions and fused operations at hand", "gcc", ("-std=gnu17", "-O3", "-march=native")),
-    Machine(f"{HERE}, clang", "clang", ("-std=c99", "-O3", "-march=native")),
+    Machine(f"{HERE}, clang told to fuse", "clang", ("-O3", "-march=native", "-ffp-contract=fast", *BEHIND)),
     Machine(f"{HERE}, as C++", "g++", CPP),
     Machine(f"{HERE}, as C++, clang", "clang++", CPP),
     Machine("32 bits with SSE2", "gcc", ("-std=c99", "-O2", "-m32", "-msse2", "-mfpmath=sse")),

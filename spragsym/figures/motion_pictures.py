@@ -65,7 +65,8 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     found = motion.spectrum(0.0, of=of)
     (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
     large = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max())
-    ax.set(xlim=(0, frequency * found.frequency[min(2 * int(large[-1]) + 8, found.frequency.size - 1)]), ylim=(0, None))
+    last = large[-1] if large.size else 0  # of a motion that stays at rest there is none
+    ax.set(xlim=(0, frequency * found.frequency[min(2 * int(last) + 8, found.frequency.size - 1)]), ylim=(0, None))
     unit = in_letters(motion.model.quantities["t"][0])
     across, up = labels or (rf"frequency $\times\ {unit}$", f"amplitude of {axis_label(motion.model, of)}")
     ax.set(xlabel=across, ylabel=up)

@@ -237,9 +237,14 @@ class _Task:
         raise Undecided("the other unknowns in a box")
 
     def _narrowed(self, u: Ball, others: Sequence[Ball]) -> list[Ball]:
-        """Balls of the other unknowns contracted until they are not narrower by much."""
-        current = list(others)
+        """Balls of the other unknowns contracted until they are not narrower by much, or far narrower than the digits of u.
+
+        Around an exact 0 the contraction never ends: exponents would grow threefold a step, until no memory holds them.
+        """
+        current, enough = list(others), Fraction(1, 1 << 4 * u.bits)
         for _ in range(12):
+            if all(_width(value) < enough for value in current):
+                break
             image = self._newton(u, current)
             if any(_width(one) * 2 > _width(other) for one, other in zip(image, current, strict=True)):
                 return [min(one, other, key=_width) for one, other in zip(image, current, strict=True)]

@@ -152,7 +152,7 @@ class _Reader:
         """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their standard errors."""
         if not isinstance(given, str) or not given.strip():
             self.refuse("friction", f'friction = {given!r} is no file name; write friction = "measured.csv"')
-        if "mu0" not in kind.units:
+        if not kind.of_mu0:
             cure = "but this model has another friction law; give its quantities instead"
             self.refuse("friction", f"friction = {given!r}, {cure}")
         for key in ("mu0", "d"):

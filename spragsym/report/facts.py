@@ -227,9 +227,10 @@ class Facts:
         rows, study = [], self.study
         for vary, found in self.folds.items():
             for i, value in enumerate(getattr(found, vary).tolist()):
-                friction = study.told(value) if vary == "mu0" else None
                 angle = math.degrees(value) if vary == "theta0" else None
-                other = None if vary in ("mu0", "theta0") else study.told(value)
+                friction, other = (
+                    study.told(value) if angle is None and study.of_friction is of else None for of in (True, False)
+                )
                 before, after = (
                     in_units(study, {name: columns[name][i] for name in study.kind.model.coordinates})
                     for columns in (found.coordinates, found.after)

@@ -29,6 +29,11 @@ class Quantities:
         self.units = self.bases | {entry["quantity"]: entry["quantity_unit"] for entry in self.about["parameters"]}
         self.law: Mapping[str, Any] = self.about["friction"] or {"quantities": (), "at_rest": "", "belt": "0"}
 
+    @property
+    def of_mu0(self) -> bool:
+        """Whether mu0 is the friction's, not only a name in forces of the page."""
+        return self.law["at_rest"] == "mu0" or "mu0" in self.law["quantities"]
+
     def powers(self, unit: str) -> dict[str, float]:
         """Powers of the model's units whose product has the dimension of an SI unit."""
         return dict(zip(self.bases, _powers(unit, tuple(self.bases.values())), strict=True))

@@ -107,7 +107,7 @@ class Report(Facts, Result):
 
 def report(study: Study, asked: Asked, progress: bool) -> Report:
     """The report of a study; see :meth:`Study.report`."""
-    if study.friction[2] == 0 and "mu0" in study.quantities and study.quantities["mu0"].high > 0:
+    if study.friction[2] == 0 and study.kind.of_mu0 and study.quantities["mu0"].high > 0:
         law = " and ".join(study.kind.of_the_law)
         without = f", or leave {law} out for friction at full slip" if law else ""
         raise ParameterError(

@@ -372,23 +372,27 @@ def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillati
     """
     p, (unit, size) = study.dimensionless, unit_of(study)
     rates = len(p.model.coordinates)
-    for word, place in (("rest", ()), ("far out", _FAR[:rates])):
+    starts = {word: (*place, *[0.0] * (2 * rates - len(place))) for word, place in (("rest", ()), ("far out", _FAR[:rates]))}
+    for word, start in starts.items():
         try:
-            found = ss.cycle(p, near=(*place, *[0.0] * (2 * rates - len(place))), patient=False)
+            found = ss.cycle(p, near=start, patient=False)
         except ConvergenceError:
             continue
         if found.stable:  # no motion comes to one that is not
             frequency, told = 1 / (found.period * study.scales.time), _forces(study, found.forces)
             return Oscillation("cycle", frequency, found.amplitude * size, unit, *told, settles, word, found)
-    motion = ss.simulate(p, t_end=T_END)
+    motion, word = ss.simulate(p, t_end=T_END), "rest"
+    if settles is False and not motion.state.any():  # where it rests it is unstable
+        motion, word = ss.simulate(p, start=starts["far out"], t_end=T_END), "far out"
     late = motion.after(0.75 * T_END)
     try:
         regime = motion.outcome(0.75 * T_END).regime
     except ConvergenceError:
         regime = Regime.UNSETTLED
     now, before = (float(np.ptp(motion.after(share * T_END).state[0])) for share in (0.75, 0.5))
-    kind = _COMES_TO.get(regime, "falls" if holds and now < _FALLS * before else "motion").replace("cycle", "motion")
+    goes = "rest" if not now else "falls" if holds and now < _FALLS * before else "motion"
+    kind = _COMES_TO.get(regime, goes).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
     told = _forces(study, {name: (goes_on * low, goes_on * high) for name, (low, high) in _extremes(p, late.state).items()})
     lives = settles if kind == "motion" else None
-    return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, "rest", late)
+    return Oscillation(kind, math.nan, goes_on * 0.5 * now * size, unit, *told, lives, word, late)

@@ -45,11 +45,8 @@ class Rise:
     quantity: str
     name: str
     begin: float
-
-    @property
-    def is_friction(self) -> bool:
-        """Whether it is the friction at full slip."""
-        return self.name == "mu0"
+    #: Whether it is the friction at full slip.
+    is_friction: bool
 
     @property
     def word(self) -> str:
@@ -74,7 +71,7 @@ def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Map
     if vary is None:
         if begin is not None:
             raise ParameterError(f"begin = {begin!r} says from where a quantity rises; give vary, its name, too")
-        return Rise("mu0", "mu0", 0.0) if "mu0" in kind.parameters else None
+        return Rise("mu0", "mu0", 0.0, kind.of_mu0) if "mu0" in kind.parameters else None
     if vary not in kind.may_rise:
         cure = hint(vary, kind.may_rise) or f"; a loading parameter is one of {', '.join(kind.may_rise)}"
         raise ParameterError(f"vary = {vary!r} is no quantity of {kind.model.where} on which its states depend, or a unit{cure}")
@@ -82,9 +79,10 @@ def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Map
     if begin is None and not allowed.contains(allowed.low):
         raise ParameterError(f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises")
     start = allowed.low if begin is None else as_number("begin", begin, allowed)
-    if kind.parameters[vary] == "mu0" and start != allowed.low:
+    of_friction = kind.of_mu0 and kind.parameters[vary] == "mu0"
+    if of_friction and start != allowed.low:
         raise ParameterError(f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out")
-    return Rise(vary, kind.parameters[vary], start).check(values)
+    return Rise(vary, kind.parameters[vary], start, of_friction).check(values)
 
 
 def spanned(kind: Quantities, name: str, ends: tuple[float, float]) -> tuple[float, float]:

@@ -65,16 +65,19 @@ def _on_the_motion(report: Report) -> str:
     """What steady sliding does not say of the brake as drawn; nothing, where it comes to rest or is not known to move."""
     found = report.oscillation
     here = [state for state in report.states if state.current] or report.states
+    sliding = bool(report.study.kind.about["friction"])
     if found is None or not (found.alive or found.kind == "lift-off"):
         unstable = bool(here) and all(state.settles is False for state in here)
-        return " Steady sliding is unstable: small disturbances grow." if unstable else ""
+        return f" {'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow." if unstable else ""
     if found.kind == "lift-off":
         return " From rest it lifts off the belt for good."
-    beside, at = ", beside stable sliding" if found.coexists else "", f"{found.frequency_hz:.4g} Hz"
+    beside, at = f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else "", f"{found.frequency_hz:.4g} Hz"
     if found.kind == "motion":
-        return f" From rest it goes on swinging, and had not repeated itself when it was left{beside}."
+        return f" From {found.start} it goes on swinging, and had not repeated itself when it was left{beside}."
     if found.start == "rest":
         return f" From rest it comes to an oscillation of {at}{beside}."
+    if found.coexists is False:
+        return f" Small disturbances grow; from far out it comes to an oscillation of {at}."
     return f" If it is disturbed far enough it oscillates at {at}{beside}."
 
 
@@ -371,12 +374,13 @@ def _oscillation(report: Report) -> Rows:
         return
     if found.kind == "cycle":
         yield "frequency", f"{found.frequency_hz:.5g} Hz"
-    yield "amplitude along the belt" if found.unit == "mm" else "amplitude", f"{found.amplitude:.4g} {found.unit}"
+    sliding = bool(report.study.kind.about["friction"])
+    yield "amplitude along the belt" if found.unit == "mm" and sliding else "amplitude", f"{found.amplitude:.4g} {found.unit}"
     yield from _forces(found)
     if report.study.kind.about["contact"]["unilateral"]:
         yield "lifts off the belt", "yes" if found.lifts_off else "no"
     beside = {True: "yes", False: "no", None: "up to the damping of the real brake"}[found.coexists]
-    yield "coexists with stable sliding", beside
+    yield f"coexists with stable {'sliding' if sliding else 'rest'}", beside
 
 
 def _aim(report: Report) -> str:

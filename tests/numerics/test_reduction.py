@@ -8,6 +8,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from spragsym.numerics.balls import Ball
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.jets import variables
 from spragsym.numerics.reduction import reduced_roots
@@ -73,6 +74,19 @@ def test_a_double_root_is_left():
     found = reduced_roots(evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200)
     assert not found.roots
     assert any(box[0][0] <= 0 <= box[0][1] for box in found.left)
+
+
+def test_an_unknown_that_is_exactly_0_needs_no_more_digits_than_the_others():
+    """Contracted to nothing by Newton's method, its exponents would double with every step."""
+    seen = []
+
+    def evaluate(q):
+        seen.extend(-value.exp for value in q if isinstance(value, Ball))
+        return [q[0] ** 3 - 1e-30 * q[0], q[1] + q[1] ** 2]
+
+    found = reduced_roots(evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1.3e-5)], np.diag([0.0, 1.0]), 200)
+    assert len(found.roots) == 3
+    assert max(seen) < 10_000
 
 
 def test_jets_have_the_derivatives_of_their_functions():

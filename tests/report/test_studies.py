@@ -12,10 +12,12 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym import figures
 from spragsym.figures import report_pages as pages
 from spragsym.report import redesigns, tolerances
 from spragsym.report.tolerances import certificate
 from tests.conftest import Run
+from tests.oracles import user_pages
 from tests.support import few, written_brake
 
 #: A brake's file: quantity and value.
@@ -27,6 +29,23 @@ BRAKE = {
 EXACT = {"k": "180 N/mm", "k_x": "9 N/mm", "k_c": "1500 N/mm", "theta0": "52 deg"}
 #: The article's model by its page and the search.
 CUBIC = {"model": "cubic_contact", "k_3": "0 N/mm^3"}
+#: A disc between two pads: friction tilts with it, and turns it where it is nearer to one of them.
+BINARY = '''
+"""Binary flutter after North."""
+from spragsym.derive.model import Page, sin
+page = Page("A disc between two pads.")
+m, k, h = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness"), page.unit("h", "m", "half of its thickness")
+mu0 = page.parameter("mu0", "1", "friction", ">= 0", 0.3)
+J = page.parameter("J", "kg m^2", "inertia", "> 0", 2.0, becomes="iota")
+c = page.parameter("c", "N s/m", "damping", ">= 0", 0.05, becomes="zeta")
+k_r = page.parameter("k_r", "N m/rad", "stiffness against turning", "> 0", 5.0, becomes="rho")
+y, phi = page.coordinate("y", "m", "displacement"), page.coordinate("phi", "rad", "turning")
+page.kinetic((m * page.rate(y)**2 + J * page.rate(phi)**2) / 2)
+page.potential((3 * k * y**2 + k_r * phi**2) / 2)
+page.damper(c, along=y)
+page.force(mu0 * k * h * sin(phi), along=y)
+page.force(-2 * mu0 * k * h * y, along=phi)
+'''
 #: What takes longest of a report.
 QUICKLY: dict[str, Any] = {"oscillation": False, "probability": False, "redesign": False}
 
@@ -338,6 +357,17 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert found.states
     assert found.current is None
     assert all(state.contact_force_N is not None and math.isfinite(state.contact_force_N) for state in found.states)
+
+
+@pytest.mark.thorough
+def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None:
+    """North's binary flutter: it rests where it begins, unstable, and the picture of that motion is drawn."""
+    folder = user_pages.derived(BINARY, "binary")
+    found = ss.Study({"m": 0.35, "k": 1e6, "h": 0.04, "mu0": 0.4, "J": 1e-3, "k_r": 7e3, "c": 100.0}, model=str(folder)).report()
+    assert "no jump at any mu0" in found.verdict
+    assert "Small disturbances grow; from far out" in found.verdict
+    assert all(row.friction is None for row in found.fold_rows)
+    figures.motion_figure(ss.simulate(ss.load(folder).Parameters(), t_end=20.0))
 
 
 @pytest.mark.thorough

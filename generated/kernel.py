@@ -193,11 +193,15 @@ def ordinary(parameter: Real) -> Flag:
 
 def sound(point: Point) -> Flag:
     """Whether the bounds below can count on relative rounding errors."""
-    sin0 = rough(point.sin0)
+    across = (rough(point.sin0) > SMALLEST_PARAMETER) & (rough(point.sigma) > SMALLEST_PARAMETER)
+    along = ordinary(rough(point.mu0)) & ordinary(rough(point.alpha)) & ordinary(rough(point.beta))
+    return across & along & (pressed(point) > SMALLEST_PARAMETER)
+
+
+def pressed(point: Point) -> Real:
+    """(β + n̄) sin θ₀ + κ, or 0 without preload: κ is never a factor by itself, so that this sum has to be far from underflow."""
     kappa = rough(point.kappa)
-    sigma = rough(point.sigma)
-    across = (sin0 > SMALLEST_PARAMETER) & (kappa > SMALLEST_PARAMETER) & (sigma > SMALLEST_PARAMETER)
-    return across & ordinary(rough(point.mu0)) & ordinary(rough(point.alpha)) & ordinary(rough(point.beta))
+    return where(kappa > 0.0, (rough(point.beta) + rough(point.nbar)) * rough(point.sin0) + kappa, 0.0)
 
 
 def tame(parameter: Real) -> Flag:
@@ -207,9 +211,8 @@ def tame(parameter: Real) -> Flag:
 
 def moderate(point: Point) -> Flag:
     """Whether double-double arithmetic is as good as its bounds say at this point."""
-    sin0 = rough(point.sin0)
-    across = (sin0 > SMALLEST_WIDE) & tame(rough(point.kappa)) & tame(rough(point.sigma)) & tame(rough(point.beta))
-    return across & tame(rough(point.mu0)) & tame(rough(point.alpha))
+    across = (rough(point.sin0) > SMALLEST_WIDE) & tame(rough(point.sigma)) & tame(rough(point.beta)) & tame(pressed(point))
+    return across & tame(rough(point.mu0)) & tame(rough(point.alpha)) & (pressed(point) > 0.0)
 
 
 def balance(point: Point) -> Balance:
@@ -484,6 +487,10 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ,
     L = σ/q + R/(q sin θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most
     radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
+
+    Where y can't be told from 0, as at θ₀ under a small preload, f decides: at the border of contact, sin θ* = sin θ₀ − κ/σ, it is
+    q (α sin(θ* − θ₀) − κ cos θ*), negative for acute θ* and positive for obtuse ones. Where f is monotone from there to the root,
+    y < 0 if f rises, and y > 0 if it falls.
     """
     at = direction(t)
     c_size = absolute(rough(at.cosine))
@@ -523,9 +530,15 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding
     state_error = maximum(L_error, x_error) / maximum(minimum(L, absolute(x)), 1.0)
     error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
-    beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
-    member = (L > L_error) & (beyond > y_error)
-    outsider = (L < -L_error) | (beyond < -y_error)
+    side = 1.0 - 2.0 * nbar  # the sign of y, by n̄
+    reach = 2.1 * y_error * (stiff + sigma) / sigma  # sin θ and sin θ* differ by less where y may be 0
+    monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < rough(at.sine))
+    ordered = monotone & (absolute(y) <= y_error)
+    beyond = side * where(ordered, -slope, y)
+    doubt = where(ordered, 0.0, y_error)
+    y = where(ordered & (y * slope > 0.0), 0.0, y)
+    member = (L > L_error) & (beyond > doubt)
+    outsider = (L < -L_error) | (beyond < -doubt)
     uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
     kind = stability(at, wide_L, slope, uncertainty, point)
     return Root(L, x, y, radius, error, member, outsider, kind.code, proved & kind.certain)

@@ -166,11 +166,15 @@ def ordinary(parameter: Real) -> Flag:
 
 def sound(point: Point) -> Flag:
     """Whether the bounds below can count on relative rounding errors."""
-    sin0 = rough(point.sin0)
+    across = (rough(point.sin0) > SMALLEST_PARAMETER) & (rough(point.sigma) > SMALLEST_PARAMETER)
+    along = ordinary(rough(point.mu0)) & ordinary(rough(point.alpha)) & ordinary(rough(point.beta))
+    return across & along & (pressed(point) > SMALLEST_PARAMETER)
+
+
+def pressed(point: Point) -> Real:
+    """(β + n̄) sin θ₀ + κ, or 0 without preload: κ is never a factor by itself, so that this sum has to be far from underflow."""
     kappa = rough(point.kappa)
-    sigma = rough(point.sigma)
-    across = (sin0 > SMALLEST_PARAMETER) & (kappa > SMALLEST_PARAMETER) & (sigma > SMALLEST_PARAMETER)
-    return across & ordinary(rough(point.mu0)) & ordinary(rough(point.alpha)) & ordinary(rough(point.beta))
+    return where(kappa > 0.0, (rough(point.beta) + rough(point.nbar)) * rough(point.sin0) + kappa, 0.0)
 
 
 def tame(parameter: Real) -> Flag:
@@ -180,9 +184,8 @@ def tame(parameter: Real) -> Flag:
 
 def moderate(point: Point) -> Flag:
     """Whether double-double arithmetic is as good as its bounds say at this point."""
-    sin0 = rough(point.sin0)
-    across = (sin0 > SMALLEST_WIDE) & tame(rough(point.kappa)) & tame(rough(point.sigma)) & tame(rough(point.beta))
-    return across & tame(rough(point.mu0)) & tame(rough(point.alpha))
+    across = (rough(point.sin0) > SMALLEST_WIDE) & tame(rough(point.sigma)) & tame(rough(point.beta)) & tame(pressed(point))
+    return across & tame(rough(point.mu0)) & tame(rough(point.alpha)) & (pressed(point) > 0.0)
 
 
 def balance(point: Point) -> Balance:

@@ -859,13 +859,18 @@ INLINE Direction direction(double t) {
 /* Whether a parameter is 0 or large enough for relative rounding errors. */
 INLINE int ordinary(double parameter) { return (parameter > SMALLEST_PARAMETER) | (parameter <= 0.0); }
 
+/* (beta + nbar) sin theta0 + kappa, or 0 without preload: kappa is never a factor by itself, so that this sum has to be far
+ * from underflow. */
+INLINE double pressed(Point point) {
+    const double kappa = point.kappa;
+    return kappa > 0.0 ? (point.beta + point.nbar) * point.sin0 + kappa : 0.0;
+}
+
 /* Whether the bounds below can count on relative rounding errors. */
 INLINE int sound(Point point) {
-    const double sin0 = point.sin0;
-    const double kappa = point.kappa;
-    const double sigma = point.sigma;
-    const int across = (sin0 > SMALLEST_PARAMETER) & (kappa > SMALLEST_PARAMETER) & (sigma > SMALLEST_PARAMETER);
-    return across & ordinary(point.mu0) & ordinary(point.alpha) & ordinary(point.beta);
+    const int across = (point.sin0 > SMALLEST_PARAMETER) & (point.sigma > SMALLEST_PARAMETER);
+    const int along = ordinary(point.mu0) & ordinary(point.alpha) & ordinary(point.beta);
+    return across & along & (pressed(point) > SMALLEST_PARAMETER);
 }
 
 /* Whether a parameter is 0 or far from underflow and overflow. */
@@ -1141,7 +1146,11 @@ INLINE Kind stability(Direction at, double L, double slope, double uncertainty, 
  * Newton-Kantorovich on f at theta: a root lies within about |f|/|f'|. Then, with R = (beta + nbar) sin theta0 + kappa, L =
  * sigma/q + R/(q sin theta), y = (sigma (sin theta0 - sin theta) - kappa)/q and x = cos theta0 - L cos theta over that
  * radius: sin theta changes by at most radius (|cos theta| + radius), cos theta by radius (|sin theta| + radius), and 1/sin
- * theta as sin theta does, over sin^2 theta, but for some thousandths. */
+ * theta as sin theta does, over sin^2 theta, but for some thousandths.
+ *
+ * Where y can't be told from 0, as at theta0 under a small preload, f decides: at the border of contact, sin theta* = sin
+ * theta0 - kappa/sigma, it is q (alpha sin(theta* - theta0) - kappa cos theta*), negative for acute theta* and positive for
+ * obtuse ones. Where f is monotone from there to the root, y < 0 if f rises, and y > 0 if it falls. */
 INLINE Root at_root(double t, Point point, Balance line, double u) {
     const Direction at = direction(t);
     const double c_size = fabs(at.cosine);
@@ -1164,7 +1173,7 @@ INLINE Root at_root(double t, Point point, Balance line, double u) {
     const double wide_L = state_results[0], wide_x = state_results[1], wide_y = state_results[2];
     const double L = wide_L;
     const double x = wide_x;
-    const double y = wide_y;
+    double y = wide_y;
     const double sin0 = point.sin0;
     const double kappa = point.kappa;
     const double sigma = point.sigma;
@@ -1182,9 +1191,15 @@ INLINE Root at_root(double t, Point point, Balance line, double u) {
     const double x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding;
     const double state_error = larger(L_error, x_error) / larger(smaller(L, fabs(x)), 1.0);
     const double error = larger(state_error, larger(radius + COUNT_THETA * u, y_error));
-    const double beyond = (1.0 - 2.0 * nbar) * y;
-    const int member = (L > L_error) & (beyond > y_error);
-    const int outsider = (L < -L_error) | (beyond < -y_error);
+    const double side = 1.0 - 2.0 * nbar;
+    const double reach = 2.1 * y_error * (stiff + sigma) / sigma;
+    const int monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < at.sine);
+    const int ordered = monotone & (fabs(y) <= y_error);
+    const double beyond = side * (ordered ? -slope : y);
+    const double doubt = ordered ? 0.0 : y_error;
+    y = (ordered & (y * slope > 0.0)) ? 0.0 : y;
+    const int member = (L > L_error) & (beyond > doubt);
+    const int outsider = (L < -L_error) | (beyond < -doubt);
     const double uncertainty = larger(relative, L_error / fabs(L)) + 8.0 * u;
     const Kind kind = stability(at, wide_L, slope, uncertainty, point);
     const Root result = {L, x, y, radius, error, member, outsider, kind.code, (proved & kind.certain)};
@@ -1281,11 +1296,17 @@ INLINE WideBalance wide_balance(WidePoint point) {
     return result;
 }
 
+/* `pressed` in double-double arithmetic. */
+INLINE double wide_pressed(WidePoint point) {
+    const double kappa = point.kappa.high;
+    return kappa > 0.0 ? (point.beta.high + point.nbar.high) * point.sin0.high + kappa : 0.0;
+}
+
 /* `moderate` in double-double arithmetic. */
 INLINE int wide_moderate(WidePoint point) {
-    const double sin0 = point.sin0.high;
-    const int across = (sin0 > SMALLEST_WIDE) & tame(point.kappa.high) & tame(point.sigma.high) & tame(point.beta.high);
-    return across & tame(point.mu0.high) & tame(point.alpha.high);
+    const int across = (point.sin0.high > SMALLEST_WIDE) & tame(point.sigma.high) & tame(point.beta.high) &
+        tame(wide_pressed(point));
+    return across & tame(point.mu0.high) & tame(point.alpha.high) & (wide_pressed(point) > 0.0);
 }
 
 /* `representable` in double-double arithmetic. */
@@ -1467,11 +1488,9 @@ INLINE Wide wide_f_slope(Wide cos_theta, Wide sin_theta, Wide a_f, Wide b_f, Wid
 
 /* `sound` in double-double arithmetic. */
 INLINE int wide_sound(WidePoint point) {
-    const double sin0 = point.sin0.high;
-    const double kappa = point.kappa.high;
-    const double sigma = point.sigma.high;
-    const int across = (sin0 > SMALLEST_PARAMETER) & (kappa > SMALLEST_PARAMETER) & (sigma > SMALLEST_PARAMETER);
-    return across & ordinary(point.mu0.high) & ordinary(point.alpha.high) & ordinary(point.beta.high);
+    const int across = (point.sin0.high > SMALLEST_PARAMETER) & (point.sigma.high > SMALLEST_PARAMETER);
+    const int along = ordinary(point.mu0.high) & ordinary(point.alpha.high) & ordinary(point.beta.high);
+    return across & along & (wide_pressed(point) > SMALLEST_PARAMETER);
 }
 
 /* Spring length and displacement at an equilibrium with direction theta. */
@@ -1552,7 +1571,7 @@ INLINE Root wide_at_root(Wide t, WidePoint point, WideBalance line, double u) {
     const Wide wide_L = wide_state_results.value0, wide_x = wide_state_results.value1, wide_y = wide_state_results.value2;
     const double L = wide_L.high;
     const double x = wide_x.high;
-    const double y = wide_y.high;
+    double y = wide_y.high;
     const double sin0 = point.sin0.high;
     const double kappa = point.kappa.high;
     const double sigma = point.sigma.high;
@@ -1570,9 +1589,15 @@ INLINE Root wide_at_root(Wide t, WidePoint point, WideBalance line, double u) {
     const double x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding;
     const double state_error = larger(L_error, x_error) / larger(smaller(L, fabs(x)), 1.0);
     const double error = larger(state_error, larger(radius + COUNT_THETA * u, y_error));
-    const double beyond = (1.0 - 2.0 * nbar) * y;
-    const int member = (L > L_error) & (beyond > y_error);
-    const int outsider = (L < -L_error) | (beyond < -y_error);
+    const double side = 1.0 - 2.0 * nbar;
+    const double reach = 2.1 * y_error * (stiff + sigma) / sigma;
+    const int monotone = (2.0 * reach * bend < steepness * c_size) & (4.0 * reach < c_size * c_size) & (reach < at.sine.high);
+    const int ordered = monotone & (fabs(y) <= y_error);
+    const double beyond = side * (ordered ? -slope : y);
+    const double doubt = ordered ? 0.0 : y_error;
+    y = (ordered & (y * slope > 0.0)) ? 0.0 : y;
+    const int member = (L > L_error) & (beyond > doubt);
+    const int outsider = (L < -L_error) | (beyond < -doubt);
     const double uncertainty = larger(relative, L_error / fabs(L)) + 8.0 * u;
     const Kind kind = wide_stability(at, wide_L, slope, uncertainty, point);
     const Root result = {L, x, y, radius, error, member, outsider, kind.code, (proved & kind.certain)};
@@ -1590,13 +1615,13 @@ INLINE int wide_apart(Wide low, double low_radius, Wide high, double high_radius
 /*
  * Worst-case operations, counted in this text: + - * / and comparisons of doubles, then calls of libm.
  * - spragsym_prepare: 62 operations
- * - spragsym_equilibria: 12384 operations, 10 sqrt
- * - spragsym_equilibria_batch: 932384 operations, 640 sqrt
+ * - spragsym_equilibria: 12553 operations, 10 sqrt
+ * - spragsym_equilibria_batch: 943200 operations, 640 sqrt
  * - spragsym_critical_friction: 597964 operations, 38 sqrt
  * - spragsym_step: 2008 operations, 37 sqrt, 37 exp
  * - balance: 42 operations
  * - guesses: 289 operations, 5 sqrt
- * - at_root: 194 operations
+ * - at_root: 214 operations
  * - runge_kutta: 198 operations, 4 sqrt, 4 exp
  */
 

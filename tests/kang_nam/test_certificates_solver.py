@@ -218,16 +218,3 @@ def test_the_logarithm_of_a_length_beyond_float64_is_said(backend: str, size: fl
     (state,) = ss.precise.equilibria(**given, dps=20)
     said = float(str(failure.value).split("log10 L = ")[1].split(" ")[0])
     assert said == pytest.approx(float(mpmath.log10(state.L)), rel=2e-6)
-
-
-def test_the_error_of_a_stored_state_covers_its_rounding() -> None:
-    """Of numbers halfway between two floats."""
-    with mpmath.workprec(120):
-        half = 1 + mpmath.mpf(2) ** -53
-        state = adaptive_precision.State(half, 2 * half, -half, 4 * half, 1, mpmath.mpf(2) ** -110)
-        columns = state_columns.empty(3, 1)
-        solver._store(columns, 0, adaptive_precision.Settled((state,), False, 128), {})
-        error = columns["error"][0, 0]
-        for name in ("theta", "L", "x", "y"):
-            true = getattr(state, name)
-            assert abs(float(columns[name][0, 0]) - true) / max(1, abs(true)) <= error <= 1.3e-16

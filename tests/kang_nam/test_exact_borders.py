@@ -1,4 +1,4 @@
-"""Rational parameters exactly on a border of the closed forms: decided where θ₀ drops out, and equality is exact."""
+"""On a border of the closed forms, exactly and almost: decided where equality is exact, and in floats where a preload is tiny."""
 
 from fractions import Fraction
 
@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.generated.equilibrium import f_coefficients, f_slope
 
 
 @pytest.mark.parametrize("theta0", [0.4, 2.0])
@@ -18,3 +19,21 @@ def test_a_spring_that_the_preload_shrinks_to_nothing_holds_no_mass(theta0: floa
         eq = ss.equilibria(p, contact=False)
         assert eq.count == len(there)
         assert eq.L[: len(there)].tolist() == pytest.approx(there, rel=1e-12, abs=0)
+
+
+def test_a_tiny_preload_is_told_in_floats() -> None:
+    # As κ → 0 one state goes to θ₀, where y → 0: the derivative of y by κ says from which side, and f differs between the two.
+    rng = np.random.default_rng(5)
+    theta0, mu0, alpha, sigma, beta = rng.uniform([[0.1], [0], [0], [0.1], [0.1]], [[3], [2], [2], [2], [1]], (5, 2000))
+    p = ss.Parameters(theta0=theta0, mu0=mu0, kappa=10 ** rng.uniform(-300, -9, 2000), alpha=alpha, sigma=sigma, beta=beta)
+    c, s = np.cos(theta0), np.sin(theta0)
+    for nbar, backend in ((1, "numpy"), (0, "numpy"), (1, "auto"), (0, "auto")):
+        ss.set_backend(backend)
+        slope = f_slope(c, s, *f_coefficients(c, s, mu0, 0.0, alpha, sigma, beta, nbar))
+        along = -1 - sigma * c * ((alpha + sigma) * c + mu0 * nbar * s) / slope
+        eq = ss.equilibria(p, contact=nbar == 1)
+        clear = (np.abs(slope) > 1e-3) & (np.abs(along) > 1e-3)
+        assert not eq.escalated[clear].any()
+        here = (np.abs(eq.theta - theta0[:, None]) < 1e-4).any(axis=-1)
+        assert (here == (along < 0 if nbar else along > 0))[clear].all()
+        assert clear.mean() > 0.98

@@ -6,6 +6,7 @@ det K changes by s ∇(det K) · v. At a regular fold none of these numbers is 0
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from ..numerics.determinants import cofactor
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..results.equilibria import Stability
-from ..results.points import Ended, Points, nothing_ends
+from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
 from ..statics.stability import with_a_zero
@@ -32,20 +33,17 @@ BEYOND = 4.0
 
 def ended(points: Points) -> Ended:
     """Columns ``ends``, ``when`` and ``after`` of points: empty for all but folds along one parameter."""
-    found = nothing_ends(points)
+    found = replace(nothing_ends(points), after=_afterwards)
     for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
         try:
-            ends, when, after = _at(points, int(row))
+            found.ends[row], found.when[row] = _at(points, int(row))
         except ConvergenceError:
-            ends, when, after = UNDECIDED, UNDECIDED, {}
-        found.ends[row], found.when[row] = ends, when
-        for name, value in after.items():
-            found.after[name][row] = value
+            found.ends[row] = found.when[row] = UNDECIDED
     return found
 
 
-def _at(points: Points, row: int) -> tuple[str, str, dict[str, float]]:
-    """Outcome of one fold: which of the two states is stable, in which direction they vanish, and the state after the jump."""
+def _at(points: Points, row: int) -> tuple[str, str]:
+    """Outcome of one fold: which of the two states is stable, and in which direction they vanish."""
     (vary,), p = points.vary, points.parameters.of(points.parameters.model.search)
     balance = Balance(p.model, contact=True)
     z = np.array([float(getattr(points, name)[row]) for name in (*balance.coordinates, vary)])
@@ -56,8 +54,8 @@ def _at(points: Points, row: int) -> tuple[str, str, dict[str, float]]:
     given[balance.parameters.index(vary)] = z[-1]
     when = "up" if side < 0 else "down"
     if with_a_zero(balance, z[:-1, None], given) != Stability.STABLE:
-        return "", when, {}
-    return "lower" if lower else "upper", when, _after(points, row, -side)
+        return "", when
+    return "lower" if lower else "upper", when
 
 
 def _normal_form(balance: Balance, vary: str, given: FloatArray, box: Intervals) -> tuple[int, bool]:
@@ -86,6 +84,15 @@ def _sign(value: Any) -> int:
     return int(number.low[0] > 0) - int(number.high[0] < 0)
 
 
+def _afterwards(points: Points) -> dict[str, FloatArray]:
+    """Column ``after``, a search at each fold at which a stable state ends."""
+    found = nowhere(points)
+    for row in np.flatnonzero(np.isin(points.ends, ("lower", "upper"))):
+        for name, value in _after(points, int(row), 1 if points.when[row] == "up" else -1).items():
+            found[name][row] = value
+    return found
+
+
 def _after(points: Points, row: int, forward: int) -> dict[str, float]:
     """The nearest equilibrium that is stable beyond the fold, as near to it as the two that meet are gone for certain."""
     vary, names = points.vary[0], points.parameters.model.coordinates
@@ -93,10 +100,8 @@ def _after(points: Points, row: int, forward: int) -> dict[str, float]:
     beyond = value + forward * BEYOND * max(1.0, abs(value)) * float(points.error[row])
     beyond = beyond if allowed.low < beyond < allowed.high else value
     here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")
-    if not here.decided:
-        raise ConvergenceError(f"the states at {vary} = {beyond:.17g} are not told apart")
     slots = [slot for slot in range(int(here.count)) if here.stability[slot] == Stability.STABLE]
-    if not slots:
+    if not (here.decided and slots):
         return {}
     before = np.array([getattr(points, name)[row] for name in names])
     behind = np.array([getattr(here, name)[slots] for name in names])

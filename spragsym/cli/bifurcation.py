@@ -39,7 +39,7 @@ def folds(case: Case) -> Any:
     """
     along = case.span
     with show_progress(f"searching for folds along {along.name}"):
-        told = points_of(case, ss.folds(case.set(along.name), along.name, **case.searching(along)))
+        told = points_of(case, ss.folds(case.set(along.name), along.name, **case.searching(along)), after=True)
     return {"vary": along.title, **told}, lambda: print_points("Folds", told, [along.title])
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..results.points import after_if_known
 from .output import print_rows
 
 if TYPE_CHECKING:
@@ -17,17 +18,18 @@ if TYPE_CHECKING:
 BESIDE = ("lyapunov", "lyapunov_error", "crossing", "why")
 
 
-def points_of(case: Case, found: Any) -> dict[str, Any]:
-    """A row for each point, whether these are all, what was searched, and the boxes that are not decided."""
+def points_of(case: Case, found: Any, after: bool = False) -> dict[str, Any]:
+    """A row for each point, whether these are all, what was searched, and the undecided boxes; ``after`` at any cost."""
+    following = (found.after if after else after_if_known(found)) if len(found.vary) == 1 else {}
     names = (*case.model.coordinates, *found.vary)
     searched, *undecided = case.boxes([found.region, *found.undecided], names)
     return {
-        "points": [_row(case, found, row) for row in range(len(found))], "complete": bool(found.complete),
+        "points": [_row(case, found, row, following) for row in range(len(found))], "complete": bool(found.complete),
         "searched": searched, "undecided": undecided, "remarks": case.said(found.remarks),
     }  # fmt: skip
 
 
-def _row(case: Case, found: Any, row: int) -> dict[str, Any]:
+def _row(case: Case, found: Any, row: int, after: Mapping[str, Any]) -> dict[str, Any]:
     def at(*names: str) -> dict[str, Any]:
         return {name: getattr(found, name)[row] for name in names}
 
@@ -35,7 +37,7 @@ def _row(case: Case, found: Any, row: int) -> dict[str, Any]:
     if hasattr(found, "criticality"):
         told |= case.row(at("omega", "criticality", "when", *BESIDE))
     elif len(found.vary) == 1:
-        told |= case.row(at("ends", "when")) | case.row({name: found.after[name][row] for name in found.columns}, "_after")
+        told |= case.row(at("ends", "when")) | case.row({name: column[row] for name, column in after.items()}, "_after")
     return told | {"error": float(found.error[row])}
 
 
@@ -50,7 +52,8 @@ def print_points(title: str, told: Mapping[str, Any], where: Sequence[str]) -> N
         print_rows(f"{title} along {' and '.join(where)}", shown, list(dict.fromkeys(room)))
     lost = [row for row in rows if row.get("ends") in ("lower", "upper") and _is_lost(row)]
     if lost:
-        known = "is left" if told["complete"] else "was found"
+        everywhere = math.isinf(next(iter(told["searched"].values()))[0])  # as by closed forms: a search may be undecided
+        known = "is left" if told["complete"] and everywhere else "was found"
         nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in lost)
         click.echo(f"{title}: nothing stable in contact {known} to jump to at {' and '.join(where)} = {nowhere}")
     print_open(title, told)

@@ -18,17 +18,22 @@ from .result import Result, Rows
 
 @dataclass(frozen=True)
 class Ended(Result):
-    """What happens at folds: columns of :class:`Points` under these names."""
+    """What happens at folds: columns of :class:`Points` under these names; ``after``, or what makes it when asked."""
 
     ends: NDArray[np.str_]
     when: NDArray[np.str_]
-    after: Mapping[str, FloatArray]
+    after: Mapping[str, FloatArray] | Callable[[Points], Mapping[str, FloatArray]]
 
 
 def nothing_ends(points: Points) -> Ended:
     """Columns for points of which none is a fold."""
     ends, when = np.full((2, len(points)), "", dtype="<U9")
-    return Ended(ends, when, {name: np.full(len(points), np.nan) for name in points.columns})
+    return Ended(ends, when, nowhere(points))
+
+
+def nowhere(points: Points) -> dict[str, FloatArray]:
+    """``after`` of points at which nothing jumps."""
+    return {name: np.full(len(points), np.nan) for name in points.columns}
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +64,8 @@ class Points(Rows):
         The two vanish as the parameter goes ``"up"`` or ``"down"``; ``"undecided"``; empty for other kinds.
     after : mapping of str to ndarray
         Where the state that ends jumps to, by the names of ``columns``: the nearest equilibrium that is stable there by (27), of
-        closed forms the only one that is left. NaN where there is none, and for other kinds.
+        closed forms the only one that is left. NaN where there is none or a search does not decide it, and for other kinds. Each
+        is a search of its own, with the budget of one, where there is no closed form: ``print`` shows what was asked for before.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters. A parameter that is
         larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of what is below. Closed forms need no box: ends are infinite.
@@ -129,7 +135,8 @@ class Points(Rows):
         columns = self.data()
         error = columns.pop("error")
         if "fold" in self.kind:
-            columns |= {"ends": self.ends, "when": self.when} | {f"{name}_after": column for name, column in self.after.items()}
+            columns |= {"ends": self.ends, "when": self.when}
+            columns |= {f"{name}_after": column for name, column in after_if_known(self).items()}
         columns["error"] = error
         some, cut = shown(len(self))
         rows = [tuple(said.cell(name, column[row]) for name, column in columns.items()) for row in some]
@@ -151,16 +158,17 @@ class Points(Rows):
         """Which way the parameter goes then."""
         return self._what_ends.when
 
-    @property
+    @cached_property
     def after(self) -> Mapping[str, FloatArray]:
         """Where it jumps to."""
-        return self._what_ends.after
+        known = self._what_ends.after
+        return known(self) if callable(known) else known
 
     def select(self, which: NDArray[np.bool_]) -> Self:
         """The points that ``which`` marks."""
         values = {name: column[which] for name, column in self._values.items()}
         ended = self._ended
-        if isinstance(ended, Ended):
+        if isinstance(ended, Ended) and not callable(ended.after):
             ended = Ended(ended.ends[which], ended.when[which], {name: column[which] for name, column in ended.after.items()})
         return replace(self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended)
 
@@ -171,7 +179,7 @@ class Points(Rows):
         return replace(self.select(inside), region=np.concatenate([self.region[: -len(self.vary)], spans]))
 
     def _for_file(self) -> Self:
-        return replace(self, _ended=self._what_ends)
+        return replace(self, _ended=replace(self._what_ends, after=self.after))
 
     @cached_property
     def _what_ends(self) -> Ended:
@@ -198,6 +206,12 @@ class Points(Rows):
             raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {known}")
         self.__dict__[name] = column
         return column
+
+
+def after_if_known(points: Points) -> Mapping[str, FloatArray]:
+    """``after`` where it costs no search: of closed forms, and where it was asked for before."""
+    known = points.__dict__.get("after", points._what_ends.after)
+    return {} if callable(known) else known
 
 
 def in_closed_form(

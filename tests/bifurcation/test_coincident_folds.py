@@ -70,4 +70,6 @@ def test_what_ends_at_folds_that_coincide(page: str, vary: str, between: Any, en
     p = model_of(page, f"coincident_{vary}").Parameters()
     found = ss.folds(p, vary, between={vary: between})
     assert (found.ends.tolist(), found.when.tolist()) == (ends, when)
+    assert "_after" not in str(found)  # a search at each fold, which printing does not start
     np.testing.assert_allclose(next(iter(found.after.values())), after, atol=1e-4)
+    assert "_after" in str(found)

@@ -22,7 +22,7 @@ from ..results.named_columns import Columns
 from ..results.points import Points
 from ..results.result import Result
 from ..statics import stability
-from ..statics.damping import is_conservative, only_damped, slope_over
+from ..statics.damping import is_conservative, is_damped, only_damped, slope_over
 from ..statics.mechanics.balance import Balance
 from .bifurcation import OnLines, on_lines, rows_of
 from .bifurcation_conditions import FLUTTER, HOPF, KINDS, no_damping, undamped_mode
@@ -116,7 +116,7 @@ def onset_curves(
     vary: Sequence[str] | None = None,
     n: int = 30,
     *,
-    damping: bool = True,
+    damping: bool | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
 ) -> OnsetCurves:
     """Curves of Hopf points in the plane of two parameters, each point gentle or dangerous, and where curves end and change.
@@ -129,8 +129,9 @@ def onset_curves(
         Two parameters; without it ``theta0`` and ``mu0``.
     n : int
         Lines of either parameter on which all Hopf points are found and proved.
-    damping : bool
-        With all damping, that of the friction law included; or by (27), without: curves on which two modes meet.
+    damping : bool, optional
+        With all damping, that of the friction law included; or by (27), without: curves on which two modes meet. Without it
+        True, unless C is 0.
     between : mapping, optional
         Ranges of the two, as ``{"mu0": (0, 1)}``.
 
@@ -166,6 +167,8 @@ def onset_curves(
     vary = model.two(vary)
     as_count("n", n, 2)
     plane = _Plane(p, tuple(vary), Balance(model, contact=True), ranges(model, vary, between or {}))
+    if damping is None:
+        damping = is_damped(plane.balance, plane.given, vary, plane.spans)
     return plane.damped(n) if damping else plane.undamped(n)
 
 

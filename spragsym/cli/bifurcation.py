@@ -130,7 +130,7 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
     shown, onsets, plane = window(case.model, vary, ranges, found["cusps"]), None, " and ".join(vary)
     if undamped or len(found["onsets"]) or not (closed or len(found["folds"]) or len(found["cusps"])):
         with show_progress(f"searching for onsets in the plane of {plane}"):
-            onsets = ss.onset_curves(p, vary, min(n, 30), damping=not undamped, between=shown)
+            onsets = ss.onset_curves(p, vary, min(n, 30), damping=False if undamped else None, between=shown)
     else:
         click.echo("the picture shows folds and cusps; spragsym onsets --plot shows where oscillation sets in", err=True)
     axes = [(case.axis(vary[0]), case.axis(vary[1]))]
@@ -165,7 +165,9 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
         raise ParameterError(f"onsets of {case.model.name} are curves in a plane; give two different parameters with --vary")
     plane, coordinates = f"in the plane of {' and '.join(names)}", case.model.coordinates
     with show_progress(f"searching for onsets {plane}"):
-        found = ss.onset_curves(case.set(*names), names, n, damping=not undamped, between=case.between(*case.spans))
+        found = ss.onset_curves(
+            case.set(*names), names, n, damping=False if undamped else None, between=case.between(*case.spans)
+        )
     if plot is not None:
         from ..figures import stability_figure
 

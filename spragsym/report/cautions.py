@@ -165,8 +165,8 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
         least = min(state.damping_ratio, default=0.0)
         if state.growth_per_s == 0:
             yield (
-                "nothing damps here, since the friction does not change with the speed; whether a disturbance dies out is up "
-                "to the damping of the real brake, which the model leaves out"
+                "nothing damps here: whether a disturbance dies out is up to the damping of the real brake, which the model "
+                "leaves out"
             )
             continue
         what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"

@@ -37,8 +37,8 @@ _T_END, _INSTANTS = (1500.0, 24_000.0), 60_000
 _STEPS = 20
 #: Largest time over which a motion from rest is followed.
 T_END = 3000.0
-#: A motion whose swings are less than this share of those a quarter of the time before is on its way to rest.
-_FALLS = 0.99
+#: A motion whose swings are less than this share of those a quarter of the time before is on its way to rest, or beyond bounds.
+_FALLS, _GROWS = 0.99, 2.0
 #: Where a motion that is far out begins: its first two coordinates.
 _FAR = (1.5, 0.5)
 #: What a motion comes to.
@@ -123,12 +123,12 @@ class Oscillation(Result):
     """The motion that begins at rest where all coordinates are 0, or far out, and what it comes to.
 
     ``kind`` is ``"cycle"``, one that attracts it; ``"motion"``, if it goes on and has not repeated itself in the time it was
-    followed; ``"rest"``, if it decays to rest; ``"falls"``, if it was not followed to its end, became smaller and smaller,
-    and steady sliding may hold it; or ``"lift-off"``, for good. Only the first two have an amplitude of the first coordinate,
-    which is half of its range, in millimetres or degrees by ``unit``, and forces, least and largest, of several springs by
-    their names; only a cycle has a frequency. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives
-    although a small disturbance of steady sliding dies out, None where that is up to what the model leaves out, or the state
-    of the brake is not known.
+    followed; ``"rest"``, if it decays to rest; ``"falls"`` or ``"grows"``, if it was not followed to its end, and became smaller
+    and smaller, so that steady sliding may hold it, or larger and larger; or ``"lift-off"``, for good. Only the first two have an
+    amplitude of the first coordinate, which is half of its range, in millimetres or degrees by ``unit``, and forces, least and
+    largest, of several springs by their names; only a cycle has a frequency. ``start`` is ``"rest"`` or ``"far out"``;
+    ``coexists`` says whether it lives although a small disturbance of steady sliding dies out, None where that is up to what the
+    model leaves out, or the state of the brake is not known.
     """
 
     kind: str
@@ -389,8 +389,9 @@ def oscillation_of(study: Study, settles: bool | None, holds: bool) -> Oscillati
         regime = motion.outcome(0.75 * T_END).regime
     except ConvergenceError:
         regime = Regime.UNSETTLED
-    now, before = (float(np.ptp(motion.after(share * T_END).state[0])) for share in (0.75, 0.5))
-    goes = "rest" if not now else "falls" if holds and now < _FALLS * before else "motion"
+    quarters = ((motion.t >= share * T_END) & (motion.t <= (share + 0.25) * T_END) for share in (0.5, 0.75))
+    before, now = (float(np.ptp(motion.state[0, quarter])) for quarter in quarters)
+    goes = "falls" if holds and now < _FALLS * before else "grows" if now > _GROWS * before else "motion" if now else "rest"
     kind = _COMES_TO.get(regime, goes).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
     told = _forces(study, {name: (goes_on * low, goes_on * high) for name, (low, high) in _extremes(p, late.state).items()})

@@ -278,7 +278,7 @@ def _described(state: State) -> str:
     if state.settles is None:
         word += ", practically neutral: the damping of the real brake decides whether it settles"
     elif state.statics == "stable" and not state.stable:
-        word += ", but with the friction law's own damping it grows"
+        word += ", but with all damping it grows"
     springs = [f"; {name.removeprefix('the ')} at {at}" for name, at in _springs(state.direction_deg, "{:.4g} deg".format, "")]
     return f"{word}{''.join(springs)}{',' if springs else ';'} {_places(dict(list(state.places.items())[:1]))}"
 
@@ -366,6 +366,7 @@ def _oscillation(report: Report) -> Rows:
         yield "from rest", "no cycle was reached in the time that was looked at"
     what = {
         "cycle": "a cycle, stable", "motion": "a motion that has not repeated itself", "rest": "none: it decays to rest",
+        "grows": "none was found: the motion grew larger and larger, and was not followed further",
         "falls": "none was found: the motion became smaller and smaller, and was not followed to its end",
         "lift-off": "none: it lifts off the belt for good",
     }  # fmt: skip

@@ -361,13 +361,16 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None:
-    """North's binary flutter: it rests where it begins, unstable, and the picture of that motion is drawn."""
-    folder = user_pages.derived(BINARY, "binary")
-    found = ss.Study({"m": 0.35, "k": 1e6, "h": 0.04, "mu0": 0.4, "J": 1e-3, "k_r": 7e3, "c": 100.0}, model=str(folder)).report()
-    assert "no jump at any mu0" in found.verdict
-    assert "Small disturbances grow; from far out" in found.verdict
-    assert all(row.friction is None for row in found.fold_rows)
-    figures.motion_figure(ss.simulate(ss.load(folder).Parameters(), t_end=20.0))
+    """North's binary flutter rests where it begins, unstable; the picture of that motion is drawn."""
+    linear = BINARY.replace("sin(phi)", "phi")
+    for page, said in ((BINARY, "Small disturbances grow; from far out"), (linear, "Rest is unstable: small disturbances grow.")):
+        folder = user_pages.derived(page, "binary")
+        disc = {"m": 0.35, "k": 1e6, "h": 0.04, "mu0": 0.4, "J": 1e-3, "k_r": 7e3, "c": 100.0}
+        found = ss.Study(disc, model=str(folder)).report()
+        assert "no jump at any mu0" in found.verdict
+        assert said in found.verdict
+        assert all(row.friction is None for row in found.fold_rows)
+        figures.motion_figure(ss.simulate(ss.load(folder).Parameters(), t_end=20.0))
 
 
 @pytest.mark.thorough

@@ -42,8 +42,8 @@ def precise_cusps(_p: Parameters, given: Mapping[str, Any], vary: Sequence[str],
     ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
     if exact[1] == 1 + exact[3]:
         return CuspProof(ordered, True, {})
-    polynomial, sines, count = cusp_proofs.cusp_sines(*exact, bits=64)
-    return CuspProof(ordered, True, {}, polynomial, tuple(sines), count)
+    polynomial, sines = cusp_proofs.cusp_sines(*exact, bits=64)
+    return CuspProof(ordered, True, {}, polynomial, tuple(sines), len(sines))
 
 
 def _cusp(point: Point, digits: int) -> PreciseCusp:

@@ -1,8 +1,7 @@
 """Real roots of polynomials by Descartes' rule of signs: none is missed.
 
 Coefficients are listed lowest power first: integers, of which nothing is rounded, or balls, where :class:`.balls.Undecided` says
-that more bits are needed. Intervals are halved, which only adds and shifts; a chain of Sturm's, whose coefficients grow with the
-square of the degree, is slower by far at degree 16.
+that more bits are needed. Intervals are halved, which only adds and shifts.
 """
 
 from __future__ import annotations

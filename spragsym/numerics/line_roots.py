@@ -30,7 +30,7 @@ class Root:
         return has_root(tuple(reversed(polynomial)) if self.backward else polynomial, self.low, self.high)
 
 
-#: Ends of the two charts: no round numbers, where Sturm functions of symmetric parameters vanish.
+#: Ends of the two charts: no round numbers, where roots of symmetric parameters are.
 _BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
 
 

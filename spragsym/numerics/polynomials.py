@@ -1,20 +1,14 @@
-"""Polynomials over rationals and balls: common divisors, Sturm's chains, interpolation.
-
-Coefficients are listed lowest power first. They are Fractions or integers, for which every sign is exact, or balls, for
-which a sign that can't be decided raises :class:`.balls.Undecided`, to be tried again with more bits.
-"""
+"""Exact polynomials over rationals, coefficients lowest power first: common divisors, squarefree parts, interpolation."""
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
 from typing import Any, TypeAlias
 
-from . import descartes
-from .balls import Undecided, sign
+from .descartes import real_roots, sign_at
 
 #: A Fraction or a ball.
 Coefficient: TypeAlias = Any
@@ -34,25 +28,13 @@ def derivative(polynomial: Polynomial) -> Polynomial:
     return tuple(power * coefficient for power, coefficient in enumerate(polynomial))[1:]
 
 
-def sturm_chain(polynomial: Polynomial) -> list[Polynomial]:
-    """The polynomial, its derivative, and negated remainders down to a constant, or to a common factor.
-
-    Multiple roots, possible over exact coefficients only, count once.
-    """
-    chain = [_trimmed(polynomial)]
-    chain.append(_trimmed(derivative(chain[0])))
-    while remainder := _trimmed(_negated_remainder(chain[-2], chain[-1])):
-        chain.append(remainder)
-    return chain
-
-
 def common_divisor(one: Polynomial, other: Polynomial) -> tuple[int, ...]:
-    """The greatest common divisor with coprime integer coefficients; () if both are zero. Exact coefficients only."""
+    """The greatest common divisor with coprime integer coefficients; () if both are zero."""
     dividend, divisor = primitive(one), primitive(other)
     if _coprime(dividend, divisor):
         return (1,)
     while divisor:
-        dividend, divisor = divisor, primitive(_negated_remainder(dividend, divisor))
+        dividend, divisor = divisor, primitive(_remainder(dividend, divisor))
     return dividend
 
 
@@ -78,12 +60,12 @@ def _coprime(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
 
 
 def squarefree(polynomial: Polynomial) -> tuple[int, ...]:
-    """The squarefree part, with the roots each once; exact coefficients only."""
+    """The squarefree part, with the roots each once."""
     return without(polynomial, common_divisor(polynomial, derivative(polynomial)))
 
 
 def without(polynomial: Polynomial, divisor: tuple[int, ...]) -> tuple[int, ...]:
-    """A polynomial over one of coprime integers that divides it: coprime integers again (Gauss). Exact coefficients only."""
+    """A polynomial over one of coprime integers that divides it: coprime integers again (Gauss)."""
     rest, quotient = list(primitive(polynomial)), list[int]()
     if not divisor:
         return ()
@@ -95,8 +77,8 @@ def without(polynomial: Polynomial, divisor: tuple[int, ...]) -> tuple[int, ...]
     return tuple(reversed(quotient))
 
 
-def primitive(polynomial: Polynomial) -> tuple[int, ...]:
-    """A positive multiple with coprime integers and no leading zero, () for zero; exact coefficients only."""
+def primitive(polynomial: Sequence[Coefficient]) -> tuple[int, ...]:
+    """A positive multiple with coprime integers and no leading zero, () for zero."""
     common = math.lcm(*(value.denominator for value in polynomial))
     integers = [value.numerator * (common // value.denominator) for value in polynomial]
     while integers and not integers[-1]:
@@ -106,50 +88,20 @@ def primitive(polynomial: Polynomial) -> tuple[int, ...]:
 
 
 def has_root(polynomial: Polynomial, low: Fraction, high: Fraction) -> bool:
-    """Whether an exact polynomial other than zero has a root in (low, high], or at low = high."""
-    integers = primitive(polynomial)
-    at_low, at_high = (descartes.sign_at(integers, end) for end in (low, high))
-    if at_high == 0 or at_low * at_high < 0:
-        return True
-    return len(integers) > 1 and count_between(sturm_chain(integers), low, high) > 0
+    """Whether a polynomial other than zero has a root in (low, high], or at low = high."""
+    simple = squarefree(polynomial)
+    return sign_at(simple, high) == 0 or (low < high and bool(real_roots(simple, low, high, 0)))
 
 
-def _is_exact(polynomial: Polynomial) -> bool:
-    return isinstance(polynomial[0], Fraction | int)
-
-
-def _trimmed(polynomial: Polynomial) -> Polynomial:
-    """Exact coefficients in their simplest form, which keeps remainders small; intervals only with a degree that is known."""
-    if not polynomial or _is_exact(polynomial):
-        return primitive(polynomial)
-    if sign(polynomial[-1]) == 0:
-        raise Undecided("a leading coefficient holds 0")
-    return polynomial
-
-
-def _negated_remainder(dividend: Polynomial, divisor: Polynomial) -> Polynomial:
-    """−(dividend mod divisor), of integers a positive multiple; its degree is below the divisor's whatever the rounding."""
-    rest, exact = list(dividend), _is_exact(divisor)
-    lead = divisor[-1]
+def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]:
+    """A multiple of dividend mod divisor."""
+    rest = list(dividend)
     for shift in range(len(dividend) - len(divisor), -1, -1):
-        if exact:
-            factor = rest.pop() * sign(lead)
-            rest = [value * abs(lead) for value in rest]
-        else:
-            factor = rest.pop() / lead
+        factor = rest.pop()
+        rest = [value * divisor[-1] for value in rest]
         for power, coefficient in enumerate(divisor[:-1]):
-            rest[shift + power] = rest[shift + power] - factor * coefficient
-    return tuple(-value for value in rest)
-
-
-def count_between(chain: list[Polynomial], low: Fraction, high: Fraction) -> int:
-    """Number of different real roots in (low, high] from an exact chain."""
-    return _variations(chain, low) - _variations(chain, high)
-
-
-def _variations(chain: list[Polynomial], t: Fraction) -> int:
-    signs = [value for polynomial in chain if (value := descartes.sign_at(polynomial, t))]
-    return sum(left != right for left, right in itertools.pairwise(signs))
+            rest[shift + power] -= factor * coefficient
+    return rest
 
 
 @cache

@@ -127,7 +127,7 @@ class CuspProof(Sequence[PreciseCusp]):
     sines : tuple of (Fraction, Fraction)
         Disjoint intervals, each proved to hold one of its real roots.
     count : int or None
-        Number of different real roots there by Sturm's theorem, which ``sines`` matches: the proof. None without a polynomial.
+        Number of different real roots there by Descartes' rule of signs: the proof. None without a polynomial.
     """
 
     cusps: tuple[PreciseCusp, ...]

@@ -219,7 +219,7 @@ def test_linear_model_is_a_linear_solve() -> None:
 # --------------------------------------------------------------------------------------------------- bad input
 
 
-def test_cusp_count_is_sturms_and_numpys() -> None:
+def test_cusp_count_is_numpys() -> None:
     rng = np.random.default_rng(11)
     for _ in range(20):
         p = random_fixed(rng)

@@ -20,19 +20,13 @@ _DEGREE = 10
 
 def cusp_sines(
     kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, *, bits: int
-) -> tuple[tuple[Fraction, ...], list[descartes.Root], int]:
-    """The polynomial of the cusps, an interval around each of its roots, and their number by Sturm. α ≠ 1 + β.
+) -> tuple[tuple[Fraction, ...], list[descartes.Root]]:
+    """The polynomial of the cusps, and an interval around each of its roots in [−1, 1]. α ≠ 1 + β.
 
-    Roots in [−1, 1]; for α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
+    For α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
     """
-    polynomial, simple = _cusp_polynomial(kappa, alpha, sigma, beta)
-    chain = polynomials.sturm_chain(simple)
-    count = polynomials.count_between(chain, -_ONE, _ONE)
-    count += polynomials.evaluate(simple, -_ONE) == 0
-    roots = _cusp_roots((kappa, alpha, sigma, beta), bits)
-    if len(roots) != count:
-        raise ArithmeticError("isolation and Sturm's count disagree")  # can't happen: both are exact
-    return polynomial, roots, count
+    exact = kappa, alpha, sigma, beta
+    return _cusp_polynomial(*exact)[0], _cusp_roots(exact, bits)
 
 
 _ONE = Fraction(1)

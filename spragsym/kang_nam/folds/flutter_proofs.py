@@ -26,6 +26,7 @@ from ...numerics.adaptive_bits import angle, decided, sign_or_zero
 from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.descartes import Root, real_roots
 from ...numerics.half_angle import in_t, on_circle
+from ...numerics.line_roots import roots_on_the_line
 from ..quartic import kernel
 
 #: Degrees in cos θ, sin θ of the resultant and of L = X/Y over one denominator; half of the degrees in v.
@@ -143,7 +144,7 @@ def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
         spring = _Spring(root, balls.between(*root), *direction(balls.between(*root)))
         lengths = _lengths(elimination, spring, values)
         for L in lengths:
-            yield from _at_length(elimination, spring, L, values, alone=len(lengths) == 1)
+            yield from _at_length(elimination, spring, L, values, bits, alone=len(lengths) == 1)
 
 
 class _Spring(NamedTuple):
@@ -171,7 +172,7 @@ def _lengths(elimination: Elimination, spring: _Spring, values: tuple[Interval, 
 
 
 def _at_length(
-    elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], *, alone: bool
+    elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], bits: int, *, alone: bool
 ) -> Iterator[Onset]:
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
 
@@ -209,42 +210,18 @@ def _at_length(
         touches = stationary or (alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0)
         side = 0 if touches else -decided(change, "the discriminant's slope")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
-        branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / sigma)
+        branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / sigma, bits // 2)
         yield Onset(angle(c0, s0), angle(c, s), L, x, y, branch, count, side)
 
 
 # ------------------------------------------------------------------------------------------------------- rank
 
 
-def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval) -> tuple[int, int]:
+def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval, bits: int) -> tuple[int, int]:
     """Place among the equilibria from below in θ of the root t of f's quartic, and their number; contact is sin θ > ``edge``."""
-    rest = _deflated(quartic, t)
-    chain = polynomials.sturm_chain(rest)
-    start, end = [part[0] for part in chain], [part[-1] for part in chain]
-    if sign(edge) >= 0:
-        tangent = edge / (1 + balls.sqrt(1 - edge * edge))
-        start = [polynomials.evaluate(part, tangent) for part in chain]
-        end = [polynomials.evaluate(part[::-1], tangent) for part in chain]  # at 1/tangent, times a positive power
-    low, here, high = (_variations(values) for values in (start, [polynomials.evaluate(part, t) for part in chain], end))
-    below, above = low - here, here - high
-    if (below, above) not in ((0, 0), (2, 0), (0, 2)):
-        raise Undecided(f"{below} equilibria below an onset and {above} above")
+    roots = (root.interval() for root in roots_on_the_line(quartic, bits, positive=True))
+    sides = [sign(root - t) for root in roots if decided(on_circle(root).sine - edge, "y = 0 of another equilibrium") > 0]
+    below, here, above = map(sides.count, (-1, 0, 1))
+    if here != 1 or (below, above) not in ((0, 0), (2, 0), (0, 2)):
+        raise Undecided(f"{below} equilibria below an onset, {here} there and {above} above")
     return below, 1 + below + above
-
-
-def _deflated(polynomial: tuple[Interval, ...], t: Interval) -> tuple[Interval, ...]:
-    """The polynomial over (· − t), the remainder left out."""
-    quotient = [polynomial[-1]]
-    for coefficient in reversed(polynomial[1:-1]):
-        quotient.append(quotient[-1] * t + coefficient)
-    return tuple(reversed(quotient))
-
-
-def _variations(values: list[Interval]) -> int:
-    """Changes of sign along Sturm's chain. Between two of opposite sign there is one, whatever the sign of what stands there."""
-    signs = [sign(value) for value in values]
-    for place, value in enumerate(signs):
-        if value == 0 and (place in (0, len(signs) - 1) or signs[place - 1] * signs[place + 1] != -1):
-            raise Undecided("a Sturm function holds 0")
-    kept = [value for value in signs if value]
-    return sum(kept[i] != kept[i + 1] for i in range(len(kept) - 1))

@@ -59,18 +59,11 @@ def _stretch(low: Fraction, high: Fraction, exact: Fixed) -> Stretch:
     inside = (low + high) / 2
     c, s, _ = on_circle(inside)
     condition = polynomials.primitive(fold_polynomial((c, s), exact))
-    number = _positive_roots(condition, None if exact.alpha else Fraction(1))
+    limit = 1 + max(map(abs, condition)) / Fraction(abs(condition[-1])) if exact.alpha else Fraction(1)  # the former is Cauchy's
+    number = len(real_roots(condition, Fraction(0), limit, 0))
     at_zero, at_end = condition[0], condition[-1] if exact.alpha else sum(condition)
     begin, middle, end = (2 * math.atan(t) for t in (low, inside, high))
     return Stretch(begin, end, middle, number, balls.sign(at_zero), balls.sign(at_end))
-
-
-def _positive_roots(condition: Polynomial, limit: Fraction | None) -> int:
-    """How many roots a polynomial without multiple ones has in (0, limit], or above 0."""
-    if limit is None:  # Cauchy's bound
-        limit = 1 + max(map(abs, condition)) / Fraction(abs(condition[-1]))
-    chain = polynomials.sturm_chain(condition)
-    return polynomials.count_between(chain, Fraction(0), limit)
 
 
 def _events(exact: Fixed) -> list[Root]:

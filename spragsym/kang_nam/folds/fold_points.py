@@ -37,8 +37,8 @@ def folds(
     Notes
     -----
     Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is eliminated, and what remains is a
-    polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule or, over intervals, by Sturm's theorem. A multiple
-    root, which belongs to the other kinds, is found by exact algebra.
+    polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule. A multiple root, which belongs to
+    the other kinds, is found by exact algebra.
     """
     vary = vary or "theta0"
     if vary not in NAMES:

@@ -1,8 +1,8 @@
 """Folds of exactly given parameters, with a proof that there are no more: real-root counting, no starting points.
 
 On a fold f and f′ are 0, which are linear in every parameter but θ₀, so that eliminating the one that varies leaves a polynomial
-in t = tan(θ/2) (derived: ``fold_sextic``). Its real roots are isolated exactly over rationals (Descartes), and with
-intervals where cos θ₀ and sin θ₀ enter (Sturm).
+in t = tan(θ/2) (derived: ``fold_sextic``). Descartes' rule isolates its real roots, exactly over rationals, and with intervals
+where cos θ₀ and sin θ₀ enter.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..models.parameters import ParameterSet, as_count
 from ..numerics.certified_roots import concatenated
+from ..numerics.chains import link, walked
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..progress import doing
 from ..questions import Method, question
@@ -252,7 +253,7 @@ def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> l
     free = np.ones((2, count), dtype=np.bool_)
     for _ in range(ROUNDS):
         _link(cost, free, links)
-    return _walked(links)
+    return walked(links)
 
 
 def _link(cost: FloatArray, free: NDArray[np.bool_], links: list[set[int]]) -> None:
@@ -270,24 +271,5 @@ def _link(cost: FloatArray, free: NDArray[np.bool_], links: list[set[int]]) -> N
                 continue
             there = int(back[one, other])
             if free[there, other] and nearest[there, other] == one:
-                links[one].add(other)
-                links[other].add(one)
+                link(links, [(one, other)])
                 free[side, one] = free[there, other] = False
-
-
-def _walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
-    """Chains of a graph, open ones from an end, closed ones from anywhere."""
-    seen: set[int] = set()
-    chains = []
-    for start in sorted(range(len(links)), key=lambda i: len(links[i])):
-        if start in seen:
-            continue
-        chain = [start]
-        seen.add(start)
-        while ahead := [i for i in sorted(links[chain[-1]]) if i not in seen]:
-            chain.append(ahead[0])
-            seen.add(ahead[0])
-        if len(links[start]) == 2 and start in links[chain[-1]] and len(chain) > 2:
-            chain.append(start)
-        chains.append(np.array(chain))
-    return chains

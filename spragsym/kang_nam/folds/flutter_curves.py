@@ -8,13 +8,13 @@ Where their number changes, or one enters at θ₀ = 0 or π, more θ are put in
 from __future__ import annotations
 
 import itertools
-from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
 
 from ...generated import stability as _stability
 from ...models.parameters import FloatArray
+from ...numerics.chains import link, walked
 from ...numerics.companion_roots import by_power, eigenvalues, polished
 from ...numerics.polynomials import evaluate
 from .fixed_parameters import Fixed
@@ -99,37 +99,19 @@ def _settled(one: _Column, other: _Column) -> bool:
     return _same_kind(one, other) and bool((np.abs(one.theta0 - other.theta0) < _STEP).all())
 
 
-# ----------------------------------------------------------------------------------------------------- joining
-
-
-@dataclass(eq=False)
-class _Piece:
-    """Points of a curve in order; it may be open at either end."""
-
-    points: deque[tuple[float, float]]
-
-
 def _joined(columns: list[_Column]) -> list[FloatArray]:
-    """Join the roots of neighbouring θ, and two open ends that vanish or are born together."""
-    pieces: list[_Piece] = []
-    open_ends: list[tuple[_Piece, bool]] = []  # and whether it is the last point that is open
-    before: _Column | None = None
-    for column in columns:
-        links = _links(before, column) if before is not None else {}
-        fresh: list[tuple[_Piece, bool]] = []
-        for place, angle in enumerate(column.theta0):
-            piece, last = open_ends[links[place]] if place in links else (_Piece(deque()), True)
-            if place not in links:
-                pieces.append(piece)
-            (piece.points.append if last else piece.points.appendleft)((column.theta, float(angle)))
-            fresh.append((piece, last))
-        if before is not None:
-            for one, other in _couples(before.theta0, set(links.values())):
-                _couple(pieces, fresh, open_ends, one, other)
-            for one, other in _couples(column.theta0, set(links)):
-                _born(pieces, fresh, one, other)
-        open_ends, before = fresh, column
-    return [np.array(piece.points).T for piece in pieces]
+    """Join the roots of neighbouring θ, and two that vanish or are born together."""
+    points = np.array([(column.theta, angle) for column in columns for angle in column.theta0]).reshape(-1, 2).T
+    links: list[set[int]] = [set() for _ in points.T]
+    begin = 0
+    for before, column in itertools.pairwise(columns):
+        here = begin + before.theta0.size
+        found = _links(before, column)
+        link(links, ((here + one, begin + other) for one, other in found.items()))
+        link(links, ((begin + one, begin + other) for one, other in _couples(before.theta0, set(found.values()))))
+        link(links, ((here + one, here + other) for one, other in _couples(column.theta0, set(found))))
+        begin = here
+    return [points[:, chain] for chain in walked(links)]
 
 
 def _links(before: _Column, column: _Column) -> dict[int, int]:
@@ -156,33 +138,3 @@ def _couples(theta0: FloatArray, linked: set[int]) -> list[tuple[int, int]]:
             break
         found.append((free.pop(nearest), free.pop(nearest)))
     return found
-
-
-def _couple(
-    pieces: list[_Piece], fresh: list[tuple[_Piece, bool]], open_ends: list[tuple[_Piece, bool]], one: int, other: int
-) -> None:
-    """Join two open ends that vanish together."""
-    (first, first_last), (second, second_last) = open_ends[one], open_ends[other]
-    if first is second:  # a closed curve
-        first.points.append(first.points[0])
-        return
-    backward = list(second.points)[::-1]
-    toward = backward if second_last else list(second.points)
-    if first_last:
-        first.points.extend(toward)
-    else:
-        first.points.extendleft(toward)
-    pieces.remove(second)
-    # The far end of the second piece is now an end of the first.
-    for ends in (fresh, open_ends):
-        for place, (piece, _) in enumerate(ends):
-            if piece is second:
-                ends[place] = first, first_last
-
-
-def _born(pieces: list[_Piece], fresh: list[tuple[_Piece, bool]], one: int, other: int) -> None:
-    """Two roots that are born together are one piece, open at both ends."""
-    (first, _), (second, _) = fresh[one], fresh[other]
-    first.points.appendleft(second.points[0])
-    pieces.remove(second)
-    fresh[one], fresh[other] = (first, True), (first, False)

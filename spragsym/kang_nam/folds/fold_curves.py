@@ -8,14 +8,15 @@ what it is, is proved (``fold_events``); float64 only draws what is there.
 
 from __future__ import annotations
 
-from collections import deque
+import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import FloatArray
+from ...numerics.chains import link, walked
 from ...numerics.companion_roots import eigenvalues, polished
 from .fixed_parameters import Fixed
 from .fold_events import Stretch, fold_polynomial, stretches
@@ -103,57 +104,75 @@ def _lengths(theta: FloatArray, number: int, fixed: Fixed) -> FloatArray:
     return np.nan_to_num(steps).max(axis=1, initial=0.0)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
-#: Chunks of points (θ, v), each of shape (2, k), in order; a curve grows at both ends.
-_Curve: TypeAlias = "deque[FloatArray]"
-#: A curve, and whether it is its last end that is open.
-_End: TypeAlias = tuple[_Curve, bool]
+class _Graph:
+    """Points (θ, v) of curves, each of shape (2, k) by growing θ, and which of them go on as which others at an end."""
+
+    def __init__(self) -> None:
+        self.points: list[FloatArray] = []
+        self.links: list[set[int]] = []
+
+    def add(self, points: FloatArray, *neighbours: int) -> int:
+        """Further points, and their number."""
+        self.points.append(points)
+        self.links.append(set())
+        number = len(self.links) - 1
+        link(self.links, ((number, other) for other in neighbours))
+        return number
+
+    def curves(self) -> Iterator[FloatArray]:
+        """Whole curves, points in order."""
+        for chain in walked(self.links):
+            parts = [self.points[number] for number in chain if self.points[number].size]  # some stretches hold no float
+            if not parts:
+                continue
+            rises = [bool(one[0, 0] < other[0, 0]) for one, other in itertools.pairwise(parts)]
+            ahead = [*rises, rises[-1] if rises else True]
+            parts = [part if way else part[:, ::-1] for part, way in zip(parts, ahead, strict=True)]
+            if rises and chain[0] == chain[-1]:
+                parts[-1] = parts[0][:, :1]
+            yield np.concatenate(parts, axis=1)
 
 
 def _trace(parts: list[Stretch], theta: list[FloatArray], fixed: Fixed) -> list[Strand]:
-    """Join the roots of neighbouring θ, and two open ends where they are born or vanish together."""
-    finished: list[_Curve] = []
-    open_ends: list[_End] = [(deque(), True) for _ in range(parts[0].number)]
+    """Join the roots of neighbouring θ, and two that are born or vanish together."""
+    graph, ends = _Graph(), list[int]()
     for place, (part, inside) in enumerate(zip(parts, theta, strict=True)):
         if place:
-            open_ends = _through_event(parts[place - 1], part, fixed, open_ends, finished)
-        for (curve, last), values in zip(open_ends, positive_roots(inside, part.number, fixed).T, strict=True):
-            _grow(curve, last, np.stack([inside, values]))
-    finished += {id(curve): curve for curve, _ in open_ends}.values()
-    return [_strand(curve, fixed) for curve in finished if curve]
+            ends = _through_event(parts[place - 1], part, fixed, graph, ends)
+        roots = positive_roots(inside, part.number, fixed).T
+        # The first have nothing before them.
+        ends = [graph.add(np.stack([inside, values]), *ends[k : k + 1]) for k, values in enumerate(roots)]
+    return [_strand(curve, fixed) for curve in graph.curves()]
 
 
-def _strand(curve: _Curve, fixed: Fixed) -> Strand:
-    theta, v = np.concatenate(list(curve), axis=-1)
+def _strand(curve: FloatArray, fixed: Fixed) -> Strand:
+    theta, v = curve
     theta0 = 2 * np.arctan(v)
     return Strand(theta, theta0, friction(theta, theta0, fixed))
 
 
-def _grow(curve: _Curve, last: bool, points: FloatArray) -> None:
-    """Add points at the open end; they are given by growing θ."""
-    if last:
-        curve.append(points)
-    else:
-        curve.appendleft(points[:, ::-1])
-
-
-def _reversed(curve: _Curve) -> _Curve:
-    return deque(chunk[:, ::-1] for chunk in reversed(curve))
-
-
-def _through_event(before: Stretch, after: Stretch, fixed: Fixed, open_ends: list[_End], finished: list[_Curve]) -> list[_End]:
-    """Carry the open ends over an event: what enters at an end, then pairs, then what leaves, so that all are there for pairs."""
+def _through_event(before: Stretch, after: Stretch, fixed: Fixed, graph: _Graph, ends: list[int]) -> list[int]:
+    """Carry curves over an event: what enters at an end, then pairs, then what leaves, so that all are there for pairs."""
     passing = _passing(before, after)
     pairs = (after.number - before.number - sum(passing)) // 2
     for at_zero, way in zip((True, False), passing, strict=True):
         if way > 0:
-            end = deque([_border(after.low, at_zero, fixed)]), True
-            open_ends = [end, *open_ends] if at_zero else [*open_ends, end]
+            end = graph.add(_border(after.low, at_zero, fixed))
+            ends = [end, *ends] if at_zero else [*ends, end]
     for _ in range(abs(pairs)):
-        open_ends = _pair(after.low, fixed, open_ends, finished, born=pairs > 0)
+        [roots] = positive_roots(np.array([after.low]), len(ends) + 2 * (pairs > 0), fixed)
+        place = int(np.argmin(np.diff(roots) / roots[1:]))
+        # Both, but for the root of a rounding error.
+        point = np.array([[after.low], [0.5 * (roots[place] + roots[place + 1])]])
+        if pairs > 0:
+            ends[place:place] = [graph.add(point)] * 2
+        else:
+            graph.add(point, *ends[place : place + 2])
+            del ends[place : place + 2]
     for at_zero, way in zip((True, False), passing, strict=True):
         if way < 0:
-            open_ends = _leave(after.low, at_zero, fixed, open_ends, finished)
-    return open_ends
+            graph.add(_border(after.low, at_zero, fixed), ends.pop(0 if at_zero else -1))
+    return ends
 
 
 def _passing(before: Stretch, after: Stretch) -> tuple[int, int]:
@@ -172,37 +191,6 @@ def _passing(before: Stretch, after: Stretch) -> tuple[int, int]:
 def _border(theta: float, at_zero: bool, fixed: Fixed) -> FloatArray:
     """The point of a fold that passes θ₀ = 0 or the other end."""
     return np.array([[theta], [0.0 if at_zero else np.inf if fixed.alpha else 1.0]])
-
-
-def _leave(theta: float, at_zero: bool, fixed: Fixed, open_ends: list[_End], finished: list[_Curve]) -> list[_End]:
-    """The lowest root leaves at θ₀ = 0, or the uppermost at the other end."""
-    (curve, last), rest = (open_ends[0], open_ends[1:]) if at_zero else (open_ends[-1], open_ends[:-1])
-    _grow(curve, last, _border(theta, at_zero, fixed))
-    if not any(other is curve for other, _ in rest):
-        finished.append(curve)
-    return rest
-
-
-def _pair(theta: float, fixed: Fixed, open_ends: list[_End], finished: list[_Curve], born: bool) -> list[_End]:
-    """Two roots are born or vanish together."""
-    [roots] = positive_roots(np.array([theta]), len(open_ends) + 2 * born, fixed)
-    place = int(np.argmin(np.diff(roots) / roots[1:]))
-    point = np.array([[theta], [0.5 * (roots[place] + roots[place + 1])]])  # both, but for the root of a rounding error
-    if born:
-        fresh: _Curve = deque([point])
-        return [*open_ends[:place], (fresh, False), (fresh, True), *open_ends[place:]]
-    (one, one_last), (two, two_last) = open_ends[place : place + 2]
-    rest = open_ends[:place] + open_ends[place + 2 :]
-    _grow(one, one_last, point)
-    if one is two:  # an isola: its two ends meet
-        one.append(one[0][:, :1])
-        finished.append(one)
-        return rest
-    whole = deque([*(one if one_last else _reversed(one)), *(_reversed(two) if two_last else two)])
-    rest = [(whole, curve is two) if curve is one or curve is two else (curve, last) for curve, last in rest]
-    if not any(curve is whole for curve, _ in rest):
-        finished.append(whole)
-    return rest
 
 
 # ------------------------------------------------------------------------------------------------------ pieces

@@ -1,0 +1,33 @@
+"""Curves from points that are linked to their neighbours."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def link(links: list[set[int]], pairs: Iterable[tuple[int, int]]) -> None:
+    """Make neighbours of pairs of points."""
+    for one, other in pairs:
+        links[one].add(other)
+        links[other].add(one)
+
+
+def walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
+    """Chains of a graph, open ones from an end, closed ones from anywhere and back to there."""
+    seen: set[int] = set()
+    chains = []
+    for start in sorted(range(len(links)), key=lambda i: len(links[i])):
+        if start in seen:
+            continue
+        chain = [start]
+        seen.add(start)
+        while ahead := [i for i in sorted(links[chain[-1]]) if i not in seen]:
+            chain.append(ahead[0])
+            seen.add(ahead[0])
+        if len(links[start]) == 2 and start in links[chain[-1]] and len(chain) > 2:
+            chain.append(start)
+        chains.append(np.array(chain))
+    return chains

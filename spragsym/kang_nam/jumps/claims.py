@@ -18,7 +18,7 @@ from ...results.equilibria import Stability
 from ..quartic import kernel
 from ..quartic.solver import count, equilibria
 from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
-from .jump_values import first_jumps, small
+from .jump_values import first_jumps, point_at, small
 
 _MU0 = NAMES.index("mu0")
 #: A little more than π, beyond which no direction is in contact.
@@ -44,10 +44,6 @@ class Claim:
     refute: Callable[[Boxes], Parameters | None]
     #: Parameters of which only the upper end matters.
     from_above: tuple[str, ...] = ()
-
-
-def _point(values: dict[str, FloatArray], i: int) -> Parameters:
-    return Parameters(**{name: float(column[i]) for name, column in values.items()})
 
 
 def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
@@ -77,7 +73,7 @@ def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
 def _three(boxes: Boxes) -> Parameters | None:
     middle = boxes.middle()
     many = np.flatnonzero(count(Parameters(**middle)) == 3)
-    return _point(middle, int(many[0])) if many.size else None
+    return point_at(middle, many[0]) if many.size else None
 
 
 # --------------------------------------------------------------------------------------------------------- no flutter
@@ -101,7 +97,7 @@ def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
 def _flutters(boxes: Boxes) -> Parameters | None:
     middle = boxes.middle()
     many = np.flatnonzero((equilibria(Parameters(**middle)).stability == Stability.FLUTTER).any(axis=-1))
-    return _point(middle, int(many[0])) if many.size else None
+    return point_at(middle, many[0]) if many.size else None
 
 
 # ------------------------------------------------------------------------------------------------------------ no jump
@@ -249,7 +245,7 @@ def _jumps(boxes: Boxes) -> Parameters | None:
     in_corner = first_jumps(Parameters(**corner), "mu0", apart_from=corner["mu0"])
     for values, jumps in ((middle, found.value), (corner, in_corner.value)):
         for i in np.flatnonzero(jumps < values["mu0"] * (1 - 1e-11))[:1]:
-            point = _point(values, int(i))
+            point = point_at(values, i)
             if first_end(point, "mu0", (0.0, float(point.mu0))) is not None:
                 return point
     return None

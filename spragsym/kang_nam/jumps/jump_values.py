@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -120,9 +121,8 @@ def _block(
     undecided[found.row[coarse]] = True
     reasons = {}
     for i in np.flatnonzero(undecided):
-        point = Parameters(**{name: float(column[i]) for name, column in given.items()})
         try:
-            value[i], theta[i] = exactly(point, vary, forward)
+            value[i], theta[i] = exactly(point_at(given, i), vary, forward)
         except ConvergenceError as reason:
             value[i] = theta[i] = np.nan
             reasons[int(i)] = str(reason)
@@ -188,6 +188,11 @@ def _with_more_digits(
         except Undecided:
             new, error = math.nan, math.inf
         value[row] = new if error <= _LARGEST_ERROR * max(abs(new), 1.0) else math.nan
+
+
+def point_at(given: Mapping[str, FloatArray], i: Any) -> Parameters:
+    """One of many points."""
+    return Parameters(**{name: float(column[i]) for name, column in given.items()})
 
 
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:

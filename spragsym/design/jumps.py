@@ -148,11 +148,6 @@ def have_jumped(
     It rises from ``begin``, one value for all points or one for each; the lower end of its range where left out. A ``hasty``
     answer is NaN beside cusps too, which take longest.
 
-    Returns
-    -------
-    ndarray
-        Of the shape of the points.
-
     Examples
     --------
     >>> import numpy as np, spragsym as ss

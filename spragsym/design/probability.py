@@ -135,18 +135,6 @@ def estimated(
 # ------------------------------------------------------------------------------------------------------ variables
 
 
-@dataclass(frozen=True)
-class _Uniform:
-    low: float
-    width: float
-
-    def ppf(self, share: Any) -> Any:
-        return self.low + share * self.width
-
-    def cdf(self, value: Any) -> Any:
-        return np.clip((value - self.low) / self.width, 0.0, 1.0)
-
-
 def sides(low: Any, high: Any, names: Iterable[str]) -> dict[str, Any]:
     """A box from two corners: a number where they agree, else the ends of a range."""
     ends = ((name, as_number(name, getattr(low, name)), as_number(name, getattr(high, name))) for name in names)
@@ -175,7 +163,9 @@ def variable(name: str, given: Any, allowed: Range) -> Any:
         low, high = (as_number(f"{name}[{i}]", value, allowed) for i, value in enumerate(given))
         if low > high:
             raise ParameterError(f"{name} = ({low:g}, {high:g}) goes down; give the smaller end first")
-        return _Uniform(low, high - low) if low < high else low
+        from scipy.stats import uniform
+
+        return uniform(low, high - low) if low < high else low
     return as_number(name, given, allowed)
 
 

@@ -100,6 +100,7 @@ class Estimate:
 
 def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float, indicator: bool) -> Estimate:
     """From the sums of all chunks; ``indicator`` says that the function is 0 or 1."""
+    from scipy.stats import binomtest
     from scipy.stats import t as student
 
     number = max(replicate) + 1
@@ -117,22 +118,13 @@ def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confi
         low, high = mean - half, mean + half
         hits, missing = float(total.sum()), float(unknown.sum())
         if min(hits, n - hits) < _FEW:
-            low, high = _exact(hits, n, confidence)
+            # As for independent points, which spread no less.
+            low, high = binomtest(int(hits), int(n), 0.5).proportion_ci(confidence, "exact")
         # Points without a value may be either.
         low, high = max(low, 0.0), min(high + missing / n, 1.0)
     first, first_error = _index(table[:, 4::2], table, 2.0, quantile)
     whole, whole_error = _index(table[:, 5::2], table, 1.0, quantile)
     return Estimate(int(n), mean, low, high, float(unknown.sum() / n), first, whole, first_error, whole_error)
-
-
-def _exact(hits: float, n: float, confidence: float) -> tuple[float, float]:
-    """Clopper and Pearson's interval, as for independent points, which spread no less."""
-    from scipy.stats import beta as beta_law
-
-    tail = (1 - confidence) / 2
-    low = float(beta_law.ppf(tail, hits, n - hits + 1)) if hits else 0.0
-    high = float(beta_law.ppf(1 - tail, hits + 1, n - hits)) if hits < n else 1.0
-    return low, high
 
 
 def _index(parts: FloatArray, table: FloatArray, factor: float, quantile: float) -> tuple[FloatArray, FloatArray]:

@@ -72,13 +72,7 @@ def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
 def as_numbers(
     intervals: Iterable[Interval], digits: int | None
 ) -> tuple[list[mpmath.mpf], Fraction, Fraction]:  # fmt: skip
-    """The middles of intervals with every bit that they have, and bounds on |error| / max(1, |value|) and |error| of all of them.
-
-    Raises
-    ------
-    Undecided
-        Where the first of the bounds is above 10^−digits, if there are ``digits``.
-    """
+    """The middles of intervals with every bit that they have, and bounds on |error| / max(1, |value|) and |error| of all."""
     middles, error, radius = [], Fraction(0), Fraction(0)
     for low, high in map(balls.ends, intervals):
         middle, half = (low + high) / 2, (high - low) / 2

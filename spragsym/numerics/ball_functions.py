@@ -60,13 +60,7 @@ def sin(angle: Ball) -> Ball:
 
 
 def log(value: Ball) -> Ball:
-    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1, by Taylor's series.
-
-    Raises
-    ------
-    Undecided
-        Where the ball holds 0 or negative numbers, or is wider than its middle.
-    """
+    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1, by Taylor's series."""
     if value.mid <= 2 * value.rad:
         raise Undecided("the logarithm of a ball that holds 0, or nearly does")
     bits = value.bits + GUARD_BITS

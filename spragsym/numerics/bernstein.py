@@ -48,18 +48,7 @@ class Roots:
 
 
 def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
-    """Every positive root of each of ``size`` polynomials.
-
-    Parameters
-    ----------
-    coefficients : list of Rounded
-        Lowest power first, each an array of ``size`` or one number.
-
-    Returns
-    -------
-    Roots
-        Of rows that are not undecided all roots, each simple, in no order.
-    """
+    """Every positive root of ``size`` polynomials, lowest power first: of rows that are decided all, simple, in no order."""
     pending = _beginning(coefficients, size)
     undecided = np.asarray(~np.isfinite(pending.value + pending.error).all(axis=0))
     found = []
@@ -93,17 +82,7 @@ class Signs:
 
 
 def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray, off: FloatArray) -> Signs:
-    """What signs each of many polynomials has between two places.
-
-    Parameters
-    ----------
-    coefficients : list of Rounded
-        Lowest power first, each an array of the size of ``low`` or one number.
-    low, high : ndarray
-        Ends in w = t/(t + ``SCALE``), 0 ≤ low ≤ high ≤ 1.
-    off : ndarray
-        How far the true ends may be from those: signs hold for them.
-    """
+    """What signs polynomials, lowest power first, have between places in w = t/(t + ``SCALE``), which are known to ``off``."""
     size = low.size
     whole = _beginning(coefficients, size)
     with np.errstate(all="ignore"):

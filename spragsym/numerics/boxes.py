@@ -119,25 +119,10 @@ def search(
     budget: int = BUDGET,
     narrow: float = NARROW,
 ) -> Outcome:
-    """All roots for all points.
+    """All roots for all points: the box to search is ``region``, −low and high, (2, n, points or 1), points (parameters, points).
 
-    Parameters
-    ----------
-    system : System
-    region : ndarray
-        Shape (2, n, points) or (2, n, 1): −low and high of the box to search, for every point.
-    low, high : ndarray
-        Shape (parameters, points): a box for each point, mostly without width.
-    limits : ndarray, optional
-        Shape (2, n): beyond them F is not asked for; no limits if it is not given.
-    budget : int
-        Boxes of one point that may be looked at before what is left of it counts as undecided.
-    narrow : float
-        Relative width of boxes that are not halved any more.
-
-    Returns
-    -------
-    Outcome
+    Beyond ``limits``, (2, n), F is not asked for; ``budget`` is how many boxes one point may take, and ``narrow`` the relative
+    width of boxes that are not halved any more.
     """
     points, n = tree(low, high), region.shape[1]
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))

@@ -23,26 +23,12 @@ DONE = 2.0**-50
 
 @dataclass(frozen=True)
 class Roots:
-    """Roots of many points, sorted by point.
+    """Roots of many points, sorted by point; boxes are −low and high, (2, n, roots)."""
 
-    Attributes
-    ----------
-    ends : ndarray
-        Shape (2, n, roots): −low and high of a box that holds exactly one root, and no other root lies nearer than ``alone``.
-    alone : ndarray
-        Shape (2, n, roots): the larger box in which it is the only root.
-    point : ndarray of int64
-        The point of each.
-    left : ndarray
-        Shape (2, n, boxes): boxes of which it is not known what they hold.
-    left_point : ndarray of int64
-        The point of each.
-    """
-
-    ends: FloatArray
-    alone: FloatArray
-    point: NDArray[np.int64]
-    left: FloatArray
+    ends: FloatArray  #: a box that holds exactly one root
+    alone: FloatArray  #: the larger box in which it is the only one
+    point: NDArray[np.int64]  #: the point of each
+    left: FloatArray  #: boxes of which it is not known what they hold
     left_point: NDArray[np.int64]
 
     @classmethod

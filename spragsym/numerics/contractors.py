@@ -22,24 +22,12 @@ from .interval_arrays import EPS, TINY, FloatArray, Intervals, raised, scaled
 
 @dataclass(frozen=True)
 class Newton:
-    """One step for N boxes.
+    """One step for N boxes."""
 
-    Attributes
-    ----------
-    ends : ndarray
-        Shape (2, n, N): −low and high of the operator's result.
-    noise : ndarray
-        Shape (n, N): half the width of Y F(m), which does not shrink with the box.
-    dominant : ndarray of bool
-        Shape (n, N): where A_ii is positive, without which a component of the result is unbounded.
-    none : ndarray of bool
-        Shape (N,): where |Y F(m)| > |A| r in some row, so that there is no root, whether A_ii is positive or not.
-    """
-
-    ends: FloatArray
-    noise: FloatArray
-    dominant: NDArray[np.bool_]
-    none: NDArray[np.bool_]
+    ends: FloatArray  #: −low and high of the operator's result, (2, n, N)
+    noise: FloatArray  #: half the width of Y F(m), which does not shrink with the box, (n, N)
+    dominant: NDArray[np.bool_]  #: where A_ii is positive, without which a component of the result is unbounded, (n, N)
+    none: NDArray[np.bool_]  #: where |Y F(m)| > |A| r in some row, so that there is no root, (N,)
 
 
 def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
@@ -65,14 +53,7 @@ def by_each_row(
     """The operator with every cyclic permutation of the rows: each unknown by each row, without a matrix.
 
     Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a single row tells how the unknowns
-    depend on each other along the direction that is left.
-
-    Returns
-    -------
-    ends : ndarray
-        Shape (2, n, N): what the best row leaves of each unknown.
-    none : ndarray of bool
-        Boxes without a root: a row with |F_i(m)| > |J_i| r.
+    depend on each other along the direction that is left. Gives ends, and boxes without a root, where some |F_i(m)| > |J_i| r.
     """
     n = middle.shape[0]
     every = np.arange(n)

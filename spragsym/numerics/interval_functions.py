@@ -70,15 +70,8 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
 def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Intervals:
     """The angle of the vector (cosine, sine), from −π to π; NaN where the vectors meet the ray on which it jumps, or 0.
 
-    Parameters
-    ----------
-    side : int, optional
-        What is given there instead: with 1 or −1 the angles of vectors with a sine that is not negative or not positive, with 0
-        all angles.
-
-    Notes
-    -----
-    Over a rectangle that does not meet the ray the angle is least and greatest at corners: on each side it is monotone.
+    With a ``side`` of 1 or −1 there the angles of vectors with a sine not negative or not positive, with 0 all. Over a rectangle
+    that does not meet the ray the angle is least and greatest at corners: on each side it is monotone.
     """
     x, y = (np.stack([part.low, part.high]) for part in (cosine, sine))
     cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))

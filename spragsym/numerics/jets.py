@@ -205,15 +205,7 @@ _SERIES: dict[str, Callable[[Any, Any, int], list[Any]]] = {
 
 
 class Functions:
-    """``xp`` of generated functions for numbers of some type and for jets of them.
-
-    Parameters
-    ----------
-    kind : module or object
-        With the functions of the numbers by their names.
-    taken : callable
-        Makes a number of the type of what else may stand in an expression, an integer or a float.
-    """
+    """``xp`` of generated functions for numbers and jets of them: ``kind`` has theirs, ``taken`` makes one of an int or float."""
 
     def __init__(self, kind: Any, taken: Callable[[Any], Any]) -> None:
         self.kind, self.taken = kind, taken

@@ -39,11 +39,6 @@ def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fractio
     Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r around z, and r not less than
     2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so it holds a root. It is that of the box of floats where the
     small box lies in ``alone``, or where |1 − Y J| is at most 1/2 all over a box that holds both.
-
-    Raises
-    ------
-    Undecided, ZeroDivisionError
-        Where a function has no value.
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
     for _ in range(STEPS):

@@ -12,24 +12,12 @@ from .interval_arrays import FloatArray, Intervals
 
 @dataclass(frozen=True)
 class Tree:
-    """A binary tree; node i has the children 2 i + 1 and 2 i + 2, and the root is node 0.
+    """A binary tree; node i has the children 2 i + 1 and 2 i + 2, and the root is node 0."""
 
-    Attributes
-    ----------
-    bounds : Intervals
-        Shape (parameters, nodes): the smallest box around the points of a node.
-    size : ndarray of int64
-        Number of points below each node; 0 for nodes that are not there.
-    order : ndarray of int64
-        The points' numbers in the order of the leaves, which stand last; −1 for leaves that are not there.
-    depth : int
-        Levels below the root.
-    """
-
-    bounds: Intervals
-    size: NDArray[np.int64]
-    order: NDArray[np.int64]
-    depth: int
+    bounds: Intervals  #: the smallest box around the points of a node, (parameters, nodes)
+    size: NDArray[np.int64]  #: number of points below each node; 0 for nodes that are not there
+    order: NDArray[np.int64]  #: the points' numbers in the order of the leaves, which stand last; −1 where there is none
+    depth: int  #: levels below the root
 
     def below(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows (place among ``nodes``, point) for all points of all of these nodes."""
@@ -58,13 +46,7 @@ class Tree:
 
 
 def tree(low: FloatArray, high: FloatArray) -> Tree:
-    """Halve the points by the parameter in which they are spread most, again and again.
-
-    Parameters
-    ----------
-    low, high : ndarray
-        Shape (parameters, points): a box for each point, mostly without width.
-    """
+    """Halve points, boxes of shape (parameters, points), by the parameter in which they are spread most, again and again."""
     count, points = low.shape
     depth = max(0, int(points - 1).bit_length())
     leaves = 1 << depth

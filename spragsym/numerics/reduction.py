@@ -55,18 +55,7 @@ class Reduced:
 
 
 def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobian: NDArray[np.float64], bits: int) -> Reduced:
-    """All roots in a box.
-
-    Parameters
-    ----------
-    evaluate : callable
-    box : sequence of (float, float)
-        Ends of each unknown.
-    jacobian : ndarray
-        F's Jacobian somewhere in the box, roughly.
-    bits : int
-        Of the balls.
-    """
+    """All roots in a box; ``jacobian`` is F's somewhere in it, roughly."""
     task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
     with balls.precision(bits):
         task.search([(Fraction(low), Fraction(high)) for low, high in box], found)
@@ -74,13 +63,7 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobi
 
 
 def third_derivative(evaluate: Evaluate, box: Box, jacobian: NDArray[np.float64], bits: int, among: Sequence[int]) -> Ball:
-    """A sixth of the third derivative of g all over a box, with u and the equation that is left among the given ones.
-
-    Raises
-    ------
-    Undecided
-        Where the other unknowns are not proved to be functions of u that stay in a box slightly larger.
-    """
+    """A sixth of the third derivative of g all over a box, with u and the equation that is left among the given ones."""
     with balls.precision(bits):
         task = _task(evaluate, jacobian, among)
         return task.third(box[task.along], task.others(box[task.along], box))

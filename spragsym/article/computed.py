@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from functools import cache
-from importlib import resources
 from typing import Any
 
 import mpmath
@@ -14,7 +13,6 @@ from scipy.optimize import brentq, minimize_scalar
 
 import spragsym as ss
 
-from .. import generated as _generated
 from .. import precise
 from ..assumed import MU0_RANGE, D, V
 from ..generated import equilibrium as _equilibrium
@@ -26,7 +24,7 @@ from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
 from ..results.equilibria import Stability
 from ..results.paths import Jump
-from .ledger import Found, Value
+from .ledger import Found, Value, package_text
 
 #: Largest friction of Figures 11 to 14.
 MU0_MAX = MU0_RANGE[1]
@@ -127,7 +125,7 @@ def one_or_three() -> Found:
         {"sigma": 1.0},
     ):
         seen |= set(np.unique(ss.equilibria(_at(_GRID, **changes, mu0=frictions)).count).tolist())
-    ledger = json.loads(resources.files(_generated.__name__).joinpath("ledger.json").read_text(encoding="utf-8"))
+    ledger = json.loads(package_text("ledger.json", "spragsym.generated"))
     unproved = [step["claim"] for step in ledger["one_or_three"] if not step["holds"]]
     return Found(seen == {1, 3} and not unproved, {"counts": sorted(seen), "steps of the proof that fail": len(unproved)})
 
@@ -380,7 +378,7 @@ def amplitude_jump() -> Found:
 
 
 def _printed() -> dict[str, str]:
-    ledger = json.loads(resources.files(_generated.__name__).joinpath("ledger.json").read_text(encoding="utf-8"))
+    ledger = json.loads(package_text("ledger.json", "spragsym.generated"))
     return {row["id"]: row["printed"] for row in ledger["rows"]}
 
 

@@ -63,11 +63,12 @@ class Statement:
         return found
 
 
-def _text(name: str) -> str:
-    return resources.files(__package__).joinpath(name).read_text(encoding="utf-8")
+def package_text(name: str, package: str = "spragsym.article") -> str:
+    """The text of a file that comes with a package."""
+    return resources.files(package).joinpath(name).read_text(encoding="utf-8")
 
 
-STATEMENTS = tuple(Statement(id, **entry) for id, entry in tomllib.loads(_text("statements.toml")).items())
+STATEMENTS = tuple(Statement(id, **entry) for id, entry in tomllib.loads(package_text("statements.toml")).items())
 
 
 def run(statements: Sequence[Statement]) -> list[dict[str, Any]]:
@@ -83,7 +84,7 @@ def run(statements: Sequence[Statement]) -> list[dict[str, Any]]:
 
 def recorded() -> list[dict[str, Any]]:
     """The rows with the committed values: each held when they were written."""
-    values = json.loads(_text("record.json"))
+    values = json.loads(package_text("record.json"))
     return [statement.row(True, values[statement.id]) for statement in STATEMENTS]
 
 

@@ -33,9 +33,6 @@ def folds(case: Case) -> Any:
       spragsym folds --theta0 40
       spragsym folds --data brake.toml --vary k_x
       spragsym folds --model two_springs --theta0 40 --vary mu0=0:1
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     along = case.span
     with show_progress(f"searching for folds along {along.name}"):
@@ -66,9 +63,6 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
       spragsym bifurcation --plot folds.pdf
       spragsym bifurcation --data brake.toml
       spragsym bifurcation --model two_springs --vary theta0=10:80 --vary mu0=0:1
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     names, name = _plane(case), case.span.name
     if plot is not None and len(names) < 2:
@@ -156,9 +150,6 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
       spragsym onsets --vary theta0=20:60 --vary mu0=0:1
       spragsym onsets --model stick_slip --vary V=0:1 --vary zeta=0:2 --plot map.pdf
       spragsym onsets --model mode_coupling --vary sigma=0.1:2 --vary mu0=0:2 --undamped --plot map.pdf
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     names = _plane(case)
     if len(names) != 2:

@@ -7,7 +7,6 @@ import json
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -110,7 +109,9 @@ def _claims(only: tuple[str, ...], again: bool) -> _Rows:
 
 
 def _equations(only: tuple[str, ...], again: bool) -> _Rows:
-    text = resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8")
+    from ..article.ledger import package_text
+
+    text = package_text("ledger.json", "spragsym.generated")
     recorded: list[dict[str, Any]] = json.loads(text)["rows"]
     chosen = _chosen(only, [row["id"] for row in recorded], "the equations (statements of the text: --claims)")
     if not again:

@@ -46,9 +46,6 @@ def cycles(
       spragsym cycles --theta0 42 --vary theta0=38:60 --plot branch.pdf
       spragsym cycles --theta0 42 --near 2.54,3.36,0,0.36 --vary theta0=30:80 --diagram --plot all.pdf
       spragsym cycles --model stick_slip -V 0.2 --vary V=0.08:0.3
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     along = case.span if case.spans else None
     if plot is not None and along is None:

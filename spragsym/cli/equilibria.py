@@ -48,9 +48,6 @@ def equilibria(case: Case, plot: Path | None) -> Any:
       spragsym equilibria --data brake.toml --vary k_x=5:20
       spragsym equilibria --model cubic_contact --theta0 49
       spragsym equilibria --model mode_coupling --vary mu0=0:1 --plot modes.pdf
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     titles, values = {name: case.parameter(name) for name in case.model.parameters}, dict(case.values)
     if case.spans:

@@ -46,9 +46,6 @@ def figures(first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str
       spragsym figures --out figures
       spragsym figures --only 4 12 --out figures --format pdf,png
       spragsym figures --only rms-map --out figures
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     if more and not first:
         raise ParameterError(f"{' '.join(more)}: names of figures go after --only")

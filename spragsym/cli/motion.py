@@ -45,9 +45,6 @@ def simulate(
       spragsym simulate --data brake.toml --t-end 0.5
       spragsym simulate --theta0 49 -V 0.2 --error -o run.nc
       spragsym simulate --model trolley --theta0 49
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     from ..files import storage
 
@@ -124,9 +121,6 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, output
       spragsym sweep --theta0 30:60:61 -V 0.2,0.5,1 -j 2 -o rms.csv
       spragsym sweep --data brake.toml --theta0 40:60:21 -o rms.nc
       spragsym sweep --model stribeck --theta0 30:60:61 -o rms.nc
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     from ..motion.sweeps import Regime
 
@@ -169,9 +163,6 @@ def fates(case: Case, quiet: bool, output: Path, plot: Path | None, force: bool,
     \b
     Examples:
       spragsym fates --theta0 10:170:21 --mu0 0.1:1:10 -V 0.25 -o fates.csv --plot fates.pdf
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     from ..orbits import fate_map
 

@@ -203,7 +203,7 @@ class OfModel(o.Command):
         super().__init__(*args, **more)
         self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
         self.values, self.spanned = values, spanned
-        self.text = inspect.cleandoc(self.help or "")
+        self.text = self.help
         self._be_about(load(USUAL))
 
     def _be_about(self, model: Model) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -24,7 +25,12 @@ MOST = 1_000_000
 
 
 class Command(click.Command):
-    """A command that refuses what is empty, and what is given twice, of which click takes the last."""
+    """A command that refuses what is empty or given twice, of which click takes the last, and whose help ends in exit codes."""
+
+    def __init__(self, *args: Any, **more: Any) -> None:
+        super().__init__(*args, **more)
+        text = inspect.cleandoc(self.help or "")
+        self.help = text if "Exit codes:" in text else f"{text}\n\n\b\nExit codes: 0 done, 1 failed, 2 usage, 130 interrupted."
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         values, _, order = self.make_parser(ctx).parse_args(list(args))

@@ -43,9 +43,6 @@ def path(case: Case, near: tuple[str, ...]) -> Any:
       spragsym path --data brake.toml --vary theta0=10:80
       spragsym path --model two_springs --vary theta0=10:80:8
       spragsym path --model sprag_rod --theta0 30 --vary mu0=0:0.7 --state phi=-28
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     case.require_ends()
     along = case.span
@@ -99,9 +96,6 @@ def critical(case: Case, near: tuple[str, ...]) -> Any:
       spragsym critical --theta0 40
       spragsym critical --data brake.toml --vary theta0
       spragsym critical --model two_springs --theta0 40 --vary mu0=0:1
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     along = case.span
     from_end = along.name in case.model.axes or along.ends is not None

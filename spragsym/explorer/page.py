@@ -10,6 +10,7 @@ from importlib import resources
 from .._version import __version__
 from ..derive.kang_nam.library import exported
 from ..models import Model, load
+from ..models.describe import title_and_words
 from ..models.load import USUAL
 from .derived import derived
 from .described import described
@@ -74,7 +75,7 @@ def explorer_page(
             "TITLE": _escaped(f"{model.name} explorer"),
             "STYLE": _in_a_script(_asset("style.css")),
             "DRAWING": drawing,
-            "WORDS": _words(model.about["drawing"]),
+            "WORDS": _words(title_and_words(model.about)[1]),
             "UNITS": beside,
             "LINES": _escaped(", ".join(lines)),
             "ONSETS": _onsets(*onsets),
@@ -126,11 +127,8 @@ def _escaped(text: str) -> str:
     return text.strip().replace("&", "&amp;").replace("<", "&lt;")
 
 
-def _words(text: str) -> str:
+def _words(blocks: Sequence[str]) -> str:
     """What a page says below its drawing as HTML, formulas that are set apart too."""
-    blocks = text.partition("\n\n::\n\n")[2].split("\n\n")
-    while blocks and blocks[0].startswith(" "):  # the drawing, which may have blank lines
-        del blocks[0]
     elements = ["pre" if block.startswith(" ") else "p" for block in blocks]
     return "\n".join(f"<{name}>{_escaped(block)}</{name}>" for name, block in zip(elements, blocks, strict=True))
 

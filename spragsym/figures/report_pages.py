@@ -8,14 +8,14 @@ import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from importlib import resources
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 import spragsym as ss
 
-from ..errors import MissingExtraError, SpragsymError
+from ..errors import SpragsymError
+from ..files.templates import filled
 from ..questions import has_closed_form
 from ..report.states import unit_of
 from ..report.texts import sections
@@ -47,14 +47,9 @@ def document(
     headed: Iterable[tuple[str, Iterable[tuple[str, str]]]],
 ) -> str:  # fmt: skip
     """A page from its verdict and warnings, pictures as SVG with captions, and headings with rows of a name and a value."""
-    try:
-        from jinja2 import Environment, StrictUndefined
-    except ModuleNotFoundError as error:
-        raise MissingExtraError("the page of a report", "jinja2", "plot") from error
-    template = (resources.files(__package__) / "report.html").read_text(encoding="utf-8")
-    made = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True)
     title = f"Sprag-slip report{': ' + source if source else ''}"
-    return made.from_string(template).render(title=title, verdict=verdict, warnings=warnings, drawn=drawn, headed=headed)
+    values: dict[str, Any] = dict(title=title, verdict=verdict, warnings=warnings, drawn=drawn, headed=headed)
+    return filled("spragsym.figures", "report.html", "the page of a report", **values)
 
 
 def pictures(report: Report) -> Iterator[tuple[str, str]]:

@@ -30,6 +30,15 @@ def described(about: Mapping[str, Any]) -> str:
     return "\n\n".join([*parts, _table(coordinates), _table(parameters), f"measured in: {units_of(about)}"])
 
 
+def title_and_words(about: Mapping[str, Any]) -> tuple[str, list[str]]:
+    """What a page says above its drawing, and the blocks below it; formulas that are set apart are indented."""
+    title, _, rest = about["drawing"].partition("\n\n::\n\n")
+    drawn, *blocks = rest.split("\n\n")
+    while drawn.startswith(" ") and blocks and blocks[0].startswith("    "):  # a drawing with blank lines
+        del blocks[0]
+    return title, blocks
+
+
 def units_of(about: Mapping[str, Any]) -> str:
     """What lengths, times and forces are measured in, in the quantities of the page."""
     return ", ".join(f"{name} {about['scales'][name].replace('**', '^')}" for name in ("length", "time", "force"))

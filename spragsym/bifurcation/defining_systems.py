@@ -19,6 +19,7 @@ from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..statics.mechanics.balance import Balance, matrix
 from ..statics.mechanics.laws import XP
+from .near_anchors import regular_at_anchors
 
 
 @dataclass(frozen=True)
@@ -151,6 +152,8 @@ class Augmented(System):
         at = self.state(list(unknowns), parameters, shape)
         out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape)
         out = out if self.condition.hopeless is None else out | self.condition.hopeless(at)
+        if self.condition.singular:
+            out = out | regular_at_anchors(self.balance, at.q, at.values, ~out)
 
         def no_root(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
             values = self._values(unknowns[:, rows], parameters[:, rows], sides)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
@@ -136,12 +137,12 @@ def precise_cusps(
         ends = _ends(exact)
     given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
     found = isolated(balance, vary, given, spans)
-    system = Augmented(balance, vary, cusp())
+    systems = [Augmented(balance, vary, cusp(column)) for column in range(balance.n)]
 
     def attempt(bits: int) -> list[PreciseCusp]:
-        precise = PreciseAugmented(system, given[:, 0], bits, _ends(exact))
+        precise = [PreciseAugmented(system, given[:, 0], bits, _ends(exact)) for system in systems]
         boxes_of_roots = zip(np.moveaxis(found.roots.ends, 2, 0), np.moveaxis(found.roots.alone, 2, 0), strict=True)
-        told = (_cusp(precise, box, alone, digits) for box, alone in boxes_of_roots)
+        told = (_by_any_column(precise, box, alone, digits) for box, alone in boxes_of_roots)
         return [cusp for cusp in told if cusp is not None]
 
     cusps = with_enough_bits(digits, attempt, "cusps")
@@ -154,7 +155,15 @@ def precise_cusps(
     return CuspProof(tuple(ordered), complete, searched)
 
 
-def _cusp(system: PreciseAugmented, box: FloatArray, alone: FloatArray, digits: int) -> PreciseCusp | None:
+def _by_any_column(systems: Sequence[PreciseAugmented], box: FloatArray, alone: FloatArray, digits: int) -> PreciseCusp | None:
+    """The cusp by the first column of the adjugate that decides: none does by one that is 0 there."""
+    for column, system in enumerate(systems[:-1]):
+        with suppress(Undecided):
+            return _cusp(system, column, box, alone, digits)
+    return _cusp(systems[-1], len(systems) - 1, box, alone, digits)
+
+
+def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatArray, digits: int) -> PreciseCusp | None:
     """The cusp in a box; None where it lies beyond the border of the contact.
 
     At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 it is of third order, and the parameters unfold it.
@@ -162,7 +171,7 @@ def _cusp(system: PreciseAugmented, box: FloatArray, alone: FloatArray, digits: 
     augmented, balance = system.system, system.system.balance
     root = _narrowed(system, box, alone)
     at = system.state(root)
-    column = [XP.taken(cofactor(at.slopes(), 0, i)) for i in range(balance.n)]
+    column = [XP.taken(cofactor(at.slopes(), number, i)) for i in range(balance.n)]
     if not any(map(balls.sign, column)):
         raise Undecided("a direction that may be 0")
     if not _on_its_side(balance, at.gap()):

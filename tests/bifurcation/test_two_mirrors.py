@@ -1,4 +1,4 @@
-"""Pitchforks of a model with two mirrors, Augusti's column: P = 1 in the first coordinate, P = κ in the second."""
+"""Models with two mirrors: pitchforks of Augusti's column, P = 1 and P = κ, and cusps of von Mises' truss."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, replaced
+from tests.statics.test_slots import TRUSS
 
 pytest.importorskip("sympy")
 
@@ -23,6 +24,26 @@ a, b = page.coordinate("a", "rad", "first tilt"), page.coordinate("b", "rad", "s
 page.kinetic(m * l**2 * (page.rate(a) ** 2 + page.rate(b) ** 2) / 2)
 page.potential(k * a**2 / 2 + k2 * b**2 / 2 + P * l * cos(a) * cos(b))
 '''
+#: A second load, across the first one.
+LOADED = replaced(
+    TRUSS,
+    ('">= 0", 0.01, becomes="P")', '"real", 0.01, becomes="P")\nQ = page.parameter("Q", "N", "load", "real", 0.0, becomes="Q")'),
+    ("page.force(0, -P", "page.force(Q, -P"),
+)  # fmt: skip
+
+
+@pytest.mark.thorough
+def test_all_cusps_of_a_truss_under_two_loads() -> None:
+    """Four where the bars are perpendicular and one has half its length L = √5/2; two on y = 0, where x² = 1 + L |x|."""
+    model, L, plane = model_of(LOADED, "loaded"), np.sqrt(1.25), {"P": (-2.0, 2.0), "Q": (-2.0, 2.0)}
+    found = ss.cusps(model.Parameters(alpha=0.0), ("P", "Q"), between=plane)
+    near, far = 1 - L**2 / 8, (L + np.sqrt(L**2 + 4)) / 2
+    assert found.complete
+    np.testing.assert_allclose(np.sort(found.x), [-far, -near, -near, near, near, far], atol=1e-12)
+    np.testing.assert_allclose(np.abs(found.y), np.where(np.abs(found.x) < 1, np.sqrt(L**2 / 4 - (1 - near) ** 2), 0), atol=1e-12)
+    assert np.hypot(found.P, found.Q)[np.abs(found.x) > 1] == pytest.approx(2 * (far - L), abs=1e-12)
+    digits = ss.precise.cusps(model.Parameters(alpha=0.0), vary=("P", "Q"), between=plane | {"Q": (-2.0, -0.1)}, dps=30)
+    assert (len(digits), digits.complete) == (3, True)
 
 
 @pytest.mark.thorough

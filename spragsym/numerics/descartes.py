@@ -52,16 +52,16 @@ def real_roots(polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits:
     The polynomial has no multiple root there, or this does not end.
     """
     unit, cells = _isolated(polynomial, low, high)
-    scale = high - low
+    common, start, scale = _common(low, high)
 
     def at(n: int, k: int) -> Fraction:
-        return low + scale * Fraction(n, 1 << k)
+        return Fraction((start << k) + scale * n, common << k)
 
     def lacking(n: int, k: int) -> int:
         """How many times (n, n + 1)/2^k has to be halved yet; at most 0 if never."""
-        ends = at(n, k), at(n + 1, k)
-        distance = min(map(abs, ends)) if ends[0] > 0 or ends[1] < 0 else Fraction(1)
-        return (math.ceil(scale * Fraction(2) ** (bits - k) / min(distance, Fraction(1))) - 1).bit_length()
+        begin, one = (start << k) + scale * n, common << k
+        distance = min(abs(begin), abs(begin + scale), one) if begin > 0 or begin + scale < 0 else one
+        return (-((-scale << bits) // distance) - 1).bit_length()
 
     found = [_refined(cell, unit, lacking) for cell in cells]
     return sorted(Root(at(cell.n, cell.k), at(cell.m, cell.k)) for cell in found)
@@ -91,10 +91,15 @@ def _isolated(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> tup
     return unit, found
 
 
+def _common(low: Fraction, high: Fraction) -> tuple[int, int, int]:
+    """The least common denominator, and times that the lower end and the width."""
+    common = math.lcm(low.denominator, high.denominator)
+    return common, int(low * common), int((high - low) * common)
+
+
 def _between_0_and_1(polynomial: tuple[Any, ...], low: Fraction, high: Fraction) -> list[Any]:
     """Coefficients of a positive multiple of the polynomial in u."""
-    common = math.lcm(low.denominator, high.denominator)
-    start, scale = int(low * common), int((high - low) * common)
+    common, start, scale = _common(low, high)
     values: list[Any] = []
     for power, coefficient in enumerate(reversed(polynomial)):  # Horner's rule with polynomials in u, times common^power
         values = [start * one + scale * other for one, other in zip([*values, 0], [0, *values], strict=True)]

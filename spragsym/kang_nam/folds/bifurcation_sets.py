@@ -17,7 +17,6 @@ from ..quartic import kernel
 from . import fold_curves
 from .cusp_points import cusps
 from .fixed_parameters import FIXED, Fixed
-from .fold_enclosures import landing
 from .fold_points import folds
 
 #: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
@@ -80,7 +79,7 @@ def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixe
         trig = kernel.f_coefficients(c0, s0, strand.mu0, *fixed, 1)
         curvature = np.sign(kernel.f_curvature(c, s, *trig))
         changes = _catastrophe.unfolding(c, s, c0, s0, strand.mu0, *fixed)
-        after = on_circle(landing(np.tan(0.5 * strand.theta), trig, np.sqrt))
+        after = on_circle(kernel.landing(np.tan(0.5 * strand.theta), trig, np.sqrt))
         _, x_after, y_after = kernel.state(after.cosine, after.sine, c0, s0, fixed.kappa, fixed.sigma, fixed.beta, 1)
     by_angle, by_friction = ((curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2])
     theta_after = np.arctan2(after.sine, after.cosine)

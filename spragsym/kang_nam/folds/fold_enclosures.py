@@ -1,11 +1,11 @@
-"""Points of the surface with f = f′ = 0, enclosed, and the equilibrium to which a state jumps there."""
+"""Points of the surface with f = f′ = 0, enclosed."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ...numerics import polynomials
 from ...numerics.adaptive_bits import angle, as_floats, decided, sign_or_zero
@@ -64,14 +64,3 @@ def in_contact(angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> I
     L, x, y = kernel.state(*angles, kappa, sigma, beta, 1)
     if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
         yield Point((angle(angles.c0, angles.s0), mu0, *values), angle(angles.c, angles.s), L, x, y)
-
-
-def landing(t: Any, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Any:
-    """tan(θ/2) of the third equilibrium where t = tan(θ/2) is a double root of the quartic in t, for any kind of numbers.
-
-    The roots multiply to −1 and their sum stands in the quartic, so the two others solve τ² + g τ − 1/t² = 0, and one of them is
-    positive. ``trig`` is a, b, d, m of f.
-    """
-    *_, e3, e4 = kernel.t_quartic(*trig)
-    g = 2 * t + e3 / e4
-    return (sqrt(g * g + 4 / (t * t)) - g) / 2

@@ -21,7 +21,7 @@ from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.half_angle import in_t, on_circle
 from ...numerics.line_roots import Root, roots_on_the_line
 from ..quartic import kernel
-from .fold_enclosures import Angles, Point, in_contact, landing
+from .fold_enclosures import Angles, Point, in_contact
 
 #: Degree in t of the eliminated fold condition: two cubics in cos θ, sin θ where θ₀ varies, half of that otherwise.
 _DEGREE_IN_THETA0, _DEGREE = 12, 6
@@ -210,7 +210,7 @@ def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) 
 
 
 def _after(point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]) -> tuple[Interval, ...]:
-    c, s, _ = on_circle(landing(direction.t, trig, balls.sqrt))
+    c, s, _ = on_circle(kernel.landing(direction.t, trig, balls.sqrt))
     kappa, _, sigma, beta = point.parameters[2:]
     return (angle(c, s), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
 

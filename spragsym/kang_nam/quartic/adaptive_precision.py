@@ -19,7 +19,8 @@ from ...numerics import balls
 from ...numerics.adaptive_bits import as_numbers
 from ...numerics.balls import Interval, Undecided, as_mpf
 from ...numerics.half_angle import on_circle
-from ...numerics.polynomials import evaluate
+from ...numerics.line_roots import roots_on_the_line
+from ...numerics.polynomials import derivative, evaluate, squarefree
 from . import kernel
 
 #: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it: where one is far below the
@@ -92,7 +93,8 @@ def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, b
     fold = discriminant == 0
     if fold and not last:
         raise Undecided("the discriminant holds 0")
-    roots = _fold_roots(trig, bits) if fold else _enclosed_roots(trig, bits, all_real=discriminant < 0)
+    quartic = kernel.t_quartic(*trig)
+    roots = _fold_roots(trig, quartic, bits) if fold else _enclosed_roots(quartic, bits, all_real=discriminant < 0)
     # With rational parameters equality is exact where θ₀ drops out: off the belt without other springs L = 1 ± κ/σ at θ = ±90°.
     mu0, kappa, alpha, sigma, beta = rational
     shrunk = not contact and alpha == beta == 0 and kappa == sigma
@@ -105,69 +107,18 @@ def _settle(theta0: Any, rational: list[Fraction], contact: bool, digits: int, b
 # ------------------------------------------------------------------------------------------------------- roots
 
 
-def _split(trig: tuple[Interval, ...], bits: int) -> tuple[Interval, ...]:
-    """p1, q1, p2, q2 of the two real quadratic factors of the quartic in t, about: as ``factors`` of the generated kernel."""
-    a, b, d, m = map(balls.middle, trig)
-    r0, r1, r2 = kernel.resolvent(a, b, d, m)
-    P, Q = map(balls.middle, kernel.depressed(r0, r1, r2))
-    negative = balls.sign(Q) < 0
-    z = _farthest_root(P, -Q if negative else Q, bits)
-    y = balls.middle(4 / b * ((z if negative else -z) - r2 / 3))
-    _, e1, _, e3, e4 = kernel.t_quartic(a, b, d, m)
-    A1, A3 = e1 / e4, e3 / e4
-    width = balls.sqrt(y * y + 4)
-    rising = balls.sign(y) > 0
-    large = (width + y if rising else width - y) / 2
-    q1, q2 = (-1 / large, large) if rising else (-large, 1 / large)
-    p1, q1, p2, q2 = map(balls.middle, ((A1 - A3 * q1) / width, q1, (A3 * q2 - A1) / width, q2))
-    return p1, q1, p2, q2
+def _places(polynomial: tuple[Interval, ...], bits: int) -> list[Interval]:
+    """Real roots of the polynomial of the middles of coefficients."""
+    lowest = min(value.exp for value in polynomial)
+    middles = squarefree(tuple(value.mid << value.exp - lowest for value in polynomial))
+    return [balls.middle(root.interval()) for root in roots_on_the_line(middles, bits)]
 
 
-def _farthest_root(P: Interval, Q: Interval, bits: int) -> Interval:
-    """The largest root of z³ + 3 P z = 2 Q, Q ≥ 0, about: the one farthest from the mean of the three, which is 0.
-
-    Newton's method falls to it from above, where the cubic bends upward; once a step is small, the next error is its square.
-    """
-    if balls.sign(Q) == 0 and balls.sign(P) >= 0:
-        return Q
-    z = balls.exact(Fraction(2) ** _power_above(P, Q))
-    while True:
-        square = z * z
-        step = balls.middle((z * (square + 3 * P) - 2 * Q) / (3 * (square + P)))
-        z = balls.middle(z - step)
-        if not balls.sign(step) or balls.power(step) < balls.power(z) - bits // 2:
-            return z
-
-
-def _power_above(P: Interval, Q: Interval) -> int:
-    """n with 2ⁿ above the largest root of z³ + 3 P z = 2 Q, not by much: where P > 0, below both (2 Q)^(1/3) and 2 Q/(3 P)."""
-    p, q = balls.power(P), balls.power(Q)
-    if not balls.sign(Q):
-        return 1 + (p + 1) // 2
-    if not balls.sign(P):
-        return (q + 3) // 3
-    if balls.sign(P) < 0:
-        return 1 + max((p + 1) // 2, (q + 2) // 3)
-    return min((q + 3) // 3, q - p + 1)
-
-
-def _real_parts(p: Interval, q: Interval) -> tuple[Interval, Interval, Interval]:
-    """Real parts of the roots of t² + p t + q, and half of their distance; q is never 0."""
-    half = balls.middle(p / 2)
-    square = balls.middle(half * half - q)
-    if balls.sign(square) <= 0:
-        return -half, -half, balls.sqrt(-square)
-    root = balls.sqrt(square)
-    large = balls.middle(-(half + root) if balls.sign(half) > 0 else root - half)
-    return large, balls.middle(q / large), root
-
-
-def _enclosed_roots(trig: tuple[Interval, ...], bits: int, *, all_real: bool) -> list[Interval]:
+def _enclosed_roots(quartic: tuple[Interval, ...], bits: int, *, all_real: bool) -> list[Interval]:
     """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots, four or two, so one in each."""
-    p1, q1, p2, q2 = _split(trig, bits)
-    factors = ((p1, q1), (p2, q2)) if all_real else ((p1, q1),)
-    quartic = kernel.t_quartic(*trig)
-    found = [_enclose(quartic, root, bits) for p, q in factors for root in _real_parts(p, q)[:2]]
+    found = [_enclose(quartic, root, bits) for root in _places(quartic, bits)]
+    if len(found) != (4 if all_real else 2):
+        raise Undecided("the middles of coefficients have other roots")
     for (low, high), (other_low, other_high) in itertools.combinations(found, 2):
         if balls.sign(low - other_high) <= 0 and balls.sign(other_low - high) <= 0:
             raise Undecided("two roots share an interval")
@@ -185,16 +136,16 @@ def _enclose(quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[
     raise Undecided("no change of sign around a root")
 
 
-def _fold_roots(trig: tuple[Interval, ...], bits: int) -> list[Interval]:
-    """Roots at a fold: the two that can't be told apart, those of the second factor, share one interval, twice."""
-    p1, q1, p2, q2 = _split(trig, bits)
-    one, other, distance = _real_parts(p2, q2)
-    middle = balls.middle((one + other) / 2)
-    width = 2 * distance + (-middle if balls.sign(middle) < 0 else middle) * balls.exact(Fraction(1, 1 << bits // 2))
-    double = balls.union(middle - width, middle + width)
-    quartic = kernel.t_quartic(*trig)
-    simple = [balls.union(*_enclose(quartic, root, bits)) for root in _real_parts(p1, q1)[:2]]
-    return [double, double, *simple]
+def _fold_roots(trig: tuple[Interval, ...], quartic: tuple[Interval, ...], bits: int) -> list[Interval]:
+    """Roots at a fold: the two that can't be told apart share one interval, twice. All four multiply to −1."""
+    slope = derivative(quartic)
+    bend = derivative(slope)
+    flat = [*_places(slope, bits), *_places(bend, bits)]
+    place = min(flat, key=lambda t: max(map(abs, balls.ends(evaluate(quartic, t)))))
+    three, two = (place * balls.between(1 - off, 1 + off) for off in (Fraction(16, 1 << bits // alike) for alike in (3, 2)))
+    double = two if balls.sign(evaluate(bend, three)) else three  # at a cusp three are alike
+    third = kernel.landing(double, trig, balls.sqrt)
+    return [double, double, third, -1 / (double * double * third)]
 
 
 # ------------------------------------------------------------------------------------------------------ states

@@ -87,7 +87,8 @@ class Words:
         if isinstance(value, str):
             return value
         if not isinstance(value, float):
-            return str(value)
+            text = str(value)
+            return type(value).__name__ if "\n" in text else text  # the tables of a result stand in no cell
         if key == "error":
             from .numerics.decimals import upward
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..bifurcation.paths import first_end
 from ..bifurcation.points import FAR
@@ -233,18 +234,28 @@ class Followed:
     def have_ended(self, *, hasty: bool = False) -> FloatArray:
         """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide it, in haste beside cusps too.
 
-        Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing, the fold itself is asked for.
+        Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and a state is left, the fold
+        itself is asked for.
         """
         found, out = np.full(self.begin.size, np.nan), self._nothing()
         for rows in self._blocks():
             parts, start, goal = self._start(rows)
             safe, top, _ = self.tubes.passed(parts, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(start.sure & (top <= goal), 1.0, np.nan))
+            left = np.flatnonzero(np.isnan(ended) & start.sure)
+            ended[left[self._none(rows[left])]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
             left = left[self._block(rows[left], (parts[left], start[left], goal[left]), out, hasty=hasty)]
             ended[left] = np.isfinite(out.value[rows[left]])
             found[rows] = ended
         return found.reshape(self.shape)
+
+    def _none(self, rows: Any) -> NDArray[np.bool_]:
+        """Whether no state is left, proved, where the parameter has come to its end: the one that is followed may run to infinity."""
+        given = {**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)), self.vary: self.until[rows]}
+        eq = equilibria(self.model.Parameters(**given))
+        none: NDArray[np.bool_] = eq.decided & eq.whole & (eq.count == 0)
+        return none
 
     def _blocks(self) -> Iterator[Any]:
         count = self.begin.size

@@ -265,7 +265,7 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
 
 
 def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> str:
-    """Reason: the first coordinate stands still while others move; empty where it moves, or nothing does.
+    """Reason: nothing moves, or the first coordinate stands still while others move; empty where it moves.
 
     Returns of a motion are looked at where its first coordinate is largest: there are none then.
     """
@@ -273,6 +273,8 @@ def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> 
         moved = np.ptp(motion_of(field, values, state, LOOK).state[: len(field.coordinates)], axis=1)
     except ConvergenceError:
         return ""
+    if not moved.any():
+        return "nothing moves from where it begins, a state of equilibrium; begin beside it"
     if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
         return ""
     first, most = field.coordinates[0], field.coordinates[int(moved.argmax())]

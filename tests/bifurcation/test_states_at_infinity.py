@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.design.jumps import have_jumped
 from tests.oracles.user_pages import derived
 
 pytest.importorskip("sympy")
@@ -53,6 +54,7 @@ def test_steady_sliding_ends_where_the_state_runs_to_infinity(run: Any) -> None:
     with pytest.raises(ss.ConvergenceError, match=rf"runs to infinity at mu0 = {ends:.15f}"[:-3] + r"\d*, and there is no other"):
         ss.quasi_static_path(p, "mu0", [0.1, 0.5, 1.2])
     assert "none, proved" in run("equilibria", "--model", str(folder), "--mu0", "1")
+    assert have_jumped(p.replace(mu0=ends + np.array([-1e-3, 1e-3]))).tolist() == [0, 1]  # as margins and probabilities ask
 
 
 @pytest.mark.thorough

@@ -158,6 +158,7 @@ def test_a_notebook_gets_a_table(kind: str) -> None:
     assert 2 <= len(rows) < 100
     assert all(cell for cell in rows[0][1:])
     assert "array(" not in text
+    assert not any("\n" in cell for row in rows for cell in row)
     # Radians stand under no heading: every angle is in degrees, and says so.
     headings = [cell for row in rows for cell in row if cell.split(" ")[0].startswith(("theta", "poles"))]
     assert all(heading.split(" ")[0].endswith("_deg") for heading in headings)

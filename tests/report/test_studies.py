@@ -370,7 +370,9 @@ def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None
         assert "no jump at any mu0" in found.verdict
         assert said in found.verdict
         assert all(row.friction is None for row in found.fold_rows)
-        figures.motion_figure(ss.simulate(ss.load(folder).Parameters(), t_end=20.0))
+        figures.motion_figure(ss.simulate(p := ss.load(folder).Parameters(), t_end=20.0))
+        with pytest.raises(ss.ConvergenceError, match="nothing moves from where it begins"):
+            ss.cycle(p)
 
 
 @pytest.mark.thorough

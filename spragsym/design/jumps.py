@@ -251,7 +251,7 @@ class Followed:
         return found.reshape(self.shape)
 
     def _none(self, rows: Any) -> NDArray[np.bool_]:
-        """Whether no state is left, proved, where the parameter has come to its end: the one that is followed may run to infinity."""
+        """Whether no state is left, proved, at the end of the way: the one that is followed may have run to infinity."""
         given = {**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)), self.vary: self.until[rows]}
         eq = equilibria(self.model.Parameters(**given))
         none: NDArray[np.bool_] = eq.decided & eq.whole & (eq.count == 0)

@@ -6,37 +6,14 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles.user_pages import model_of
-
-#: Leine's law of friction, smoothed by tanh(100 v): a layer that motions leave out where it is below rounding.
-STEEP = '''"""A mass on a belt.
-
-::
-
-    no drawing
-"""
-from spragsym.derive.model import Abs, Page, tanh
-
-page = Page("A mass on a belt.")
-m = page.unit("m", "kg", "mass")
-k = page.unit("k", "N/m", "stiffness")
-N = page.unit("N_0", "N", "normal force")
-c = page.parameter("c", "N s/m", "damper", ">= 0", 0.1)
-V = page.parameter("V", "m/s", "speed", ">= 0", 1.4)
-d = page.parameter("d", "s/m", "steepness", "> 0", 100)
-v_0 = page.parameter("v_0", "m/s", "speed at which friction has fallen by half", "> 0", 0.5)
-x = page.coordinate("x", "m", "way")
-page.kinetic(m * page.rate(x) ** 2 / 2)
-page.spring(k, along=x)
-page.damper(c, along=x)
-page.normal_force(N)
-page.friction(x, V, lambda v: tanh(d * v) / (1 + Abs(v) / v_0))
-'''
+from tests.oracles import sticking
 
 
 @pytest.mark.thorough
 def test_a_branch_goes_on_where_a_layer_of_the_friction_law_ends() -> None:
-    found = ss.diagram(model_of(STEEP, "steep").Parameters(), "V", (0.05, 1.0), points=2)
+    """Of Leine's law: its layer is below rounding on most of the way."""
+    p = sticking.model("tanh").Parameters(mu_s=1.0, delta=2.0, zeta=0.1, d=100.0)
+    found = ss.diagram(p, "V", (0.05, 1.0), points=2)
     (branch,) = found.equilibria
     assert (branch.values.min(), branch.values.max()) == pytest.approx((0.05, 1.0))
     np.testing.assert_allclose(branch.states[:, 0], np.tanh(100 * branch.values) / (1 + 2 * branch.values), atol=1e-12)

@@ -90,41 +90,22 @@ def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[An
 
 
 #: Two modes that a spring couples; friction feeds the first, a damper takes from the second.
-TWO_MODES = '''"""Two modes on a belt: friction feeds one of them, a damper takes from the other."""
-
-from ..model import Page
-
-page = Page("Two coupled modes of one mass: a falling friction law feeds the first, a damper takes from the second.")
-
-m = page.unit("m", "kg", "mass")
-k = page.unit("k", "N/m", "stiffness along the belt")
-N_0 = page.unit("N_0", "N", "normal force")
-
-k_y = page.parameter("k_y", "N/m", "stiffness across the belt", ">= 0", 1.5, becomes="kappa")
+TWO_MODES = shipped_page(
+    "stick_slip",
+    ("x = page.coordinate", 'y = page.coordinate("y", "m", "displacement across the belt")\nx = page.coordinate'),
+    ("page.rate(x) ** 2", "(page.rate(x) ** 2 + page.rate(y) ** 2)"),
+    ("page.damper(c, along=x)", "page.damper(c, along=y)\npage.spring(k_y, along=y)\npage.spring(g, along=x + y)"),
+    ("V = page", '''k_y = page.parameter("k_y", "N/m", "stiffness across the belt", ">= 0", 1.5, becomes="kappa")
 g = page.parameter("g", "N/m", "stiffness that couples the two", ">= 0", 0.4, becomes="gamma")
-c = page.parameter("c", "N s/m", "damper across the belt", ">= 0", 0.3, becomes="zeta")
-mu_s = page.parameter("mu_s", "1", "largest friction coefficient", ">= 0", 0.5)
-v_s = page.parameter("v_s", "m/s", "sliding speed at which friction is largest", "> 0", 0.5)
-V = page.parameter("V", "m/s", "belt speed", ">= 0", 1.0)
-
-x = page.coordinate("x", "m", "displacement along the belt")
-y = page.coordinate("y", "m", "displacement across it")
-
-page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
-page.spring(k, along=x)
-page.spring(k_y, along=y)
-page.spring(g, along=x + y)
-page.damper(c, along=y)
-page.normal_force(N_0)
-page.friction(x, V, lambda v: 2 * mu_s * v * v_s / (v**2 + v_s**2))
-'''
+V = page'''),
+)  # fmt: skip
 
 
 @pytest.mark.thorough
 def test_a_double_hopf_point_in_closed_form() -> None:
     """λ⁴ + (ζ − a) λ³ + … with a = −μ′(V) is a polynomial in λ² where ζ = a and κ = 1, and both its roots are imaginary."""
     pytest.importorskip("sympy")
-    p = model_of(TWO_MODES, "two_modes").Parameters()
+    p = model_of(TWO_MODES, "two_modes").Parameters(v_s=0.5, V=1.0)
     fed = 2 * 0.5 * 0.5 * (1.0**2 - 0.5**2) / (1.0**2 + 0.5**2) ** 2
     curves = ss.onset_curves(p, vary=("kappa", "zeta"), n=12, between={"kappa": (0.2, 2.5), "zeta": (0.0, 0.8)})
     points = curves.points

@@ -10,12 +10,7 @@ import spragsym as ss
 from spragsym.motion.sweeps import Regime, basin
 from tests.oracles.user_pages import model_of
 
-HEAD = '''"""A page.
-
-::
-
-    no drawing
-"""
+HEAD = '''"""A page."""
 from spragsym.derive.model import Page, cos
 
 page = Page("A page.")

@@ -13,12 +13,7 @@ import spragsym as ss
 from tests.oracles.user_pages import model_of
 from tests.support import needs_a_quick_integrator
 
-PENDULUM = '''"""A driven pendulum.
-
-::
-
-    no drawing
-"""
+PENDULUM = '''"""A driven pendulum."""
 from spragsym.derive.model import Page, cos
 
 page = Page("A driven pendulum.")

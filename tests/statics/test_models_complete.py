@@ -9,20 +9,14 @@ import pytest
 
 import spragsym as ss
 from spragsym.errors import ParameterError, ParameterTypeError
+from tests.oracles import gap_pages
 from tests.oracles.user_pages import model_of
 from tests.support import few
 
 #: Two springs without length that couple both directions, on a belt that hardens.
-COUPLED = '''r"""A mass on two inclined guides."""
-from spragsym.derive.model import Abs, Page, exp, sgn
-
-page = Page("A mass on two springs that lean, and a belt that hardens.")
-m = page.unit("m", "kg", "mass")
-k_c = page.unit("k_c", "N/m", "contact stiffness")
-L_0 = page.unit("L_0", "m", "length")
-V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
-d = page.parameter("d", "s/m", "steepness of the friction law", "> 0", 10.0)
-mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.5)
+COUPLED = (
+    gap_pages.HEAD
+    + """
 F_L = page.parameter("F_L", "N", "preload", ">= 0", 0.5, becomes="kappa")
 a = page.parameter("a", "N/m", "stiffness along", "> 0", 1.0)
 b = page.parameter("b", "N/m", "coupling", "real", -0.5)
@@ -35,7 +29,8 @@ page.potential(a * x**2 / 2 + b * x * y + c * y**2 / 2)
 page.force(0, -F_L, at=(x, y))
 page.contact(y, lambda depth: k_c * depth + g * depth**3)
 page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
-'''
+"""
+)
 
 
 @pytest.fixture(scope="module")

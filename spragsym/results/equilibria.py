@@ -16,6 +16,7 @@ from ..display import Table, counted, index, not_all, shown, with_cut, words
 from ..errors import ConvergenceError
 from ..models.forces import columns_of, told_of_states
 from ..models.parameters import FloatArray
+from .named_columns import Named
 from .result import WHOLE, Result
 
 
@@ -54,8 +55,17 @@ class Source(Protocol):
         """The source with these columns made, for a file."""
 
 
+#: Columns that every result has.
+_KNOWN = ("stability", "marginal", "eigenvalues", "error", "region", "whole")
+#: Columns of the full linearization: what it calls them, and what stands in an empty slot.
+_LINEARIZED: Mapping[str, tuple[str, Any]] = {
+    "damped_eigenvalues": ("eigenvalues", np.nan), "growth": ("growth", np.nan), "growth_sign": ("sign", 0),
+    "damped": ("damped", ""),
+}  # fmt: skip
+
+
 @dataclass(frozen=True, eq=False)
-class Equilibria(Result):
+class Equilibria(Named):
     """The equilibria of every parameter point, and whether these are all.
 
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
@@ -189,8 +199,11 @@ class Equilibria(Result):
         }
 
     def _for_file(self) -> Self:
-        names = (*self.columns, "stability", "marginal", "eigenvalues", "error", "region", "whole", "escalated", "fold")
-        known = {name: column for name in names if (column := self._source.column(name)) is not None}
+        known = {
+            name: column
+            for name in (*self.columns, *_KNOWN, "escalated", "fold")
+            if (column := self._source.column(name)) is not None
+        }
         return replace(self, _source=self._source.held(known))
 
     def _is_short(self) -> bool:
@@ -198,65 +211,12 @@ class Equilibria(Result):
 
     @property
     def offered(self) -> tuple[str, ...]:  # type: ignore[override]
-        return tuple(dict.fromkeys([*self.columns, *self._made]))
+        return tuple(dict.fromkeys([*self.columns, *self._made, *_KNOWN, *_LINEARIZED]))
 
     def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:
         """``damped`` and ``growth`` of some states only, by their indices into the columns."""
         found = self._source.linearized(self, states)
         return found.damped, found.growth
-
-    @cached_property
-    def error(self) -> FloatArray:
-        """Bound on the error of the coordinates, over max(1, |value|)."""
-        return self._known("error")
-
-    @cached_property
-    def stability(self) -> NDArray[np.int8]:
-        """Codes of :class:`Stability`."""
-        return self._known("stability")
-
-    @cached_property
-    def marginal(self) -> NDArray[np.bool_]:
-        """Where the code is not proved."""
-        return self._known("marginal")
-
-    @cached_property
-    def eigenvalues(self) -> NDArray[np.complex128]:
-        """All λ of (27), on one more axis; NaN beyond ``count``."""
-        return self._known("eigenvalues")
-
-    @cached_property
-    def region(self) -> FloatArray:
-        """The box that was searched."""
-        known = self._source.column("region")
-        ends = np.broadcast_to([-np.inf, np.inf], (*self.count.shape, len(self._model.coordinates), 2))
-        return ends if known is None else known
-
-    @cached_property
-    def whole(self) -> NDArray[np.bool_]:
-        """Whether it is proved to hold all equilibria."""
-        known = self._source.column("whole")
-        return np.broadcast_to(np.True_, self.count.shape) if known is None else known
-
-    @cached_property
-    def damped_eigenvalues(self) -> NDArray[np.complex128]:
-        """All λ with dampers and slope of the friction law, on one more axis; NaN beyond ``count``."""
-        return self._placed(self._all.eigenvalues, np.nan)
-
-    @cached_property
-    def growth(self) -> FloatArray:
-        """Largest real part of all λ."""
-        return self._placed(self._all.growth, np.nan)
-
-    @cached_property
-    def growth_sign(self) -> NDArray[np.int8]:
-        """The proved sign of it."""
-        return self._placed(self._all.sign, 0)
-
-    @cached_property
-    def damped(self) -> NDArray[np.str_]:
-        """What small deviations do, in a word."""
-        return self._placed(self._all.damped, "")
 
     @property
     def _model(self) -> Any:
@@ -270,25 +230,19 @@ class Equilibria(Result):
     def _all(self) -> Any:
         return self._source.linearized(self, self.states)
 
-    def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
-        """Values of all states by point and slot."""
+    def _asked(self, name: str) -> Any:
+        """A column: as it was found, by the linearization, or what follows from where the states are."""
+        known = self._source.column(name)
+        if known is not None:
+            return known
+        if name == "region":
+            return np.broadcast_to([-np.inf, np.inf], (*self.count.shape, len(self._model.coordinates), 2))
+        if name == "whole":
+            return np.broadcast_to(np.True_, self.count.shape)
+        if name not in _LINEARIZED:
+            return self._made.get(name)
+        of, empty = _LINEARIZED[name]
+        values = getattr(self._all, of)
         out = np.full((*self.stability.shape, *values.shape[1:]), empty, dtype=values.dtype)
         out[self.states] = values
         return out
-
-    def _known(self, name: str) -> NDArray[Any]:
-        column = self._source.column(name)
-        assert column is not None
-        return column
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or "_source" not in self.__dict__:
-            raise AttributeError(name)
-        column = self._source.column(name)
-        if column is None:
-            if name not in self._made:
-                known = ", ".join(dict.fromkeys([*self.columns, *self._made]))
-                raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {known}")
-            column = self._made[name]
-        self.__dict__[name] = column
-        return column

@@ -4,11 +4,25 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from ..models.parameters import FloatArray
 from .result import Result
 
 
-class Columns(Result):
+class Named(Result):
+    """A result whose columns are attributes under their names, each made when it is first asked for."""
+
+    def _asked(self, name: str) -> Any:
+        """A column; None if there is none of this name."""
+        raise NotImplementedError
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or (column := self._asked(name)) is None:
+            known = "" if name.startswith("_") else f"; its columns are {', '.join(self.offered)}"
+            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}{known}")
+        self.__dict__[name] = column
+        return column
+
+
+class Columns(Named):
     """A result with a mapping of names to arrays in one of its fields: each array is an attribute under its name too.
 
     Examples
@@ -32,10 +46,5 @@ class Columns(Result):
     def offered(self) -> tuple[str, ...]:  # type: ignore[override]  # of each result its own
         return tuple(self.__dict__.get(self.held_in, ()))
 
-    def __getattr__(self, name: str) -> FloatArray:
-        columns = self.__dict__.get(self.held_in, {})
-        if name not in columns:
-            known = f"its {self.held_in} are {', '.join(columns)}"
-            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; {known}")
-        column: FloatArray = columns[name]
-        return column
+    def _asked(self, name: str) -> Any:
+        return self.__dict__.get(self.held_in, {}).get(name)

@@ -30,6 +30,10 @@ class Jump(Result):
     error: float  #: bound on the error of ``value``
 
 
+#: Columns of the full linearization, as of :class:`spragsym.Equilibria`.
+_OF_STATES = ("growth", "growth_sign", "damped")
+
+
 @dataclass(frozen=True, eq=False)
 class Path(Columns, Rows, held_in="places"):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
@@ -60,19 +64,11 @@ class Path(Columns, Rows, held_in="places"):
         return {name: self.places[name] for name in self.parameters.model.coordinates}
 
     @property
-    def growth(self) -> FloatArray:
-        """Largest real part of all λ of the full linearization, as of :class:`spragsym.Equilibria`."""
-        return self._along.growth[:, 0]
+    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+        return (*self.places, *_OF_STATES)
 
-    @property
-    def growth_sign(self) -> NDArray[np.int8]:
-        """1 where it is proved that something grows by it, −1 that nothing does."""
-        return self._along.growth_sign[:, 0]
-
-    @property
-    def damped(self) -> NDArray[np.str_]:
-        """What small deviations do by it: decays, grows or neutral."""
-        return self._along.damped[:, 0]
+    def _asked(self, name: str) -> Any:
+        return getattr(self._along, name)[:, 0] if name in _OF_STATES else self.places.get(name)
 
 
 def followed(

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..display import Table, counted, not_all, shown, with_cut, words
 from ..models.forces import columns_of, told_of_states
 from ..models.parameters import FloatArray
+from .named_columns import Named
 from .result import Result, Rows
 
 
@@ -37,7 +38,7 @@ def nowhere(points: Points) -> dict[str, FloatArray]:
 
 
 @dataclass(frozen=True, eq=False)
-class Points(Rows):
+class Points(Named, Rows):
     """Points at which equilibria change, sorted by the first parameter that varies.
 
     Every parameter and coordinate is an attribute under its own name, one number a point; so are the direction and the length of
@@ -117,7 +118,7 @@ class Points(Rows):
 
     @property
     def offered(self) -> tuple[str, ...]:  # type: ignore[override]
-        return tuple(dict.fromkeys([*self.vary, *self.columns, *self._values, *self.parameters.ranges]))
+        return tuple(dict.fromkeys([*self.vary, *self.columns, *self._values, "ends", "when", "after", *self.parameters.ranges]))
 
     @property
     def table_columns(self) -> dict[str, NDArray[Any]]:
@@ -148,22 +149,6 @@ class Points(Rows):
         caption = f"{counted(len(self), 'point', 'points')} along {', '.join(spans)}{not_all(self)}"
         return with_cut(caption, tuple(map(said.heading, columns)), rows, cut)
 
-    @property
-    def ends(self) -> NDArray[np.str_]:
-        """Which state ends at a fold."""
-        return self._what_ends.ends
-
-    @property
-    def when(self) -> NDArray[np.str_]:
-        """Which way the parameter goes then."""
-        return self._what_ends.when
-
-    @cached_property
-    def after(self) -> Mapping[str, FloatArray]:
-        """Where it jumps to."""
-        known = self._what_ends.after
-        return known(self) if callable(known) else known
-
     def select(self, which: NDArray[np.bool_]) -> Self:
         """The points that ``which`` marks."""
         values = {name: column[which] for name, column in self._values.items()}
@@ -192,20 +177,16 @@ class Points(Rows):
         told = told_of_states(p, [place[:, None] for place in self.coordinates.values()])
         return {name: column[:, 0] for name, column in told.items()}
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or "_values" not in self.__dict__:
-            raise AttributeError(name)
-        column = self._values.get(name)
-        if column is None and name in self.parameters.ranges:
+    def _asked(self, name: str) -> Any:
+        if name in self._values:
+            return self._values[name]
+        if name in ("ends", "when", "after"):
+            found = getattr(self._what_ends, name)
+            return found(self) if callable(found) else found
+        if name in self.parameters.ranges:
             given = getattr(self.parameters, name)
-            column = np.full(len(self), np.nan if given is None or given.ndim else float(given))
-        if column is None and name in self.columns:
-            column = self._told[name]
-        if column is None:
-            known = ", ".join(dict.fromkeys([*self.columns, *self.vary, *self._values]))
-            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {known}")
-        self.__dict__[name] = column
-        return column
+            return np.full(len(self), np.nan if given is None or given.ndim else float(given))
+        return self._told[name] if name in self.columns else None
 
 
 def after_if_known(points: Points) -> Mapping[str, FloatArray]:

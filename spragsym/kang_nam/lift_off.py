@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..generated.models.kang_nam import algebra
 from ..models.parameters import NAMES, FloatArray, Parameters
+from ..numerics.companion_roots import eigenvalues
 
 #: A well: x and y of its bottom, and the energy of its brim.
 Well: TypeAlias = tuple[float, float, float]
@@ -92,12 +93,8 @@ def _stationary_on_the_surface(
     lowers the brim, so that complex roots, which may be double ones, stay by their real parts.
     """
     a, b, s2 = alpha * cos0, alpha + sigma, sin0**2
-    leading = np.where(b == 0, 1.0, b * b)
-    lower = np.array([-2 * a * b, a * a + b * b * s2 - sigma**2, -2 * a * b * s2, a * a * s2]) / leading
-    companion = np.zeros((len(cos0), 4, 4))
-    companion[:, 0, :] = -lower.T
-    companion[:, [1, 2, 3], [0, 1, 2]] = 1.0
-    roots = np.linalg.eigvals(companion).real
+    quartic = np.stack([a * a * s2, -2 * a * b * s2, a * a + b * b * s2 - sigma**2, -2 * a * b, b * b], axis=-1)
+    roots = eigenvalues(quartic).real
     stationary: FloatArray = cos0[:, None] - np.concatenate([roots, np.zeros((len(cos0), 1))], axis=1)
     return stationary
 

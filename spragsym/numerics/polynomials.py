@@ -23,7 +23,7 @@ def evaluate(polynomial: Sequence[Coefficient], t: Any) -> Any:
     return value
 
 
-def derivative(polynomial: Polynomial) -> Polynomial:
+def derivative(polynomial: Sequence[Coefficient]) -> Polynomial:
     """d/dt."""
     return tuple(power * coefficient for power, coefficient in enumerate(polynomial))[1:]
 

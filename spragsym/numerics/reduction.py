@@ -24,6 +24,7 @@ from . import balls
 from .balls import Ball, Undecided
 from .elimination import is_zero, solved
 from .jets import Jet, gradient, variables
+from .polynomials import derivative, evaluate
 
 #: F of balls or of jets of balls.
 Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
@@ -193,7 +194,8 @@ class _Task:
         for _ in range(STEPS):
             middle = _short((span[0] + span[1]) / 2)
             point = [*self.at(middle, others), last]
-            slope = _taylor_slope(point, balls.between(span[0] - middle, span[1] - middle))
+            about, off = _about(point, balls.between(span[0] - middle, span[1] - middle))
+            slope = evaluate(derivative(about), off)
             if not balls.sign(slope):
                 break
             # By the ends: a ball of a wide quotient would be wider.
@@ -242,10 +244,11 @@ def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> lis
         one, two, depth = stack.pop()
         looks += 1
         h = balls.between(one, two)
-        if balls.sign(_taylor(coefficients, h)):
+        about, off = _about(coefficients, h)
+        if balls.sign(evaluate(about, off)):
             continue
-        if balls.sign(_taylor_slope(coefficients, h)):
-            signs = [balls.sign(_at(coefficients, end)) for end in (one, two)]
+        if balls.sign(evaluate(derivative(about), off)):
+            signs = [balls.sign(evaluate(coefficients, balls.exact(end))) for end in (one, two)]
             if 0 in signs:
                 raise Undecided("a root on the end of a piece")
             if signs[0] != signs[1]:
@@ -258,23 +261,13 @@ def _isolated(coefficients: Sequence[Any], low: Fraction, high: Fraction) -> lis
     return found
 
 
-def _taylor(c: Sequence[Any], h: Ball) -> Any:
-    """The polynomial over a piece, expanded about the middle of it."""
-    m = balls.middle(h)
-    d = h - m
-    slope = c[1] + m * (c[2] * 2 + m * c[3] * 3)
-    return c[0] + m * (c[1] + m * (c[2] + m * c[3])) + d * (slope + d * (c[2] + m * c[3] * 3 + d * c[3]))
-
-
-def _taylor_slope(c: Sequence[Any], h: Ball) -> Any:
-    m = balls.middle(h)
-    d = h - m
-    return c[1] + m * (c[2] * 2 + m * c[3] * 3) + d * (c[2] * 2 + m * c[3] * 6 + d * c[3] * 3)
-
-
-def _at(c: Sequence[Any], place: Fraction) -> Any:
-    h = balls.exact(place)
-    return c[0] + h * (c[1] + h * (c[2] + h * c[3]))
+def _about(c: Sequence[Any], h: Ball) -> tuple[list[Any], Ball]:
+    """Coefficients of the polynomial about the middle of a piece, and what the piece is from there."""
+    middle, out = balls.middle(h), list(c)
+    for start in range(len(out)):
+        for power in range(len(out) - 2, start - 1, -1):
+            out[power] = out[power] + middle * out[power + 1]
+    return out, h - middle
 
 
 def _less(value: Any, factors: Sequence[Any], steps: Sequence[Any]) -> Any:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...bifurcation.tubes.tube_regions import halves
 from ...design.certificates import Certificate
+from ...design.state_certificates import corner_values
 from ...errors import ParameterError
 from ...models.parameters import NAMES, FloatArray, Parameters, as_count
 from ...models.parameters.units import Unit, checked_units
@@ -33,13 +34,10 @@ def certify(
     they are decided. A box that touches the border of the claim, a fold or an onset of flutter, can't be decided there: it ends
     after ``max_boxes``.
     """
-    rises = vary is None or (vary == "mu0" and claim == "no jump")
     require_usual(low, "mu0", begin)
-    if not rises:
+    if claim not in CLAIMS or not (vary is None or (vary == "mu0" and claim == "no jump")):
         raise NotInClosedForm
     max_boxes = as_count("max_boxes", 20_000 if max_boxes is None else max_boxes)
-    if claim not in CLAIMS:
-        raise ParameterError(f"claim = {claim!r} is not one of {', '.join(map(repr, CLAIMS))}")
     chosen = CLAIMS[claim]
     pending = _whole(low, high, chosen, checked_units(units, tuple(Parameters.ranges), ("theta0",)))
     seen, open_share = 0, 0.0
@@ -60,14 +58,7 @@ def certify(
 
 def _whole(low: Parameters, high: Parameters, chosen: Claim, units: Mapping[str, Unit]) -> Boxes:
     """The box of parameters and units, one box."""
-    ends = []
-    for what, corner in (("low", low), ("high", high)):
-        if corner.shape:
-            raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
-        ends.append(np.array(corner.scalars(*NAMES))[:, None])
-    for name, one, other in zip(NAMES, ends[0][:, 0], ends[1][:, 0], strict=True):
-        if one > other:
-            raise ParameterError(f"low.{name} = {one:g} is above high.{name} = {other:g}; exchange the two")
+    ends = [end[:, None] for end in corner_values(NAMES, low, high)]
     for name in chosen.from_above:
         ends[0][NAMES.index(name)] = ends[1][NAMES.index(name)]
     matter = [unit for unit in units.values() if set(unit.powers) & set(NAMES)]

@@ -47,9 +47,8 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
     paired = ~(D.value > D.error)
     if contact:
         paired &= ~kernel.one_positive(line, quartic, u)
-        settled = _one_each(upper, point, line, out, begin, u)
-    else:
-        settled = _some(np.stack([np.where(large > 0.0, small, large), upper]), point, line, out, begin + np.arange(size), u)
+    first = upper[None] if contact else np.stack([np.where(large > 0.0, small, large), upper])
+    settled = _some(first, point, line, out, begin + np.arange(size), u)
     pairs = np.flatnonzero(paired)
     if pairs.size:
         t = [upper] if contact else [large, small]
@@ -113,20 +112,6 @@ def _error(t: Any, root: kernel.Root) -> Any:
 def _sure(t: Any, root: kernel.Root) -> Any:
     """Whether an equilibrium has its digits."""
     return root.member & root.known & (_error(t, root) <= TOLERANCE)
-
-
-def _one_each(
-    t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, begin: int, u: np.floating[Any]
-) -> NDArray[np.bool_]:
-    """Points in contact with one root: settle those where the root certainly is an equilibrium."""
-    root = kernel.at_root(t, point, line, u)
-    settled: NDArray[np.bool_] = _sure(t, root) & (t > 0.0)
-    rows = slice(begin, begin + t.size)
-    # What is not settled is written again by whoever settles it: there is always a first equilibrium.
-    for name, values in _columns(t, root).items():
-        out.first[name][rows] = values
-    out.count[rows] = settled
-    return settled
 
 
 def _some(

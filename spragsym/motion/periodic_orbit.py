@@ -11,7 +11,7 @@ from ..models.field import Field
 from ..models.parameters import FloatArray
 from .measures import Courses, Ends
 from .segment import Fly, Passage, Turn
-from .shooting import Guess, Loop, once_round, rate, solved
+from .shooting import Guess, Loop, once_round, rate, solved, through
 
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.
 STEP = 1e-5
@@ -73,9 +73,7 @@ def nearly_closed(
 ) -> Loop:  # fmt: skip
     """The loop to a precision that begins on the section of a state."""
 
-    def on_section(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        return loop.guess.states[0, fixed : fixed + 1] - state[fixed], np.eye(1, state.size + 1, fixed)
-
+    on_section = through(state, np.eye(state.size)[fixed], state.size + 1)
     guess = Guess(state[None], period, ())
     return solved(field, fly, guess, on_section, reach=reach, iterations=iterations, precision=precision, closed=precision)
 

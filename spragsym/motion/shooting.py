@@ -144,14 +144,6 @@ def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
         return np.full(field.size, np.nan)
 
 
-def directions_of(field: Field, free: tuple[int, ...]) -> FloatArray:
-    """Unit directions of the free parameters, two rows."""
-    directions = np.zeros((2, len(field.parameters)))
-    for row, index in enumerate(free):
-        directions[row, index] = 1.0
-    return directions
-
-
 def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
     """A guess integrated."""
     try:
@@ -162,7 +154,8 @@ def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> 
     if not guess.period > 0:
         raise ConvergenceError("the period is not positive")
     constants = field.constants(guess.values)
-    stretch, directions = guess.period / len(guess.states), directions_of(field, free)
+    stretch, directions = guess.period / len(guess.states), np.zeros((2, len(field.parameters)))
+    directions[range(len(free)), free] = 1.0
     return Loop(field, guess, constants, tuple(fly(state, constants, stretch, directions) for state in guess.states))
 
 
@@ -238,37 +231,25 @@ def newton_step(matrix: FloatArray, residual: FloatArray) -> FloatArray:
         raise ConvergenceError("Newton's method meets a singular matrix") from error
 
 
+def through(place: FloatArray, normal: FloatArray, unknowns: int) -> Conditions:
+    """The first state stays in a plane through a place: the phase of the orbit."""
+    row = np.zeros((1, unknowns))
+    row[0, : len(normal)] = normal
+    return lambda loop: (np.array([normal @ (loop.guess.states[0] - place)]), row)
+
+
 def across(field: Field, state: FloatArray, constants: tuple[float, ...], unknowns: int) -> Conditions:
-    """The first state stays in the plane through ``state`` across the flow there: the phase of the orbit."""
+    """The plane through ``state`` across the flow there."""
     normal = rate(field, state, constants)
-    normal = normal / np.linalg.norm(normal)
-
-    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        row = np.zeros((1, unknowns))
-        row[0, : field.size] = normal
-        return np.array([normal @ (loop.guess.states[0] - state)]), row
-
-    return condition
-
-
-def at_rest_along(field: Field, unknowns: int) -> Conditions:
-    """The first coordinate's speed is zero at the start: the phase at which it is largest."""
-    n = len(field.coordinates)
-
-    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        row = np.zeros((1, unknowns))
-        row[0, n] = 1.0
-        return loop.guess.states[0, n : n + 1].copy(), row
-
-    return condition
+    return through(state, normal / np.linalg.norm(normal), unknowns)
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
     """The phase of a guess at an orbit: where the first coordinate is largest, or as it is where that only turns around."""
-    unknowns = guess.states.size + 1
+    unknowns, m = guess.states.size + 1, loop.field.size
     if loop.winding and not any(turn.border == -1 for turn in loop.turns()):
         return across(loop.field, guess.states[0], loop.constants, unknowns)
-    return at_rest_along(loop.field, unknowns)
+    return through(np.zeros(m), np.eye(m)[m // 2], unknowns)
 
 
 def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
@@ -325,7 +306,7 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
                 continue
             guess = Guess(first.state[None], period / round(share), loop.guess.values)
             with suppress(ConvergenceError):
-                return solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
+                return solved(loop.field, fly, guess, phase(loop, guess), reach=1e-3)
             with suppress(ConvergenceError):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
                 shorter = looped(loop.field, fly, guess)
                 if shorter.missed <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):

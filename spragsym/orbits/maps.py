@@ -20,7 +20,7 @@ from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number, d
 from ..motion import integrators
 from ..motion.simulation import initial_state
 from ..motion.sweeps import code
-from ..motion.sweeps.points import Points
+from ..motion.sweeps.points import made_or_loaded
 from ..motion.sweeps.result import identity
 from ..motion.sweeps.workers import Workers
 from ..questions import model_of
@@ -155,8 +155,8 @@ def fate_map(
     if store is not None and Path(store).suffix != ".csv":
         raise ParameterError(f"store = {store} does not end in .csv")
     made, key = partial(_made, model, inputs, state, t_end, name), partial(_fingerprint, model, inputs, state, t_end, name)
-    points = Points(inputs, partial(_records, model, state, t_end, name), made, MEASURED, "why", key)
-    return points.done(workers, progress, store, FateMap.save)
+    work = partial(_records, model, state, t_end, name)
+    return made_or_loaded(inputs, work, made, MEASURED, "why", key, FateMap.save, workers, progress, store)
 
 
 def _records(

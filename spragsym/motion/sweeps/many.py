@@ -12,10 +12,9 @@ from ...models.parameters import NOT_NEGATIVE, POSITIVE, ParameterSet, as_count,
 from ...questions import model_of
 from .. import batch_heyoka, integrators
 from ..problem import MAX_STEPS, RELATIVE_TOLERANCE
-from ..problems import motions
 from ..simulation import initial_state
 from .measure import Settings, measured, reported
-from .points import Points
+from .points import made_or_loaded
 from .result import Sweep, fingerprint, made_of
 from .workers import Workers
 
@@ -105,10 +104,10 @@ def rms_sweep(
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
     settings = settings_of(t_end, transient, rtol, backend, max_steps, integrators.offered_for(model))
-    work, together = partial(measured, partial(motions, model), settings), partial(_together, settings)
+    work, together = partial(measured, model, settings), partial(_together, settings)
     made, key = partial(made_of, model, inputs, settings), partial(fingerprint, model, inputs, settings)
     columns = (*reported(model.coordinates, model.rates), "regime")
-    return Points(inputs, work, made, columns, "reason", key, together).done(workers, progress, store, Sweep.save)
+    return made_or_loaded(inputs, work, made, columns, "reason", key, Sweep.save, workers, progress, store, together)
 
 
 def settings_of(

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from functools import partial
+from typing import Any
 
 import numpy as np
 
 from ...files.journal import Record
+from ...models.model_field import field_of
 from ...models.parameters import FloatArray
 from .. import integrators
 from ..classify import classified
 from ..motions import Measured, Motions
 from ..problem import MAX_STEPS, out_of_range
+from ..problems import without_direction
 from ..regimes import Regime
 
 
@@ -44,22 +47,19 @@ class Settings:
     max_steps: int = MAX_STEPS
 
 
-#: Motions of points whose values were validated with the whole sweep's, and why points have none, by their numbers; the
-#: motions are those of the other points, in order. To be sent to other processes.
-MotionsOf: TypeAlias = Callable[[Settings, Sequence[tuple[float, ...]]], tuple[Motions | None, dict[int, Exception]]]
-
-
-def measured(motions_of: MotionsOf, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
+def measured(model: Any, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
-    found, reasons = motions_of(settings, points)
-    records: list[Record] = [_no_result(reasons[i]) if i in reasons else ([], "") for i in range(len(points))]
-    if found is not None:
+    count = len(model.parameters)
+    constants = np.array([model.field.constants(point[:count]) for point in points], dtype=np.float64)
+    starts = np.array([point[count:] for point in points], dtype=np.float64)
+    records = {i: _no_result(error) for i, error in without_direction(model, constants.T, starts.T).items()}
+    if kept := [i for i in range(len(points)) if i not in records]:
+        given = settings.t_end, settings.transient, settings.rtol, settings.max_steps
         with np.errstate(all="ignore"):  # numbers out of range show in the result
-            table, errors = _values(found, settings.backend)
-        places = (i for i in range(len(points)) if i not in reasons)
-        for row, (i, values) in enumerate(zip(places, table.tolist(), strict=True)):
+            table, errors = _values(Motions(constants[kept], starts[kept], *given, partial(field_of, model)), settings.backend)
+        for row, (i, values) in enumerate(zip(kept, table.tolist(), strict=True)):
             records[i] = _no_result(errors[row]) if row in errors else (values, "")
-    return records
+    return [records[i] for i in range(len(points))]
 
 
 def _no_result(error: Exception) -> Record:

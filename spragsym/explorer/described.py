@@ -58,7 +58,7 @@ def described(model: Model, presets: Sequence[Preset]) -> dict[str, Any]:
 def _slider(entry: Mapping[str, Any], angle: bool, values: Sequence[float]) -> dict[str, float]:
     """What a slider spans, angles in degrees: the allowed range where it ends, else what holds base value and presets."""
     low, high, base = entry["low"], entry["high"], entry["base"]
-    reach = max(_REACH * abs(base) if base else _PLAIN, *(_ROOM * abs(value) for value in values))
+    reach = max([_REACH * abs(base) if base else _PLAIN, *(_ROOM * abs(value) for value in values)])
     first = -reach if low is None else low
     last = reach if high is None else high
     room = _INWARD * (last - first)

@@ -19,6 +19,8 @@ import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.derive.kang_nam.library import exported
 from spragsym.explorer import explorer_page
+from spragsym.explorer.described import described
+from spragsym.models.load import shipped
 from spragsym.models.parameters import NAMES
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
 from tests.support import ROOT
@@ -55,6 +57,16 @@ def test_a_cell_of_a_notebook_shows_it_at_the_point() -> None:
     shown = ss.explore(ss.Parameters.article(theta0=0.8125, V=0.5, d=10.0))._repr_html_()
     assert shown.startswith("<iframe srcdoc=")
     assert "0.8125" in html.unescape(shown)
+
+
+def test_sliders_hold_allowed_values_on_both_sides_of_the_base() -> None:
+    for model in map(ss.load, shipped()):
+        for entry in described(model, [])["parameters"]:
+            low, high = (math.radians(entry[end]) if entry["angle"] else entry[end] for end in ("low", "high"))
+            allowed, base = model.Parameters.ranges[entry["name"]], model.base.get(entry["name"], high)
+            assert allowed.contains(low)
+            assert allowed.contains(high)
+            assert low <= base <= high
 
 
 @pytest.mark.thorough

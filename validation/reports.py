@@ -42,14 +42,10 @@ SENTENCES: list[tuple[str, list[tuple[str, bool]]]] = [
     (r"^It sprags above V = ", [(LARGEST, False), (FULL, True)]),
     (r"does not sprag: ", [(FULL, False)]),
     (r"has no jump at", [(EXISTS, False)]),
-    (r"deformation jumps at a friction of ", [(EXISTS, True)]),
-    (r"; proved( at this speed)?( for everything|\.$)", [(SOME, False)]),
-    (r"% of all brakes do", [(SOME, True)]),
+    (r"reference state jumps at a friction of ", [(EXISTS, True)]),
+    (r"^Proved.*sprags\.$|^That is proved", [(SOME, False)]),
+    (r"% of all brakes sprag", [(SOME, True)]),
     (r"a proof for all of them was not found", [("it is proved", False)]),
-    (r"^warning: .*has not jumped", [(JUMPED, False)]),
-    (r"^warning: the belt is so slow", [("friction falls short", True)]),
-    (r"^warning: .* not given: .* no oscillation is looked for", [(LIVES, False)]),
-    (r"^warning: (nothing|the only) damp", [(UP_TO_DAMPING, True)]),
 ]
 #: Heading, name of a row, its value → propositions.
 ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
@@ -61,14 +57,18 @@ ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
     ("Jump", "the same at full slip", r"-", [(FULL, True)]),
     ("Jump", "speed at which it begins to jump", "at no speed", [(FULL, False)]),
     ("Jump", "speed at which it begins to jump", r"[\d.]", [(FULL, True)]),
-    ("Jump", "lowest fold of all angles", "there is none", [(EXISTS, False)]),
+    ("Jump", "its lowest fold at any angle", "there is none", [(EXISTS, False)]),
     ("Jump", "tolerances to the nearest jump", "0, it has jumped already", [(JUMPED, True)]),
     ("Jump", "tolerances to the nearest jump", "(?!0, it)", [(JUMPED, False)]),
     ("State", "the state it jumped to", "", [(JUMPED, True)]),
     ("State", "the reference state", "", [(JUMPED, False)]),
-    ("State", "the state (it jumped to|of small deformation)", "stable; ", [(SETTLES, True), (UP_TO_DAMPING, False)]),
-    ("State", "the state (it jumped to|of small deformation)", "unstable", [(SETTLES, False), (UP_TO_DAMPING, False)]),
-    ("State", "the state (it jumped to|of small deformation)", "stable without", [(SETTLES, False), (UP_TO_DAMPING, True)]),
+    ("State", "the (state it jumped to|reference state)", "stable; ", [(SETTLES, True), (UP_TO_DAMPING, False)]),
+    ("State", "the (state it jumped to|reference state)", "stable, practically neutral", [(UP_TO_DAMPING, True)]),
+    ("State", "the (state it jumped to|reference state)", "stable, but with", [(SETTLES, False), (UP_TO_DAMPING, False)]),
+    ("Warnings", "", "the followed state lies", [(JUMPED, False)]),
+    ("Warnings", "", "the belt is so slow", [("friction falls short", True)]),
+    ("Warnings", "", ".*no oscillation is looked for", [(LIVES, False)]),
+    ("Warnings", "", ".*the damping of the real brake decides", [(UP_TO_DAMPING, True)]),
     ("The jump as a motion", "then", "", [(FULL, True)]),
     ("Tolerances", "no jump within", "proved", [(SOME, False), ("it is proved", True)]),
     ("Tolerances", "no jump within", "refuted", [(SOME, True), ("it is proved", False)]),
@@ -89,21 +89,21 @@ ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
     ("Oscillation", "coexists with", "no", [(SETTLES, False), (UP_TO_DAMPING, False)]),
     ("Oscillation", "coexists with", "up to", [(UP_TO_DAMPING, True)]),
 ]
-NUMBER = r"([-+]?[\d.]+(?:e[-+]?\d+)?)"
+NUMBER = r"([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)"
 
 
 def lines(text: str) -> Iterator[tuple[str, str, str]]:
     """Heading, name and value of every row of a report, and every other line as a value alone."""
-    heading, name = "", ""
+    heading, name, wide = "", "", 34
     for line in text.splitlines():
-        if line.startswith(" " * 34):
+        if line.startswith(" " * wide):
             yield heading, name, line.strip()
         elif line.startswith("  "):
-            name = line[2:34].strip() if len(line) > 34 and (line[33] == " " or line[:34].endswith(" ")) else line.strip()
-            if name != line.strip():
-                yield heading, name, line[34:]
+            name = line[2:wide].strip()
+            if len(line) > wide and line[wide - 1] == " ":
+                yield heading, name, line[wide:]
         elif line:
-            heading = line
+            heading, wide = line, 10 if line in ("Warnings", "What to do next") else 34
             yield "", "", line
 
 
@@ -146,20 +146,18 @@ def contradictions(text: str) -> list[str]:
         if abs(100 * (jump / largest - 1) - percent) > 0.5 + 0.006 * (100 + percent):
             found.append(f"margins {above[0]}")
     if (
-        (low := re.search(rf"lowest fold of all angles\s+friction {NUMBER}", text))
+        (low := re.search(rf"its lowest fold at any angle\s+friction {NUMBER}", text))
         and jumps
         and max(jumps) < float(low[1]) * 0.998
     ):
         found.append(f"a jump at {jumps} below the lowest fold {low[0]}")
-    if peak := re.search(
-        rf"from x = {NUMBER} mm to {NUMBER} mm\n  displacement along the belt\s+{NUMBER} mm to {NUMBER} mm", text
-    ):
+    if peak := re.search(rf"from x = {NUMBER} mm to {NUMBER} mm\n.*\n  range of x\s+{NUMBER} mm to {NUMBER} mm", text):
         before, after, least, most = map(float, peak.groups())
         if not (
             least <= most and min(after, before) >= least - 0.1 * abs(after - before) and max(after, before) <= most * 1.5 + 1
         ):
             found.append(f"peaks {peak[0]}")
-    if aim := re.search(rf"To keep the jump at {NUMBER}", text):
+    if aim := re.search(rf"each of them keeps +the jump at {NUMBER}", text):
         for value in re.findall(rf"then it jumps at {NUMBER}", text):
             if float(value) < float(aim[1]) * 0.9995:
                 found.append(f"a change that jumps at {value} for {aim[0]}")

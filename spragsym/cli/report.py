@@ -50,19 +50,29 @@ def report(
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([] if html is None else [html], force)
+    from ..models.parameters import POSITIVE, as_number
     from ..report.brake_files import read_brake
+    from ..report.facts import Asked
+    from ..report.reports import report as report_of
 
     study = read_brake(file, trust or model or False)  # the report has its own warnings
     if model not in (None, study.model):
         raise click.UsageError(f"--model {model}: {file} is about {study.model}; leave --model out")
     options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]
     less = f" ({' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest)" if options else ""
-    with show_progress(f"computing the report{less}"):
-        found = study.report(oscillation=oscillation, redesign=redesign, safety=safety)
-    if html is not None:
-        found.to_html(html)
-        click.echo(f"wrote {html}", err=True)
+    found = report_of(study, Asked(True, redesign, oscillation, as_number("safety", safety, POSITIVE), None), now=False)
+    blocks = found.blocks()
+
+    def computed() -> str | None:
+        with show_progress(f"computing the report{less}"):
+            return next(blocks, None)
+
+    for block in iter(computed, None):
+        if not json_output:
+            click.echo(block)
     if json_output:
         print_json(found.to_dict())
-    else:
-        click.echo(found.text())
+    if html is not None:
+        with show_progress("drawing the page"):
+            found.to_html(html)
+        click.echo(f"wrote {html}", err=True)

@@ -1,11 +1,10 @@
-"""Warnings where an answer would mislead, each in one sentence with what to do."""
+"""Warnings where an answer would mislead: one short sentence each, with the value and what to do."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
 
-from .brake_files import example_of
 from .facts import Facts
 from .states import State
 from .study import Study
@@ -56,13 +55,10 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
     if not _has(study, "L_0", "F_L", "k_c") or not all("y_mm" in state.places for state in found):
         return
     length = 1e3 * study.values["L_0"]
-    for current, which in ((True, "the contact is"), (False, "in another state of sliding the contact is")):
+    for current, where in ((True, ""), (False, " in another state")):
         deepest = max((-state.y_mm for state in found if state.current == current), default=0.0)
         if deepest > DEEP * length:
-            yield (
-                f"{which} {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
-                f"nothing there; check {_data(study, 'F_L', 'k_c')}"
-            )
+            yield f"the contact is {deepest:.3g} mm deep{where}; it is linear up to {DEEP:.0%} of L_0: check F_L and k_c"
 
 
 def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
@@ -71,11 +67,8 @@ def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
     length = 1e3 * study.values["L_0"]
     for state in found:
         if state.current and abs(state.x_mm) > FAR * length:
-            yield (
-                f"the state that is reached as {'friction' if study.rise is None else study.rise.word} rises has not jumped, and "
-                f"its mass is displaced by {state.x_mm:.3g} mm all the same, {abs(state.x_mm) / length:.2g} of the length of the "
-                "spring: that is no small deformation"
-            )
+            share = f"{abs(state.x_mm) / length:.0%} of L_0"
+            yield f"the followed state lies at x = {state.x_mm:.3g} mm without a jump, {share}: it is no small deformation"
 
 
 def _stiffness(study: Study) -> Iterator[str]:
@@ -84,40 +77,22 @@ def _stiffness(study: Study) -> Iterator[str]:
     for name in (name for name in ("k", "k_x", "k_y") if _has(study, name)):
         ratio = study.values[name] / study.values["k_c"]
         if ratio > 0.5:
-            yield (
-                f"{_data(study, name)} is {ratio:.3g} times the stiffness of the contact, {_data(study, 'k_c')}: the contact "
-                "should be the stiffest part; check both units"
-            )
+            yield f"{_data(study, name)} is {ratio:.3g} times k_c, and the contact should be the stiffest part: check both units"
     sigma = study.values.get("k", math.inf) / study.values["k_c"]
     if sigma < 1e-4:
-        yield (
-            f"{_data(study, 'k')} is {sigma:.1g} of the stiffness of the contact: a spring as soft as that hardly leans on the "
-            "mass; check its unit"
-        )
+        yield f"{_data(study, 'k')} is only {sigma:.1g} times k_c: check its unit"
 
 
 def _friction(study: Study) -> Iterator[str]:
     missing = [name for name in study.kind.of_the_law if not _has(study, name)]
     if missing:
-        write = " and ".join(f'{name} = "{example_of(name, study.kind.units[name])}"' for name in missing)
-        yield (
-            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the "
-            "friction law's damping is left out of what is called stable, and no oscillation is looked for; add "
-            f"{write}"
-        )
+        yield f"without {' and '.join(missing)} friction is taken at full slip, and no oscillation is looked for"
     elif study.kind.law["at_rest"] == "other" and _has(study, "mu0"):
-        yield (
-            "the friction law is not proportional to mu0, or not mu0 at full slip: friction is taken as statics has it, and "
-            "not at the speed of the belt"
-        )
+        yield "the friction law is not proportional to mu0: friction is taken at rest, not at the belt's speed"
     yield from _fit(study)
     if _has(study, "mu0") and study.fraction < FULL:
-        both = _has(study, "d", "V")
-        since = f"since d V = {study.values['d'] * abs(study.values['V']):.3g}; check d and V" if both else f"check {study.belt}"
-        yield (
-            f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
-            f"of {study.values['mu0']:.4g}, {since}"
-        )
+        share = f"{study.fraction:.3g} of mu0, {study.friction[1]:.3g} in place of {study.values['mu0']:.3g}"
+        yield f"the belt is so slow that friction is {share}: check {'d and V' if _has(study, 'd', 'V') else study.belt}"
 
 
 def _fit(study: Study) -> Iterator[str]:
@@ -125,22 +100,15 @@ def _fit(study: Study) -> Iterator[str]:
     if fit is None:
         return
     if fit.rms > POOR * fit.mu0:
-        yield (
-            f"the law mu0 (1 - exp(-d v)) is {100 * fit.rms / fit.mu0:.0f} % off the measured friction on average: it rises with "
-            "speed and levels off; if what was measured falls with speed, the model kang_nam has no such law"
-        )
+        yield f"the law mu0 (1 - exp(-d v)) is {fit.rms / fit.mu0:.0%} off the measured friction: choose a model with another law"
     elif fit.d * fit.slowest > STEEP:
-        yield (
-            f"the measured friction is level from {fit.slowest:.3g} m/s on: any d above {STEEP / fit.slowest:.3g} s/m fits, and "
-            f"d = {fit.d:.3g} s/m is one of them; measure at slower sliding"
-        )
+        level = f"friction is level from {fit.slowest:.3g} m/s on"
+        yield f"{level}, so any d above {STEEP / fit.slowest:.3g} s/m fits: measure at slower sliding"
     if fit.points == 2:
-        yield "two measurements are met exactly by mu0 and d, so that how far those are off is not known; measure at more speeds"
+        yield "two measurements are met exactly by mu0 and d, whose errors are not known: measure at more speeds"
     if fit.d * fit.fastest < FULL_AT:
-        yield (
-            f"the measured friction still rises in proportion to the speed at {fit.fastest:.3g} m/s: only mu0 d = "
-            f"{fit.mu0 * fit.d:.3g} s/m is known, not each of the two; measure at faster sliding, and check their unit"
-        )
+        known = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
+        yield f"friction still rises at {fit.fastest:.3g} m/s, and {known}: measure at faster sliding, and check the unit"
 
 
 def of_data(study: Study) -> Iterator[str]:
@@ -149,30 +117,23 @@ def of_data(study: Study) -> Iterator[str]:
     if friction is not None and friction.high > FRICTION:
         yield f"mu0 = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
     if belt is not None and _has(study, belt) and abs(speed := study.values[belt]) > FAST:
-        yield f"{study.shown_speed(speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"
+        yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
     if angle is not None and angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
         number = f"{study.in_file('theta0', angle.value):g}"
         yield f"{_data(study, 'theta0')} looks like radians; write {number} rad if that is meant"
     length = study.values.get("L_0", 1.0)
     if not 1e-4 < length < 10:
-        yield f"{_data(study, 'L_0')} is {length:.3g} m: an odd length for a part of a brake; check its unit"
+        yield f"{_data(study, 'L_0')} is {length:.3g} m, outside 0.1 mm to 10 m: check its unit"
 
 
 def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
     for state in found:
-        if not study.moves or not state.current or state.statics != "stable" or state.settles is not None:
+        if not study.moves or not state.current or state.settles is not None:
             continue
         least = min(state.damping_ratio, default=0.0)
         if state.growth_per_s == 0:
-            yield (
-                "nothing damps here: whether a disturbance dies out is up to the damping of the real brake, which the model "
-                "leaves out"
-            )
-            continue
-        what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
-        law = "the friction law alone gives"
-        whose = "the dampers and the friction law together leave" if study.kind.about["dampers"] else law
-        yield (
-            f"{whose} one motion a damping ratio of {least:.1g}, {what}; the state is practically neutral: the damping "
-            "of the real brake, which the model leaves out, decides"
-        )
+            yield "nothing damps here: whether a disturbance dies out is up to the damping of the real brake"
+        else:
+            goes = "settles slowly" if least > 0 else "grows slowly"
+            ratio = f"with a damping ratio of {least:.1g} a disturbance {goes}"
+            yield f"{ratio}: practically neutral, so the damping of the real brake decides"

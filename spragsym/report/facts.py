@@ -12,6 +12,7 @@ import spragsym as ss
 
 from ..design.probability import JumpProbability
 from ..errors import SpragsymError
+from ..remarks import Remark
 from ..results.equilibria import Equilibria
 from ..results.points import Points
 from .friction import speed_for
@@ -64,8 +65,22 @@ class Facts:
         try:
             return question()
         except SpragsymError as reason:
-            self.remarks.append(f"{what} not known: {reason}")
+            self.remarks.append(f"{what} not known: {self._brief(reason)}")
             return None
+
+    def _brief(self, *reasons: object) -> str:
+        """The first clause of each reason, in the units of the file."""
+        study, of = self.study, {name: quantity for quantity, name in self.study.kind.parameters.items()}
+
+        def units(name: str) -> tuple[str, float]:
+            quantity = of.get(name)
+            if quantity is None or quantity not in study.quantities:
+                return name, 1.0
+            unit = study.quantities[quantity].unit
+            return f"{quantity}/{unit}" if unit else quantity, study.in_file(quantity, study.scale(study.kind.units[quantity]))
+
+        told = (reason.told(units) if isinstance(reason, Remark) else str(reason) for reason in reasons)
+        return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in told))
 
     @cached_property
     def _jump(self) -> float | None:
@@ -74,14 +89,12 @@ class Facts:
         if study.rise is None:
             # An angle, a load or a stiffness before what the friction law takes, which may fall as the belt is faster.
             first = min(study.kind.may_rise, key=lambda name: name in law, default="F")
-            self.remarks.append(
-                f'the model has no mu0 that would rise until the state jumps; say which quantity does, as in vary = "{first}"'
-            )
+            self.remarks.append(f'the model has no mu0: say which quantity rises until the state jumps, as vary = "{first}"')
             return None
         along = f"the jump along {study.rise.quantity} is"
         found = self._known(along, study.jump)
         if found is not None and math.isnan(found) and study.working[2] > study.top:
-            self.remarks.append(f"{along} not known: it was looked for up to {study.amount(study.top)}, and there is none")
+            self.remarks.append(f"{along} not known: there is none up to {study.amount(study.top)}, where the search ends")
             return None
         return found
 
@@ -112,13 +125,11 @@ class Facts:
         found = self._known(
             "the friction below which it jumps at no angle is", lambda: ss.critical_friction(self.study.dimensionless)
         )
-        why = "" if found is None else "; ".join(dict.fromkeys(found.remarks))
         if found is not None and found.kind == "undecided":
-            below = f"below a friction of {found.value:.4g} it cannot jump at any angle"
-            self.remarks.append(f"{below}; whether it does above is not decided: {why}")
+            self.remarks.append(f"below a friction of {found.value:.4g} it cannot jump at any angle; above that is not decided")
             return None
         if found is not None and not found.complete:
-            self.remarks.append(f"that nothing jumps below mu_lowest is not proved for all: {why}")
+            self.remarks.append(f"that nothing jumps below mu_lowest is not proved: {self._brief(*found.remarks)}")
         return found
 
     @property
@@ -195,9 +206,9 @@ class Facts:
         """Other stable states, by coordinate and unit, and where each ends as the loading parameter goes on; NaN if nowhere."""
         found = others(self.study, self._equilibria, self._here)
         if self._here is None and self.study.rise is None:
-            self.remarks.append("which of the states the brake is in is not known: nothing is said to rise to where it is")
+            self.remarks.append("which state the brake is in is not known, since nothing is said to rise: name it with state")
         if not self._equilibria.complete:
-            self.remarks.append(f"that these are all states is not proved: {'; '.join(self._equilibria.remarks)}")
+            self.remarks.append(f"states may be missing: {self._brief(*self._equilibria.remarks)}")
         return found
 
     @property
@@ -214,11 +225,7 @@ class Facts:
         asked = ((vary, self._known(f"folds along {vary} are", partial(ss.folds, p, vary))) for vary, p in sets.items())
         found = {vary: points for vary, points in asked if points is not None}
         if rise is not None and rise.name in found and not found[rise.name].complete:
-            unit, size = f"; {rise.name} = 1 of the model is ", study.rise_scale
-            self.remarks.append(
-                f"that the folds below are all along {rise.quantity} is not proved: {'; '.join(found[rise.name].remarks)}"
-                + ("" if size == 1 else f"{unit}{study.amount(size)}")
-            )
+            self.remarks.append(f"folds along {rise.quantity} may be missing: {self._brief(*found[rise.name].remarks)}")
         return found
 
     @cached_property
@@ -320,11 +327,10 @@ class Facts:
             return False
         plain = not study.of_friction or about["friction"]["at_rest"] == "mu0"
         if not plain:
-            why = "statics of this model does not take mu0 itself for the friction"
-            self.remarks.append(f"what to change is not looked for: {why}")
+            self.remarks.append("changes are not looked for: statics of this model does not take mu0 itself for the friction")
         if not self.target > 0:
             times = f"{self.asked.safety:g} times {study.named(study.working[2])}"
-            self.remarks.append(f"what to change is not looked for: {times} does not lie beyond it")
+            self.remarks.append(f"changes are not looked for: {times} does not lie beyond it")
         return self.target > 0 and plain and (self.reach != "faster" or jump <= self.largest)
 
     @cached_property

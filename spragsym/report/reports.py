@@ -3,31 +3,21 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from contextlib import nullcontext
-from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from ..display import Table
 from ..errors import ParameterError
 from ..files.writing import put
-from ..progress import doing, show_progress, tell
+from ..progress import doing, show_progress
 from ..results.result import Result
 from . import report_json, texts
 from .cautions import cautions
 from .facts import Asked, Facts
+from .next_steps import next_steps
 from .study import Study
-
-#: What a report is made of, in the order in which it is computed, and what progress says of each part.
-PARTS = {
-    "jumps, lowest fold and states": ("speed", "theta0_jump_deg", "_lowest", "mu_cusp", "states", "others", "folds"),
-    "the proof for all within the tolerances": ("certificate",),
-    "the jump as a motion": ("peak",),
-    "the oscillation": ("oscillation",),
-    "the probability of a jump": ("probability",),
-    "what to change": ("redesign",),
-    "the nearest jump": ("distance", "verdict"),
-}
 
 
 class Report(Facts, Result):
@@ -71,10 +61,19 @@ class Report(Facts, Result):
         """Where an answer would mislead, or is not known."""
         return (*cautions(self), *self.remarks)
 
-    @cached_property
+    @property
     def verdict(self) -> str:
-        """Whether it sprags, at what friction, and how far that is; then, where it swings or grows, a sentence on that."""
-        return texts.verdict(self)
+        """Whether it sprags, at what friction, and how far that is; then what other states, motion and tolerances add."""
+        return " ".join(texts.verdict(self))
+
+    @property
+    def next_steps(self) -> tuple[str, ...]:
+        """What to do next, at most five steps."""
+        return tuple(f"{verb} {what}" for verb, what in next_steps(self))
+
+    def blocks(self) -> Iterator[str]:
+        """The text of the report, piece by piece, each as soon as it is computed; the verdict first."""
+        return texts.blocks(self)
 
     def to_dict(self) -> dict[str, Any]:
         """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the units of the file."""
@@ -82,7 +81,7 @@ class Report(Facts, Result):
 
     def text(self) -> str:
         """The report as text: the verdict, then the numbers."""
-        return texts.as_text(self)
+        return "\n".join(self.blocks())
 
     def to_html(self, path: str | os.PathLike[str]) -> None:
         """Write the report as one page with its pictures (extra ``plot``)."""
@@ -105,8 +104,8 @@ class Report(Facts, Result):
         return f"Report({self.verdict!r}, {self.study!r})"
 
 
-def report(study: Study, asked: Asked, progress: bool) -> Report:
-    """The report of a study; see :meth:`Study.report`."""
+def report(study: Study, asked: Asked, progress: bool = False, *, now: bool = True) -> Report:
+    """The report of a study; see :meth:`Study.report`. Unless ``now``, what it says is computed when it is asked for."""
     if study.friction[2] == 0 and study.kind.of_mu0 and study.quantities["mu0"].high > 0:
         law = " and ".join(study.kind.of_the_law)
         without = f", or leave {law} out for friction at full slip" if law else ""
@@ -115,9 +114,8 @@ def report(study: Study, asked: Asked, progress: bool) -> Report:
             f"friction there; give the speed of the belt{without}"
         )
     found = Report(study, asked)
-    with show_progress() if progress else nullcontext(), doing(""):
-        for part, names in PARTS.items():
-            tell(part)
-            for name in names:
-                getattr(found, name)
+    if now:
+        with show_progress() if progress else nullcontext(), doing(""):
+            for _ in found.blocks():
+                pass
     return found

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..design.probability import JumpProbability
 from ..models.load import USUAL
+from ..progress import doing
+from .next_steps import next_steps
 from .redesigns import FACTOR
 from .states import AWAY, State
 from .study import Study
@@ -18,8 +20,8 @@ if TYPE_CHECKING:
 
 #: Sobol' indices whose 95 % interval is wider to either side are not told.
 RESOLVED = 0.2
-#: Of the names of rows.
-WIDTH = 32
+#: Of the names of rows, and where all are short.
+WIDTH, SHORT = 32, 8
 #: Digits of a sentence at most.
 MOST_DIGITS = 8
 
@@ -33,9 +35,12 @@ def percent_beyond(value: float, other: float) -> float:
     return 100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
 
 
-def verdict(report: Report) -> str:
-    """Whether it sprags, at what friction, and how far that is; then, where it swings or grows, a sentence on that."""
-    return f"{_on_the_jump(report)}{_on_others(report)}{_on_the_motion(report)}"
+def verdict(report: Report) -> Iterator[str]:
+    """Whether it sprags, at what friction, and how far that is; then what other states, motion and tolerances add: line by line,
+    each as soon as it is known."""
+    for line in (_on_the_jump, _on_others, _on_the_motion, _on_the_tolerances):
+        if text := line(report):
+            yield text
 
 
 def _on_others(report: Report) -> str:
@@ -46,7 +51,7 @@ def _on_others(report: Report) -> str:
         if end is not None and study.rise is not None:
             until = f", at any {study.looked}" if math.isnan(end) else f", until {study.named(end)}"
         told.append(_places(place) + until)
-    return f" At the design another state is stable: {'; and '.join(told)}." if told else ""
+    return f"At the design another state is stable: {'; and '.join(told)}." if told else ""
 
 
 def followed_state(study: Study) -> str:
@@ -68,17 +73,17 @@ def _on_the_motion(report: Report) -> str:
     sliding = bool(report.study.kind.about["friction"])
     if found is None or not (found.alive or found.kind == "lift-off"):
         unstable = bool(here) and all(state.settles is False for state in here)
-        return f" {'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow." if unstable else ""
+        return f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow." if unstable else ""
     if found.kind == "lift-off":
-        return " From rest it lifts off the belt for good."
+        return "From rest it lifts off the belt for good."
     beside, at = f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else "", f"{found.frequency_hz:.4g} Hz"
     if found.kind == "motion":
-        return f" From {found.start} it goes on swinging, and had not repeated itself when it was left{beside}."
+        return f"From {found.start} it goes on swinging, and had not repeated itself when it was left{beside}."
     if found.start == "rest":
-        return f" From rest it comes to an oscillation of {at}{beside}."
+        return f"From rest it comes to an oscillation of {at}{beside}."
     if found.coexists is False:
-        return f" Small disturbances grow; from far out it comes to an oscillation of {at}."
-    return f" If it is disturbed far enough it oscillates at {at}{beside}."
+        return f"Small disturbances grow; from far out it comes to an oscillation of {at}."
+    return f"If it is disturbed far enough it oscillates at {at}{beside}."
 
 
 def _on_the_jump(report: Report) -> str:
@@ -93,24 +98,20 @@ def _on_the_jump(report: Report) -> str:
     digits = _apart(study, jump, (low, high, full))
     jumps = f"jumps at {study.named(jump, digits)}"
     if report.reach in ("never", "beyond"):
-        what = jumps
-        if report.reach == "never":
-            nowhere = report.mu_lowest is None or math.isinf(report.mu_lowest)
-            what = f"has no jump at any {study.looked}" if nowhere else "has no jump at this angle"
-        elif full:
+        what = f"has no jump at any {study.looked}" if report.reach == "never" else jumps
+        if report.reach == "beyond" and full:
             what += f", {percent_beyond(jump, full):.0f} % above the largest that you have, {study.amount(full, digits)}"
-        begin = "As drawn it does not sprag" if report.within == "refuted" or report.hits else "It does not sprag"
-        return f"{begin}{model}: {state} {what}{_within(report)}."
+        return f"{'As drawn it' if study.tolerances else 'It'} does not sprag{model}: {state} {what}."
     if report.reach == "faster":
         at = "the belt's speed" if study.belt is None else study.shown(study.belt, digits=3)
         above = "at a higher speed" if math.isnan(report.speed) else f"above {study.shown_speed(report.speed, 3)}"
         works = f"only {high:.{digits}g} of your {full:.{digits}g}" if high < full else f"{high:.{digits}g}"
         if study.belt is not None and report.speed < study.values[study.belt]:
             above = f"at lower speeds, from {study.shown_speed(report.speed, 3)} on"
-        return f"It sprags{model} {above}: {state} {jumps}; at {at} {works} works, and it does not jump{_within(report)}."
+        return f"It sprags{model} {above}: {state} {jumps}; at {at} {works} works, and it does not jump."
     ends = " to ".join(study.amount(end, digits) for end in ((low, high) if high > low else (high,)))
     where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
-    return f"It sprags{model}: {state} {jumps}, {where} {rise.word} {ends}{_within(report)}."
+    return f"It sprags{model}: {state} {jumps}, {where} {rise.word} {ends}."
 
 
 def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
@@ -132,18 +133,17 @@ def _unknown(report: Report) -> str:
     return f"With the model {about['name']} there {there}; {why}."
 
 
-def _within(report: Report) -> str:
+def _on_the_tolerances(report: Report) -> str:
     """What follows within the tolerances, at the belt's speed."""
     odds, speed = report.probability, " at this speed" if report.reach == "faster" else ""
     if report.within == "proved":
-        return f"; proved{speed}" + (f" for everything within {box(report.unbounded)}" if report.study.tolerances else "")
+        return f"Proved{speed}: nothing within {box(report.unbounded)} sprags." if report.study.tolerances else "That is proved."
     if odds is None:
-        return "; a proof was not found" if report.within == "undecided" else ""
+        return "A proof was not found." if report.within == "undecided" else ""
     if report.within != "refuted" and not report.hits:
-        return f"; of {odds.n} brakes within the tolerances none does, and a proof for all of them was not found"
-    but = "; within" if report.reach in ("within", "jumped") else "; but within"
+        return f"Of {odds.n} brakes within the tolerances none sprags; a proof for all of them was not found."
     also = "" if report.hits else ", and at least one does"
-    return f"{but} the tolerances{speed} {share(odds)} of all brakes do{also}"
+    return f"Within the tolerances{speed} {share(odds)} of all brakes sprag{also}."
 
 
 def box(unbounded: Sequence[str]) -> str:
@@ -165,25 +165,30 @@ def _percent(number: float) -> str:
     return f"{100 * number:.6g} %" if text == "100" and number < 1 else f"{text} %"
 
 
-def as_text(report: Report) -> str:
-    """The verdict, then numbers under headings."""
-    blocks = [[report.verdict], [f"warning: {one}" for one in report.warnings]]
-    blocks += [[title, *lines(rows)] for title, rows in sections(report) if rows]
-    return "\n\n".join("\n".join(block) for block in blocks if block)
+def blocks(report: Report) -> Iterator[str]:
+    """The verdict line by line, the numbers under headings, warnings, and what to do next: each as soon as it is known."""
+    yield from verdict(report)
+    for title, rows in sections(report):
+        if rows:
+            yield "\n".join(["", title, *lines(rows)])
 
 
-def lines(rows: Iterable[tuple[str, str]]) -> list[str]:
+def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
     """Rows of a name and a value, under each other where the name is long."""
-    return [f"  {name:<{WIDTH}}{value}" if len(name) < WIDTH else f"  {name}\n  {'':<{WIDTH}}{value}" for name, value in rows]
+    wide = WIDTH if any(len(name) >= SHORT for name, _ in rows) else SHORT
+    return [f"  {name:<{wide}}{value}" if len(name) < wide else f"  {name}\n  {'':<{wide}}{value}" for name, value in rows]
 
 
-def sections(report: Report) -> list[tuple[str, list[tuple[str, str]]]]:
+def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     parts: Mapping[str, Callable[[Report], Rows]] = {
-        "Jump": _jump, "The jump as a motion": _peak, "State": _state, "Folds": _folds, "Tolerances": _tolerances,
-        "Oscillation": _oscillation, _aim(report): _changes,
+        "State": _state, "Folds": _folds, "Jump": _jump, "The jump as a motion": _peak, "Oscillation": _oscillation,
+        "Tolerances": _tolerances, "Changes": _changes, "Warnings": _warnings, "What to do next": next_steps,
     }  # fmt: skip
-    return [(title, list(rows(report))) for title, rows in parts.items()]
+    for title, rows in parts.items():
+        with doing(title):
+            found = list(rows(report))
+        yield title, found
 
 
 def _jump(report: Report) -> Rows:
@@ -303,6 +308,10 @@ def _peak(report: Report) -> Rows:
     yield "then", ends_in[found.settles]
 
 
+def _warnings(report: Report) -> Rows:
+    yield from ((f"{number}.", one) for number, one in enumerate(report.warnings, 1))
+
+
 def _folds(report: Report) -> Rows:
     study = report.study
     nothing = "nothing is left in contact" if study.kind.about["contact"]["unilateral"] else "nothing is left"
@@ -384,19 +393,15 @@ def _oscillation(report: Report) -> Rows:
     yield f"coexists with stable {'sliding' if sliding else 'rest'}", beside
 
 
-def _aim(report: Report) -> str:
-    study, largest = report.study, report.largest
-    factor = f" = {report.target / largest:.3g} x {study.amount(largest)}" if largest > 0 else ""
-    where = " at full slip" if report.reach == "faster" else ""
-    kept = f"the jump at {study.amount(report.target)}{factor}"
-    limits = "" if study.may_change else f" by up to a factor of {FACTOR:g}"
-    return f"To keep {kept}, and all within the tolerances from jumping{where}, change{limits}"
-
-
 def _changes(report: Report) -> Rows:
-    study = report.study
+    study, largest = report.study, report.largest
+    if report.needed:
+        factor = f" = {report.target / largest:.3g} x {study.amount(largest)}" if largest > 0 else ""
+        limits = "as far as may_change allows" if study.may_change else f"by up to a factor of {FACTOR:g}"
+        kept = f"the jump at {study.amount(report.target)}{factor}{' at full slip' if report.reach == 'faster' else ''}"
+        yield "each of them keeps", f"{kept}, and all within the tolerances from jumping; {limits}"
     if report.needed and not report.redesign:
-        yield "nothing", "no change of one quantity or of several was found that does it"
+        yield "none", "no change of one quantity or of several was found that does it"
     for one in report.redesign:
         values = "; ".join(
             f"{name} from {study.shown(name, one.before[name])} to {study.shown(name, one.after[name])}" for name in one.after

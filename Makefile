@@ -12,7 +12,6 @@ EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt
 # One stamp for each set of extras, remade when what it was installed from changes.
 DERIVE := $(VENV)/.derive
 TEST := $(VENV)/.test
-DOCS := $(VENV)/.docs
 ALL := $(VENV)/.all
 SOURCES := pyproject.toml constraints.txt Makefile
 # Bytecode is kept whatever the environment says: without it each process compiles the package anew, and each worker the tests.
@@ -81,14 +80,9 @@ $(ALL): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@touch $@ $(DERIVE)
 
 $(TEST): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
-	@$(EDIT) '.[all,test]'
+	@$(EDIT) '.[all,test,docs]'
 	@$(SAY_COMPILED)
 	@touch $@ $(DERIVE)
-
-$(DOCS): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
-	@$(EDIT) '.[all,docs]'
-	@$(SAY_COMPILED)
-	@touch $@
 
 install: $(ALL)
 	@echo "now: . $(BIN)/activate && spragsym --help"
@@ -155,7 +149,7 @@ figures: $(TEST)
 explorer:
 	cd explorer && npm ci --no-audit --no-fund && node build.mjs
 
-docs: $(DOCS)
+docs: $(TEST)
 	$(BIN)/spragsym explore --no-open --force --out docs/_build/explorer.html
 	for model in $(MODELS); do $(BIN)/spragsym explore --model $$model --no-open --force --out docs/_build/explorer_$$model.html || exit 1; done
 	$(BIN)/sphinx-build -W docs docs/_build

@@ -78,7 +78,7 @@ def mark_brake(
     (point,) = ax.plot([angle], [friction], "o", color=BLUE, markersize=4.5, zorder=5)
     if np.isfinite(jump):
         ax.plot([angle], [jump], marker="x", color=BLACK, markersize=5, zorder=5)
-        ax.annotate(f"jump at {jump:.3f}", (angle, jump), (6, -2), textcoords="offset points", fontsize=8, va="top")
+        ax.annotate(f"jump at {jump:.3f}", (angle, jump), (6, -2), textcoords="offset points", va="top")
     return point
 
 

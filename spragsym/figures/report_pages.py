@@ -11,6 +11,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib import rc_context
 
 import spragsym as ss
 
@@ -26,7 +27,12 @@ from .style import Sheet, house_style
 
 if TYPE_CHECKING:
     from ..report.reports import Report
+    from ..report.study import Study
 
+#: Letters of a picture in a page: text in the page's own family, 13.6 pixels as its captions.
+_AS_TEXT: Any = {"svg.fonttype": "none", "font.family": "sans-serif", "mathtext.fontset": "dejavusans"} | dict.fromkeys(
+    ("font.size", "axes.labelsize", "axes.titlesize", "xtick.labelsize", "ytick.labelsize", "legend.fontsize"), 10.2
+)
 #: Lines on which onsets of oscillation are looked for.
 _ONSETS = 12
 #: Lines of a bifurcation set, and values along the friction.
@@ -35,21 +41,31 @@ _LINES, _VALUES = 40, 80
 
 def report_page(report: Report) -> str:
     """A report as one page of HTML, which needs no other file (extra ``plot``): the text of it."""
-    study, data = report.study, []
-    for name, one in study.quantities.items():
-        ends = f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" if one.varies else ""
-        data.append((name, study.shown(name) + ends))
-    return document(study.source, report.verdict, report.warnings, pictures(report), [*sections(report), ("Data", data)])
+    study, about = report.study, report.about
+    data = [(f"{name}, {study.kind.meanings[name]}", study.shown(name) + _ends(study, name)) for name in study.quantities]
+    headed = {title: rows for title, rows in sections(report) if title != "Warnings"}
+    last = {"What to do next": headed.pop("What to do next")}
+    title = about.pop("title") or "Sprag-slip report"
+    return document(
+        title, ", ".join(filter(None, about.values())), report.verdict, report.warnings, pictures(report),
+        (headed | {"Data": data} | last).items(), study.kind.drawing,
+    )  # fmt: skip
+
+
+def _ends(study: Study, name: str) -> str:
+    """The tolerance of a quantity, where it has one."""
+    one = study.quantities[name]
+    return f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" if one.varies else ""
 
 
 def document(
-    source: str, verdict: str, warnings: Iterable[str], drawn: Iterable[tuple[str, str]],
-    headed: Iterable[tuple[str, Iterable[tuple[str, str]]]],
+    title: str, about: str, verdict: str, warnings: Iterable[str], drawn: Iterable[tuple[str, str]],
+    headed: Iterable[tuple[str, Iterable[tuple[str, str]]]], mechanism: str = "",
 ) -> str:  # fmt: skip
-    """A page from its verdict and warnings, pictures as SVG with captions, and headings with rows of a name and a value."""
-    title = f"Sprag-slip report{': ' + source if source else ''}"
-    values: dict[str, Any] = dict(title=title, verdict=verdict, warnings=warnings, drawn=drawn, headed=headed)
-    return filled("spragsym.figures", "report.html", "the page of a report", **values)
+    """A page from its title, what it is about, verdict and warnings, pictures as SVG with captions, headings with rows of a name
+    and a value, and the mechanism drawn in characters."""
+    values: dict[str, Any] = dict(title=title, about=about, verdict=verdict, warnings=warnings, drawn=drawn, headed=headed)
+    return filled("spragsym.figures", "report.html", "the page of a report", mechanism=mechanism, **values)
 
 
 def pictures(report: Report) -> Iterator[tuple[str, str]]:
@@ -60,7 +76,9 @@ def pictures(report: Report) -> Iterator[tuple[str, str]]:
     if study.of_friction:
         yield from _stability_map(report)
     if odds is not None and not all(np.isnan(one[1]) for one in odds.sobol.values()):
-        caption = "Which tolerance decides whether it jumps: Sobol' indices with their 95 % intervals."
+        caption = (
+            "Which tolerance decides whether it jumps: Sobol' indices, dark alone, light with interactions; bars: 95 % intervals."
+        )
         yield picture(lambda ax: brakes.draw_shares(odds.sobol, ax=ax)), caption
     if report.oscillation is not None and report.oscillation.alive:
         yield from _of_motion(report, report.oscillation)
@@ -96,7 +114,7 @@ def _planes(report: Report) -> Iterator[tuple[str, str]]:
     yield (
         picture(lambda ax: brakes.draw_rising(p, (low, high), ax=ax, **options)),
         f"{meaning[:1].upper()}{meaning[1:]} as {rises} rises (red, with its jumps); grey: all states, full where stable. "
-        f"Shaded: {rises} within its tolerances.",
+        f"Dots: folds, where two states meet and end. Shaded: {rises} within its tolerances.",
     )
 
 
@@ -117,8 +135,9 @@ def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
 
         yield (
             picture(draw),
-            "The map of stability. On the lines oscillation sets in: gently where they are full, with a knock where they are "
-            "dashed; where they are dotted it is not known which.",
+            "The map of stability, with the brake (dot) and its tolerances (box). On the lines oscillation sets in: gently where "
+            "they are full, with a knock where they are dashed; dotted: undecided. Dots: the kind changes (GH). Squares: they "
+            "end on a fold (BT, ZH), or cross (HH).",
         )
 
 
@@ -127,17 +146,20 @@ def _of_motion(report: Report, lives: Any) -> Iterator[tuple[str, str]]:
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
     up, speed = ("speed along the belt in m/s", 1e-3 * size / time) if unit == "mm" else (f"rate of {name} in deg/s", size / time)
     phase: Mapping[str, Any] = dict(length=size, speed=speed, labels=(f"{name} in {unit}", up))
-    caption = "The oscillation: speed over place along the belt. Dotted: the speed of the belt."
+    caption = f"The oscillation: {up.partition(' in ')[0]} over {name}, one closed curve a cycle. Dotted: the speed of the belt."
     yield picture(lambda ax: motion_pictures.draw_phase(motion, ax=ax, **phase)), caption
     lines: Mapping[str, Any] = dict(length=size, frequency=1 / time, labels=("frequency in Hz", f"amplitude of {name} in {unit}"))
-    yield picture(lambda ax: motion_pictures.draw_spectrum(motion, name, ax=ax, **lines)), "Its spectrum."
+    yield (
+        picture(lambda ax: motion_pictures.draw_spectrum(motion, name, ax=ax, **lines)),
+        f"Its spectrum: the amplitude of {name} at each frequency.",
+    )
 
 
 def picture(draw: Callable[[Any], Any]) -> str:
     """A picture of one panel, without the head of a file; its ids are made from itself, so that no other has them."""
     stream = io.StringIO()
-    with house_style():
-        figure = Sheet(figsize=(4.2, 3.0), layout="constrained")
+    with house_style(), rc_context(_AS_TEXT):
+        figure = Sheet(figsize=(4.6, 3.3), layout="constrained")
         draw(figure.add_subplot())
         figure.savefig(stream, format="svg", metadata=FORMATS["svg"])
     text = stream.getvalue()

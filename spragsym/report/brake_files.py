@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import re
 import tomllib
@@ -22,14 +21,18 @@ from ..names import hint
 from .friction_tables import FrictionFit, fit_friction, read_friction
 from .quantities import Quantities, quantities
 from .study import Rise, Study, rise_of, spanned
-from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
+from .units import ENDS, EXAMPLES, WITHIN, Measured, factor, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
-#: What one of a unit of measure is in the file to begin with, by its unit in SI.
-_SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038}
+#: Of a file to begin with: what one of a unit of measure is, by its unit in SI; the unit of a brake and its tolerance.
+_SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
+_AS_WRITTEN = {"N/m": "N/mm", "N/m^3": "N/mm^3", "m": "mm", "rad": "deg", "1": ""}
+_TOLERANCES = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
+#: A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are those of the examples.
+_FASTEST = 10.0
 #: Keys of a file that are no quantities.
-_KEYS = ("friction", "correlation", "model", "vary", "begin", "state", "may_change")
+_KEYS = ("friction", "correlation", "model", "vary", "begin", "state", "may_change", "title", "date")
 
 
 def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Study:
@@ -38,7 +41,8 @@ def read_brake(path: str | os.PathLike[str], trust: bool | str = False) -> Study
     For each quantity it has a text with number, unit and, if there is one, a tolerance; ``correlation = [["k", "k_x", 0.9]]`` for
     quantities that vary together; ``vary = "F_L"`` where not the friction but a quantity rises until the state jumps, with
     ``begin = "10 N"`` if not from its least value; and ``state = { phi = "-28 deg" }`` where another state than the reference
-    state is followed; ``may_change = { k = "[100, 250] N/mm" }`` where a proposal may change these only, within these ends.
+    state is followed; ``may_change = { k = "[100, 250] N/mm" }`` where a proposal may change these only, within these ends;
+    ``title = "Front brake"`` and ``date = 2026-03-01`` for the head of the report.
     ``trust`` says whether the code of a model's folder may run that the file names, or the one folder whose code may. Every
     mistake is a ParameterError that names the file, the line, the key, the value and what to write.
     """
@@ -91,6 +95,7 @@ class _Reader:
             rise=self._rise(own["vary"], own["begin"], kind, {name: one.value for name, one in found.items()}),
             correlation=self._correlation(own["correlation"], found, fit), state=self._state(own["state"] or {}, kind),
             may_change=self._may_change(own["may_change"] or {}, kind),
+            title=str(own["title"] or ""), date=str(own["date"] or ""),
         )  # fmt: skip
 
     def _table(self) -> dict[str, Any]:
@@ -231,7 +236,7 @@ def _fitted(value: float, error: float, unit: str) -> Measured:
 
 
 def example(model: Model) -> str:
-    """The text of ``brake.toml``: the article's example, or the base values of a model with its units of measure as there.
+    """The text of ``brake.toml``: the article's example, or the base values of a model in the sizes of a brake.
 
     >>> import spragsym as ss
     >>> example(ss.load("stick_slip")).splitlines()[1:3]
@@ -244,17 +249,22 @@ def example(model: Model) -> str:
     values = sizes | {
         quantity: float(getattr(p, name)) * kind.scale(kind.units[quantity], sizes) for quantity, name in kind.parameters.items()
     }
-    meanings = [entry["meaning"] for entry in (*kind.about["units"], *kind.about["parameters"])]
-    lines = [
-        f"{name if name.isascii() else json.dumps(name, ensure_ascii=False)} = {_written(values[name], unit)}  # {meaning}"
-        for (name, unit), meaning in zip(kind.units.items(), meanings, strict=True)
-    ]
+    given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > _FASTEST else ("m/s^2",)
+
+    def written(name: str, value: float) -> str:
+        si = kind.units[name]
+        unit = _AS_WRITTEN.get(si, si)
+        return example_of(name, si) if si in given else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
+
+    rises, lines = kind.rises, []
+    for name in kind.units:
+        off = "" if name == rises else _TOLERANCES.get(name, "")
+        key = name if name.isascii() else json.dumps(name, ensure_ascii=False)
+        entry = f'{key} = "{written(name, values[name])}{off}"'
+        lines.append(f"{entry:<32}# {kind.meanings[name]}")
+    if rises is not None:
+        least = kind.ranges()[rises]
+        lines.append(f'vary = "{rises}"')
+        lines += [] if least.contains(least.low) else [f'begin = "{written(rises, 0.5 * values[rises])}"']
     where = model.where if model.where == model.name else Path(model.where).as_posix()
     return "\n".join([f"# {kind.about['summary']}", "[brake]", f"model = {json.dumps(where, ensure_ascii=False)}", *lines]) + "\n"
-
-
-def _written(value: float, unit: str) -> str:
-    """A quantity with its unit, an angle in degrees."""
-    if unit == "rad":
-        return f'"{math.degrees(value):.6g} deg"'
-    return f"{value:.6g}" if unit == "1" else f'"{value:.6g} {unit}"'

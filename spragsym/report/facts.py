@@ -85,11 +85,11 @@ class Facts:
     @cached_property
     def _jump(self) -> float | None:
         """Where the followed state jumps, as the parameter that rises; NaN where it does not."""
-        study, law = self.study, self.study.kind.law["quantities"]
+        study = self.study
         if study.rise is None:
-            # An angle, a load or a stiffness before what the friction law takes, which may fall as the belt is faster.
-            first = min(study.kind.may_rise, key=lambda name: name in law, default="F")
-            self.remarks.append(f'the model has no mu0: say which quantity rises until the state jumps, as vary = "{first}"')
+            self.remarks.append(
+                f'the model has no mu0: say which quantity rises until the state jumps, as vary = "{study.kind.rises}"'
+            )
             return None
         along = f"the jump along {study.rise.quantity} is"
         found = self._known(along, study.jump)

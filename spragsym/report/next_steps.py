@@ -28,8 +28,7 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
     """The nearest change, or what to allow where there is none; and what rises, where that is not said."""
     study = report.study
     if study.rise is None:
-        rising = min(study.kind.may_rise, key=lambda name: name in study.kind.law["quantities"], default="F")
-        yield "name", f'what rises until it jumps, in the file, as vary = "{rising}"'
+        yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
     for one in report.redesign[:1]:
         values = " and ".join(f"{name} from {study.shown(name, old)} to {study.shown(name, one.after[name])}"
                               for name, old in one.before.items())  # fmt: skip

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import inspect
+import itertools
+import textwrap
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache, cached_property
@@ -27,6 +29,8 @@ class Quantities:
         self.bases = {entry["name"]: entry["unit"] for entry in self.about["units"]}
         self.parameters = {entry["quantity"]: entry["name"] for entry in self.about["parameters"]}
         self.units = self.bases | {entry["quantity"]: entry["quantity_unit"] for entry in self.about["parameters"]}
+        self.meanings = {entry["name"]: entry["meaning"] for entry in self.about["units"]}
+        self.meanings |= {entry["quantity"]: entry["meaning"] for entry in self.about["parameters"]}
         self.law: Mapping[str, Any] = self.about["friction"] or {"quantities": (), "at_rest": "", "belt": "0"}
 
     @property
@@ -102,6 +106,19 @@ class Quantities:
     def may_rise(self) -> tuple[str, ...]:
         """Quantities on which the states of a model depend, without those that are the units of the others."""
         return tuple(quantity for quantity in self.parameters if quantity in self.of_statics)
+
+    @property
+    def drawing(self) -> str:
+        """The mechanism as its page draws it, in characters."""
+        rest = self.about["drawing"].partition("\n\n::\n\n")[2]
+        return textwrap.dedent("\n".join(itertools.takewhile(lambda line: line[:1] in ("", " "), rest.split("\n")))).strip("\n")
+
+    @property
+    def rises(self) -> str | None:
+        """The quantity to choose for the loading parameter of a model without mu0: no one of the friction law, which may fall."""
+        return (
+            None if "mu0" in self.parameters else min(self.may_rise, key=lambda name: name in self.law["quantities"], default="F")
+        )
 
     def _ordered(self, names: set[str]) -> tuple[str, ...]:
         return tuple(quantity for quantity in self.units if quantity in names)

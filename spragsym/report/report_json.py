@@ -93,6 +93,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "jump_at": told(report.jump_at),
         "other_states": [place | {"ends_at": told(end)} for place, end in report.others],
         "next_steps": list(report.next_steps),
+        "about": report.about,
     }  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
+from .._version import __version__
 from ..display import Table
 from ..errors import ParameterError
 from ..files.writing import put
@@ -65,6 +66,19 @@ class Report(Facts, Result):
     def verdict(self) -> str:
         """Whether it sprags, at what friction, and how far that is; then what other states, motion and tolerances add."""
         return " ".join(texts.verdict(self))
+
+    @property
+    def about(self) -> dict[str, str]:
+        """Title and date, as the file gives them, the file, its model, and the version of spragsym."""
+        study = self.study
+        model = f"model {study.kind.about['name']}"
+        return {
+            "title": study.title,
+            "date": study.date,
+            "file": study.source,
+            "model": model,
+            "version": f"spragsym {__version__}",
+        }
 
     @property
     def next_steps(self) -> tuple[str, ...]:

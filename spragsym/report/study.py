@@ -148,6 +148,8 @@ class Study:
     rise: Rise | None = None
     state: Mapping[str, float] = MappingProxyType({})
     may_change: Mapping[str, tuple[float, float]] = MappingProxyType({})
+    title: str = ""
+    date: str = ""
 
     def __init__(
         self, parameters: PhysicalParameters | Mapping[str, float], tolerance: Mapping[str, Any] | None = None,

@@ -171,6 +171,7 @@ def blocks(report: Report) -> Iterator[str]:
     for title, rows in sections(report):
         if rows:
             yield "\n".join(["", title, *lines(rows)])
+    yield "\n" + ", ".join(filter(None, report.about.values()))
 
 
 def lines(rows: Sequence[tuple[str, str]]) -> list[str]:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 EXAMPLES: Mapping[str, tuple[str, str]] = {
     "kg": ("0.35 kg", "[0.3, 0.4] kg"), "N/m": ("180 N/mm ± 15 %", "[150, 210] N/mm"), "m": ("38 mm", "[37, 39] mm"),
     "rad": ("52 deg ± 1 deg", "[51, 53] deg"), "N": ("420 N", "[400, 440] N"), "m/s": ("1.2 m/s", "[1, 1.4] m/s"),
-    "s/m": ("10 s/m", "[8, 12] s/m"), "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
+    "s/m": ("10 s/m", "[8, 12] s/m"), "m/s^2": ("9.81 m/s^2", "[9, 10] m/s^2"), "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
 }  # fmt: skip
 #: Standard deviations on either side of a normal distribution's mean that its ends are, and that lie within its range.
 ENDS, WITHIN = 3.0, 6.0

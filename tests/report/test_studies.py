@@ -61,7 +61,7 @@ KEYS = [
     "mu_jump", "theta0_jump_deg", "mu0_jump", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective",
     "margin_percent", "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation",
     "certificate", "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump", "verdict", "folds",
-    "vary", "jump_at", "other_states", "next_steps",
+    "vary", "jump_at", "other_states", "next_steps", "about",
 ]  # fmt: skip
 
 
@@ -261,9 +261,9 @@ def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
 def test_no_text_of_a_page_is_taken_for_html() -> None:
     pytest.importorskip("jinja2")
     odd = "<b>&\"'"
-    text = pages.document(odd, odd, [odd], [("<svg></svg>", odd)], [(odd, [(odd, odd)]), ("nothing", iter(()))])
+    text = pages.document(odd, odd, odd, [odd], [("<svg></svg>", odd)], [(odd, [(odd, odd)]), ("nothing", iter(()))], odd)
     assert odd not in text
-    assert text.count("&lt;b&gt;&amp;&#34;&#39;") == 8  # twice in the title
+    assert text.count("&lt;b&gt;&amp;&#34;&#39;") == 10  # twice in the title
     assert text.count("<svg></svg>") == 1
     assert "nothing" not in text
     assert text.endswith("</html>\n")

@@ -42,8 +42,6 @@ class Affine(Rounded):
         rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
         return Affine(value, terms, (self.error + other.error + rounding) * _SLACK)
 
-    __radd__ = __add__
-
     def __neg__(self) -> Affine:
         return Affine(-self.value, -self.terms, self.error)
 
@@ -59,8 +57,6 @@ class Affine(Rounded):
         rounding = UNIT * (np.abs(value) + 3 * (left * others + right * own))
         terms = self.value * other.terms + other.value * self.terms
         return Affine(value, terms, (carried + rounding) * _SLACK + _TINY)
-
-    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Affine:
         if isinstance(other, Affine):

@@ -22,6 +22,8 @@ from typing import Any, TypeAlias
 
 import mpmath
 
+from .arithmetic import Arithmetic
+
 #: A :class:`Ball`, or what is made of balls and numbers beside them.
 Interval: TypeAlias = Any
 
@@ -37,7 +39,7 @@ class Undecided(ArithmeticError):
     """A sign that the precision can't decide."""
 
 
-class Ball:
+class Ball(Arithmetic):
     """All numbers (mid ± rad) 2^exp; results of it are rounded to ``bits`` bits, outward."""
 
     __slots__ = ("bits", "exp", "mid", "rad")
@@ -55,29 +57,14 @@ class Ball:
             return NotImplemented
         return _sum(self.mid, self.rad, self.exp, other.mid, other.rad, other.exp, self.bits)
 
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Ball:
-        if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:
-            return NotImplemented
-        return _sum(self.mid, self.rad, self.exp, -other.mid, other.rad, other.exp, self.bits)
-
-    def __rsub__(self, other: Any) -> Ball:
-        return (-self).__add__(other)
-
     def __neg__(self) -> Ball:
         return Ball(-self.mid, self.rad, self.exp, self.bits)
-
-    def __pos__(self) -> Ball:
-        return self
 
     def __mul__(self, other: Any) -> Ball:
         if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:
             return NotImplemented
         m, n, r, s = self.mid, other.mid, self.rad, other.rad
         return Ball(m * n, abs(m) * s + (abs(n) + s) * r, self.exp + other.exp, self.bits)
-
-    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Ball:
         if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:

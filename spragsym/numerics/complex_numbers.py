@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from .arithmetic import Arithmetic
+
 
 @dataclass(frozen=True)
-class Complex:
+class Complex(Arithmetic):
     """re + i im.
 
     Examples
@@ -25,21 +27,13 @@ class Complex:
         other = as_complex(other)
         return Complex(self.re + other.re, self.im + other.im)
 
-    __radd__ = __add__
-
     def __neg__(self) -> Complex:
         return Complex(-self.re, -self.im)
-
-    def __sub__(self, other: Any) -> Complex:
-        other = as_complex(other)
-        return Complex(self.re - other.re, self.im - other.im)
 
     def __mul__(self, other: Any) -> Complex:
         if not isinstance(other, Complex):
             return Complex(self.re * other, self.im * other)
         return Complex(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re)
-
-    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Complex:
         if not isinstance(other, Complex):

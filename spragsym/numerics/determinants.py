@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from .arithmetic import Arithmetic
 from .elimination import is_zero
 
 
@@ -25,7 +26,7 @@ def cofactor(rows: Sequence[Sequence[Any]], i: int, j: int) -> Any:
     return -minor if (i + j) % 2 else minor
 
 
-class Polynomial:
+class Polynomial(Arithmetic):
     """A polynomial in λ or κ with coefficients of any number type, the lowest first."""
 
     def __init__(self, coefficients: Sequence[Any]) -> None:
@@ -40,8 +41,6 @@ class Polynomial:
         size = max(len(self.coefficients), len(two))
         return Polynomial([a + b for a, b in zip(self.padded(size), Polynomial(two).padded(size), strict=True)])
 
-    __radd__ = __add__
-
     def __neg__(self) -> Polynomial:
         return Polynomial([-value for value in self.coefficients])
 
@@ -53,8 +52,6 @@ class Polynomial:
                 if not (is_zero(a) or is_zero(b)):
                     out[i + j] = out[i + j] + a * b
         return Polynomial(out)
-
-    __rmul__ = __mul__
 
 
 def of_pencil(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]]) -> list[Any]:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 from ..generated import double_double
@@ -20,7 +21,7 @@ Array = NDArray[Any]
 dd: Any = double_double
 
 
-class DoubleDouble:
+class DoubleDouble(NDArrayOperatorsMixin):
     """Arrays of numbers of 106 bits, each the exact sum of two doubles, ``high`` nearest to the sum.
 
     Examples
@@ -54,52 +55,6 @@ class DoubleDouble:
     def __getitem__(self, key: Any) -> DoubleDouble:
         return self.each(lambda part: np.asarray(part[key]))
 
-    def __neg__(self) -> DoubleDouble:
-        return DoubleDouble(-self.high, -self.low)
-
-    def __abs__(self) -> DoubleDouble:
-        return _of(dd.dd_absolute(self))
-
-    def __add__(self, other: Any) -> DoubleDouble:
-        if isinstance(other, DoubleDouble):
-            return _of(dd.dd_add(self, other))
-        return _of(dd.dd_add_double(self, other))
-
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> DoubleDouble:
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Any) -> DoubleDouble:
-        return (-self).__add__(other)
-
-    def __mul__(self, other: Any) -> DoubleDouble:
-        if isinstance(other, DoubleDouble):
-            return _of(dd.dd_multiply(self, other))
-        if _is_power_of_two(other):
-            return _of(dd.dd_scaled(self, float(other)))
-        return _of(dd.dd_multiply_double(self, other))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Any) -> DoubleDouble:
-        if _is_power_of_two(other):
-            return _of(dd.dd_scaled(self, 1.0 / other))
-        return _of(dd.dd_divide(self, _wide(other)))
-
-    def __rtruediv__(self, other: Any) -> DoubleDouble:
-        return _of(dd.dd_divide(_wide(other), self))
-
-    def __lt__(self, other: Any) -> Array:
-        return np.asarray(dd.dd_less(self, _wide(other)))
-
-    def __gt__(self, other: Any) -> Array:
-        return np.asarray(dd.dd_less(_wide(other), self))
-
-    def __ge__(self, other: Any) -> Array:
-        least = _wide(other)
-        return np.asarray(dd.dd_less(least, self) | ((self.high == least.high) & (self.low == least.low)))
-
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
         if method != "__call__" or options or ufunc not in _UFUNCS:
             return NotImplemented
@@ -132,26 +87,43 @@ def chosen_of(flag: Any, one: Any, other: Any) -> DoubleDouble:
     return _of(dd.dd_where(flag, _wide(one), _wide(other)))
 
 
-def _or_reversed(plain: Callable[[Any, Any], Any], reverse: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
-    return lambda one, other: plain(one, other) if isinstance(one, DoubleDouble) else reverse(other, one)
+def _sum(one: Any, other: Any) -> DoubleDouble:
+    one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
+    return _of(dd.dd_add(one, other) if isinstance(other, DoubleDouble) else dd.dd_add_double(one, other))
 
 
-def _square_root(value: DoubleDouble) -> DoubleDouble:
-    return _of(dd.dd_sqrt(value))
+def _product(one: Any, other: Any) -> DoubleDouble:
+    one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
+    if isinstance(other, DoubleDouble):
+        return _of(dd.dd_multiply(one, other))
+    return _of(dd.dd_scaled(one, float(other)) if _is_power_of_two(other) else dd.dd_multiply_double(one, other))
+
+
+def _quotient(one: Any, other: Any) -> DoubleDouble:
+    return _product(one, 1.0 / other) if _is_power_of_two(other) else _of(dd.dd_divide(_wide(one), _wide(other)))
+
+
+def _less(one: Any, other: Any) -> Array:
+    return np.asarray(dd.dd_less(_wide(one), _wide(other)))
+
+
+def _same(one: DoubleDouble, other: DoubleDouble) -> Array:
+    return np.asarray((one.high == other.high) & (one.low == other.low))
 
 
 _UFUNCS: dict[Any, Callable[..., Any]] = {
-    np.add: _or_reversed(DoubleDouble.__add__, DoubleDouble.__radd__),
-    np.subtract: _or_reversed(DoubleDouble.__sub__, DoubleDouble.__rsub__),
-    np.multiply: _or_reversed(DoubleDouble.__mul__, DoubleDouble.__rmul__),
-    np.true_divide: _or_reversed(DoubleDouble.__truediv__, DoubleDouble.__rtruediv__),
-    np.less: _or_reversed(DoubleDouble.__lt__, DoubleDouble.__gt__),
-    np.greater: _or_reversed(DoubleDouble.__gt__, DoubleDouble.__lt__),
+    np.add: _sum,
+    np.subtract: lambda one, other: _sum(one, -other),
+    np.multiply: _product,
+    np.true_divide: _quotient,
+    np.less: _less,
+    np.greater: lambda one, other: _less(other, one),
+    np.greater_equal: lambda one, other: _less(other, one) | _same(_wide(one), _wide(other)),
     np.maximum: lambda one, other: _of(dd.dd_larger(_wide(one), _wide(other))),
     np.minimum: lambda one, other: _of(dd.dd_smaller(_wide(one), _wide(other))),
-    np.absolute: DoubleDouble.__abs__,
-    np.negative: DoubleDouble.__neg__,
-    np.sqrt: _square_root,
+    np.absolute: lambda value: _of(dd.dd_absolute(value)),
+    np.negative: lambda value: DoubleDouble(-value.high, -value.low),
+    np.sqrt: lambda value: _of(dd.dd_sqrt(value)),
 }
 
 

@@ -21,6 +21,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .arithmetic import Arithmetic
+
 FloatArray: TypeAlias = NDArray[np.float64]
 
 #: Twice the unit of rounding.
@@ -42,7 +44,7 @@ def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
     return out
 
 
-class Intervals:
+class Intervals(Arithmetic):
     """An array of closed intervals.
 
     Parameters
@@ -130,9 +132,6 @@ class Intervals:
     def __neg__(self) -> Intervals:
         return Intervals(self.ends[::-1])
 
-    def __pos__(self) -> Intervals:
-        return self
-
     def __abs__(self) -> Intervals:
         return Intervals(np.stack([-self.mignitude, self.magnitude]))
 
@@ -144,22 +143,12 @@ class Intervals:
             return self if other == 0 else Intervals(raised(self.ends + _column(exactly(other), self.ends.ndim)))
         return self + Intervals.point(other) if isinstance(other, np.ndarray) else NotImplemented
 
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Intervals:
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Any) -> Intervals:
-        return (-self).__add__(other)
-
     def __mul__(self, other: Any) -> Intervals:
         if isinstance(other, Intervals):
             return self.squared() if other is self else Intervals(raised(_extremes(np.multiply, self.ends, other.ends)))
         if isinstance(other, int | float):
             return self._times(exactly(other))
         return Intervals(raised(scaled(self.ends, other))) if isinstance(other, np.ndarray) else NotImplemented
-
-    __rmul__ = __mul__
 
     def _times(self, factor: float) -> Intervals:
         ends = self.ends if factor >= 0 else self.ends[::-1]

@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from .arithmetic import Arithmetic
 from .elimination import is_zero
 from .interval_arrays import Intervals
 from .rounded import repeated_product
@@ -22,7 +23,7 @@ from .rounded import repeated_product
 Term: TypeAlias = tuple[int, ...]
 
 
-class Jet:
+class Jet(Arithmetic):
     """A polynomial in small changes of variables, cut off beyond ``order``.
 
     Examples
@@ -70,9 +71,6 @@ class Jet:
     def __neg__(self) -> Jet:
         return Jet({term: -coefficient for term, coefficient in self.terms.items()}, self.order)
 
-    def __pos__(self) -> Jet:
-        return self
-
     def __add__(self, other: Any) -> Jet:
         if not isinstance(other, Jet):
             return self if is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
@@ -82,14 +80,6 @@ class Jet:
             if len(term) <= order:
                 terms[term] = terms[term] + coefficient if term in terms else coefficient
         return Jet(terms, order)
-
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Jet:
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Any) -> Jet:
-        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Jet:
         if other is self:
@@ -107,8 +97,6 @@ class Jet:
                     term = tuple(sorted(one + two))
                     terms[term] = terms[term] + a * b if term in terms else a * b
         return Jet(terms, order)
-
-    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Jet:
         if isinstance(other, Jet):

@@ -7,11 +7,12 @@ each operation adds what it rounds. A sign that the bound leaves open is 0, and 
 
 from __future__ import annotations
 
-from typing import Any, Self, TypeVar, cast
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .arithmetic import Arithmetic
 from .interval_arrays import FUNCTION_ULPS
 
 _Number = TypeVar("_Number")
@@ -30,7 +31,7 @@ def repeated_product(self: _Number, power: int) -> _Number:
     return result  # type: ignore[no-any-return]  # a product of numbers of the type is one
 
 
-class Rounded:
+class Rounded(Arithmetic):
     """Numbers ``value`` ± ``error``, arrays of one shape; operations with ints and floats take these as exact."""
 
     __slots__ = ("error", "value")
@@ -50,16 +51,8 @@ class Rounded:
         value = self.value + other
         return Rounded(value, (self.error + UNIT * abs(value)) * _SLACK)
 
-    __radd__ = __add__
-
     def __neg__(self) -> Rounded:
         return Rounded(-self.value, self.error)
-
-    def __sub__(self, other: Any) -> Self:
-        return cast(Self, self.__add__(-other))
-
-    def __rsub__(self, other: Any) -> Self:
-        return cast(Self, (-self).__add__(other))
 
     def __mul__(self, other: Any) -> Rounded:
         if isinstance(other, Rounded):
@@ -68,8 +61,6 @@ class Rounded:
             return Rounded(value, (carried + UNIT * abs(value)) * _SLACK + _TINY)
         value = self.value * other
         return Rounded(value, (abs(other) * self.error + UNIT * abs(value)) * _SLACK + _TINY)
-
-    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Rounded:
         divisor = other if isinstance(other, Rounded) else Rounded(other)

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 import spragsym as ss
 
 from ..assumed import MU0_RANGE
-from ..models.parameters import FloatArray, Parameters, ParameterSet
+from ..models.parameters import Parameters, ParameterSet
 from ..questions import has_closed_form
 from ..results.equilibria import Stability
 from . import surfaces
@@ -20,7 +20,22 @@ from .curves import passages
 from .hidden import Cover
 from .planes import draw_bifurcation_set, draw_regions
 from .space import draw_line, draw_surface, space_axes
-from .style import BLACK, DOUBLE, GREEN, GREY, LINES, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
+from .style import (
+    BLACK,
+    DOUBLE,
+    GREEN,
+    GREY,
+    LINES,
+    SINGLE,
+    VERMILION,
+    Sheet,
+    Table,
+    angle_axis,
+    panels,
+    stacked,
+    styled,
+    write_along,
+)
 from .trajectories import both_ways, table_of_path
 
 _VIOLET = "#5b2a86"
@@ -116,11 +131,8 @@ def draw_plane(ax: Axes, p: ParameterSet, mu0: tuple[float, float] = MU0_RANGE, 
     draw_bifurcation_set(found, ax, color=VERMILION)
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=mu0)
-    columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": []}
-    for number, curve in enumerate(found.curves):
-        for name, values in zip(columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True):
-            columns[name].append(values)
-    return {name: np.concatenate([[], *values]) for name, values in columns.items()}
+    tables = [{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in found.curves]
+    return stacked(tables, "curve", ("theta0_deg", "mu0"))
 
 
 def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> None:

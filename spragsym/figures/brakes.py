@@ -17,7 +17,7 @@ from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
 from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
-from .labels import as_drawn, with_unit
+from .labels import as_drawn, in_units, with_unit
 from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
 
 #: Friction up to which pictures go, at least, and up to which folds are looked for; of another quantity times its value.
@@ -127,23 +127,10 @@ def draw_rising(
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, low=begin, high=top)
     ax.axvspan(*as_drawn(p.model, vary, ends), color=SKY, alpha=0.25, linewidth=0, zorder=0)
-    ax.set(
-        xlabel=across, ylabel=with_unit(p.model, first) if label is None else label, xlim=as_drawn(p.model, vary, (begin, top))
-    )
-    for axis, one in ((ax.xaxis, size), (ax.yaxis, length)):
-        if one != 1.0:
-            _round_ticks(axis, one)
+    ax.set_xlim(as_drawn(p.model, vary, (begin, top)))
+    in_units(ax.xaxis, (across, size))
+    in_units(ax.yaxis, (label or with_unit(p.model, first), length))
     return artists
-
-
-def _round_ticks(axis: Any, one: float) -> None:
-    """Ticks at round numbers of the unit that is shown."""
-    from matplotlib.ticker import MaxNLocator
-
-    low, high = axis.get_view_interval()
-    ticks = (np.asarray(MaxNLocator(6).tick_values(low * one, high * one)) / one).tolist()
-    axis.set_major_formatter(lambda value, _: f"{value * one:g}")
-    axis.set_ticks([tick for tick in ticks if low <= tick <= high])
 
 
 def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | None = None) -> Any:

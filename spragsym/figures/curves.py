@@ -24,7 +24,7 @@ from ..results.paths import Path
 from ..results.points import Points
 from ..statics.stability import REAL
 from .labels import as_drawn, window, with_unit
-from .style import BLACK, LINES, Table, own_axes, styled
+from .style import BLACK, LINES, Table, own_axes, stacked, styled
 
 #: Names of axes in the article's figures.
 LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\theta$ (deg)", "L": r"$L$"}
@@ -292,22 +292,15 @@ def plot_equilibria(
     return lines
 
 
-def table_of(curves: Sequence[Branch], **same: float) -> Table:
+def table_of(curves: Iterable[Branch], **same: float) -> Table:
     """Branches as columns, one after the other; ``same`` are columns of one value."""
-    first = curves[0]
-    columns: dict[str, Any] = {name: np.full(sum(c.values.size for c in curves), value) for name, value in same.items()}
-    columns["branch"] = np.repeat(np.arange(len(curves)), [curve.values.size for curve in curves])
-    columns["stability"] = np.repeat([c.stability.name.lower() for c in curves], [c.values.size for c in curves])
-    for name in (first.vary, *first.states):
-        key = f"{name}_deg" if first.model.is_angle(name) else name
-        columns[key] = np.concatenate([curve.shown(name) for curve in curves])
-    return columns
-
-
-def joined(tables: Iterable[Table]) -> Table:
-    """Tables of equal columns, one below the other."""
-    tables = list(tables)
-    return {name: np.concatenate([np.asarray(table[name]) for table in tables]) for name in tables[0]}
+    tables = []
+    for curve in curves:
+        titles = {name: f"{name}_deg" if curve.model.is_angle(name) else name for name in (curve.vary, *curve.states)}
+        kind = np.full(curve.values.size, curve.stability.name.lower())
+        tables.append({"stability": kind, **{title: curve.shown(name) for name, title in titles.items()}})
+    columns = stacked(tables, "branch")
+    return {**{name: np.full(np.size(columns["branch"]), value) for name, value in same.items()}, **columns}
 
 
 # ------------------------------------------------------------------------------------------------- paths

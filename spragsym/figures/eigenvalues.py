@@ -17,7 +17,7 @@ from ..motion.pictures import in_letters
 from ..statics.stability import NEUTRAL
 from .curves import chains_between, folds_between, range_of
 from .labels import as_drawn, label
-from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, panels, styled
+from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, panels, stacked, styled
 
 
 def plot_eigenvalues(
@@ -144,9 +144,10 @@ def _drawn(
 
 def _table(vary: str, courses: _Courses, part: str) -> Table:
     """Columns of all curves, one after the other: of each λ with damping, then of each without."""
-    count = np.repeat(np.arange(len(courses)), [len(values) for values, *_ in courses])
-    columns: dict[str, Any] = {"curve": count, vary: np.concatenate([values for values, *_ in courses])}
-    for place, name in ((1, "damped"), (2, "undamped")):
-        every = getattr(np.concatenate([course[place] for course in courses]), part)
-        columns |= {f"{name}_{i + 1}": column for i, column in enumerate(every.T)}
-    return columns
+    return stacked([
+        {vary: values} | {
+            f"{name}_{i + 1}": column
+            for name, every in (("damped", damped), ("undamped", undamped)) for i, column in enumerate(getattr(every, part).T)
+        }
+        for values, damped, undamped in courses
+    ], "curve")  # fmt: skip

@@ -12,9 +12,9 @@ import spragsym as ss
 
 from ..models.parameters import Parameters
 from .captions import BASE_TEXT, LETTERS, LINES_TEXT, RANGE_TEXT
-from .curves import LABELS, branches, draw_branches, joined, mark_folds, table_of
+from .curves import LABELS, branches, draw_branches, mark_folds, table_of
 from .linear import draw_linear
-from .style import BLACK, BLUE, DOUBLE, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
+from .style import BLACK, BLUE, DOUBLE, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, stacked, styled, write_along
 
 
 @styled
@@ -143,7 +143,7 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[
         f"""Figure {number}. Equilibria in contact over the inclination for {LETTERS[name]} = {
             ", ".join(f"{value:g}" for value in values)
         }; {others}. {LINES_TEXT} x over L₀. {RANGE_TEXT}""",
-        a=joined(tables),
+        a=stacked(tables),
     )
     return sheet, ax
 

@@ -71,8 +71,9 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
     if shown is not None:
         title, one = shown
         axis.set_label_text(title)
-        axis.set_major_locator(_Round(one))
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{one * value:.6g}"))
+        if one != 1.0:
+            axis.set_major_locator(_Round(one))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{one * value:.6g}"))
 
 
 def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:

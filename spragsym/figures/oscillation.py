@@ -40,6 +40,7 @@ from .style import (
     Table,
     angle_axis,
     panels,
+    stacked,
     styled,
     write_along,
 )
@@ -97,8 +98,11 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
         events = [event for event in line["events"] if event[0] in MARKERS]
         for kind, value, _, rms, _ in events:
             ax.plot(np.degrees(value), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
-    columns = {"theta0_deg": "theta0", "period": "period", "rms_x": "rms", "stable": "stable"}
-    tables["a_branches"] = _columns(found["branches"], columns)
+    tables["a_branches"] = stacked([
+        {"branch": np.full(len(line["theta0"]), line["name"]), "theta0_deg": np.degrees(line["theta0"]),
+         "period": line["period"], "rms_x": line["rms"], "stable": line["stable"]}
+        for line in found["branches"]
+    ])  # fmt: skip
     events = [(line["name"], *event) for line in found["branches"] for event in line["events"]]
     names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
     tables["a_events"] = {
@@ -129,15 +133,6 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
         followed farther. Numbers: a period on the stable part. Some unstable cycles lie above the frame.""",
         **tables,
     )
-
-
-def _columns(branches: list[dict[str, Any]], names: dict[str, str]) -> Table:
-    """All points of all branches as one table."""
-    columns: dict[str, Any] = {"branch": [line["name"] for line in branches for _ in line["theta0"]]}
-    for title, name in names.items():
-        values = np.concatenate([line[name] for line in branches])
-        columns[title] = np.degrees(values) if title.endswith("_deg") else values
-    return columns
 
 
 def _height(line: dict[str, Any]) -> float:
@@ -330,11 +325,10 @@ def fate_map_figure(found: FateMap) -> Sheet:
 
 
 def _draw_statics(ax: Axes, still: BifurcationSet) -> Table:
-    columns: list[tuple[FloatArray, FloatArray]] = []
-    for curve in still.curves:
-        columns.append((np.degrees(curve.theta0), curve.mu0))
-        ax.plot(*columns[-1], color=GREY, linewidth=0.9)
-    return {"theta0_deg": np.concatenate([a for a, _ in columns]), "mu0": np.concatenate([b for _, b in columns])}
+    tables = [{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in still.curves]
+    for table in tables:
+        ax.plot(*table.values(), color=GREY, linewidth=0.9)
+    return stacked(tables)
 
 
 __all__ = ["branch_figure", "fate_map_figure", "figure_cycles", "figure_cycles_plane"]

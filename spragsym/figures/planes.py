@@ -17,14 +17,12 @@ from ..questions import has_closed_form
 from ..results.bifurcation_sets import BifurcationSet
 from .captions import LETTERS
 from .labels import Between, as_drawn, label, window
-from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, say, styled
+from .style import BLACK, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, own_axes, panels, say, stacked, styled
 
 
 def _table(curves: Sequence[Any], names: Sequence[str]) -> Table:
     """Columns of curves, one after the other, and their numbers."""
-    columns = {name: np.concatenate([getattr(curve, name) for curve in curves] or [np.empty(0)]) for name in names}
-    number = np.concatenate([np.full(getattr(curve, names[0]).size, k) for k, curve in enumerate(curves)] or [np.empty(0)])
-    return {"curve": number, **columns}
+    return stacked([{name: getattr(curve, name) for name in names} for curve in curves], "curve", names)
 
 
 def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK) -> list[Any]:

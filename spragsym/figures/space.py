@@ -14,7 +14,7 @@ from ..results.equilibria import Stability
 from . import surfaces
 from .curves import LABELS
 from .hidden import Cover, cover_of, parts
-from .style import BLACK, VERMILION, Sheet, Table
+from .style import BLACK, VERMILION, Sheet, Table, stacked
 
 _SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
 
@@ -54,18 +54,17 @@ def draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> tuple[Cover, Ta
     ax.set_zticks(np.arange(-2, 3, 1))
     cover = cover_of(ax, polygons)
     found = ss.bifurcation_set(p)
-    columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": [], "x": []}
-    for number, curve in enumerate(found.curves):
+    tables = []
+    for curve in found.curves:
         mu0, theta0, x = surfaces.inside(curve.mu0, low, high, np.degrees(curve.theta0), curve.x)
         draw_line(ax, cover, theta0, mu0, x, color=VERMILION, linewidth=1.2, zorder=3)
         shown = np.isfinite(mu0)
-        for name, values in zip(columns, (np.full(mu0.size, number), theta0, mu0, x), strict=True):
-            columns[name].append(values[shown])
+        tables.append({"theta0_deg": theta0[shown], "mu0": mu0[shown], "x": x[shown]})
     cusps = np.stack([np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x], axis=-1)
     for place, behind in zip(cusps, cover.hides(cusps), strict=True):
         face = "none" if behind else BLACK
         ax.plot(*place[:, None], linestyle="none", marker="o", markersize=4, color=BLACK, markerfacecolor=face, zorder=5)
-    return cover, {name: np.concatenate([[], *values]) for name, values in columns.items()}
+    return cover, stacked(tables, "curve", ("theta0_deg", "mu0", "x"))
 
 
 def draw_line(ax: Any, cover: Cover, theta0: FloatArray, mu0: FloatArray, x: FloatArray, **options: Any) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import io
 import textwrap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from typing import Any, ParamSpec, TypeAlias, TypeVar
 
@@ -116,6 +116,14 @@ def panels(rows: int, columns: int, width: float, height: float, **options: Any)
         for letter, ax in zip("abcdefgh", axes.flat, strict=False):
             ax.set_title(f"({letter})", loc="left")
     return figure, axes
+
+
+def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()) -> Table:
+    """Tables of equal columns, one below the other, and under ``number`` which is which; without tables columns of ``names``."""
+    names = list(tables[0] if tables else names)
+    sizes = [np.size(table[names[0]]) for table in tables]
+    columns = {name: np.concatenate([table[name] for table in tables] or [[]]) for name in names}
+    return {number: np.repeat(np.arange(len(tables)), sizes), **columns} if number else columns
 
 
 def own_axes(ax: Axes | None) -> Axes:

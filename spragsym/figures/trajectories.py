@@ -13,7 +13,7 @@ from ..results.paths import Path
 from .captions import BASE_TEXT, LINES_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of
 from .linear import draw_linear, linear_curves
-from .style import BLUE, DOUBLE, GREY, SKY, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
+from .style import BLUE, DOUBLE, GREY, SKY, VERMILION, Sheet, Table, angle_axis, panels, stacked, styled, write_along
 
 
 @styled
@@ -102,9 +102,4 @@ def _slot_of(p: Parameters, x: float) -> int:
 
 
 def table_of_path(path: Path, name: str) -> Table:
-    pieces = passages(path)
-    return {
-        "piece": np.repeat(np.arange(len(pieces)), [value.size for value, _ in pieces]),
-        name: np.concatenate([value for value, _ in pieces]),
-        "x": np.concatenate([state for _, state in pieces]),
-    }
+    return stacked([{name: value, "x": state} for value, state in passages(path)], "piece")

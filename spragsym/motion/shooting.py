@@ -179,7 +179,9 @@ def solved(
         width = float(np.abs(step).max())
         scale = 1 + float(np.abs(loop.guess.vector).max())
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
-        if small and float(np.abs(residual).max()) <= closed * (1 + float(np.abs(loop.guess.states).max())):
+        # A stretch that could be cut no shorter carries what rounds at its beginning to its end, as many times larger.
+        carried = closed * max(1.0, growth(loop) / LARGEST_GROWTH)
+        if small and float(np.abs(residual).max()) <= carried * (1 + float(np.abs(loop.guess.states).max())):
             return loop
         if iteration and width > 1e3 * before:
             break
@@ -295,6 +297,9 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
     if not turns:
         return loop
     scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
+    start, n = loop.guess.states[0], len(loop.field.coordinates)
+    if abs(start[n]) < ONE and rate(loop.field, start, loop.constants)[n] < 0 < turns[0].t:
+        turns.insert(0, turns[0]._replace(t=0.0, state=start))  # one at which the loop begins may be counted at neither end
     first = turns[0]
     for other in turns[1:]:
         if (other.t - first.t) * len(turns) < period / 2:

@@ -38,6 +38,9 @@ LEAST, SURE = 1e-9, 100.0
 #: So long a motion tells whether a coordinate moves, and a coordinate that moves by such a share of another stands still.
 LOOK, STILL = 200.0, 1e-9
 
+#: Turns that are alike to so much, or both ends of a stage without turns, are of a motion at rest.
+STANDS = 1e-9
+
 #: Parameters beyond this are named where a motion can't be followed.
 STEEP = 1e8
 
@@ -143,9 +146,11 @@ def cycle_near(
         found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
         if found is not None:
             return _checked(found, fly, name)
-        if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
-            break
+        # A cycle whose period is longer than the stage may not have turned yet: it moves on all the same.
+        late = [turn.state for turn in passage.turns[-4:]] if len(passage.turns) > 1 else [start, passage.state]
         start = passage.state
+        if np.ptp(late, axis=0).max() < STANDS:
+            break
     try:
         outcome = motion_of(field, values, start, 2000.0).outcome(1000.0)
     except ConvergenceError as error:
@@ -206,9 +211,8 @@ def _by_returns(
     field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
 ) -> Loop | None:
     """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
-    highest = [turn for turn in turns if turn.border == -1 and turn.direction < 0]
     tried = 0
-    for first, second in _pairs(highest, from_start):
+    for first, second in _pairs([turn for turn in turns if turn.border == -1], from_start):
         tried += 1
         if tried > TRIES:
             break
@@ -222,14 +226,18 @@ def _by_returns(
     return None
 
 
-def _pairs(highest: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]:
-    """Pairs of alike states: from the first one on, nearest first, and from the last one back, fewest returns first."""
-    if len(highest) < 3:
+def _pairs(turns: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]:
+    """Pairs of alike highest states: from the first one on, nearest first, and from the last one back, fewest returns first.
+
+    Of two that there are, as of a long period, their distance is seen against that of the lowest ones.
+    """
+    highest = [turn for turn in turns if turn.direction < 0]
+    if len(highest) < 2:
         return
     states = np.array([turn.state for turn in highest])
-    scale = np.ptp(states, axis=0)
+    scale = np.ptp(states if len(highest) > 2 else [turn.state for turn in turns], axis=0)
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
-    if from_start:
+    if from_start and len(highest) > 2:
         away = np.abs((states[1:] - states[0]) / scale).max(axis=1)
         for i in np.argsort(away)[: TRIES // 2]:
             if away[i] < FAR:
@@ -246,7 +254,8 @@ def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
     loop = split(field, fly, guess)
     turns = [turn.state for turn in loop.turns()]
-    reach = 0.5 * float(np.ptp(turns, axis=0).max()) if turns else np.inf
+    # A guess that begins at a turn may count it at neither end.
+    reach = 0.5 * float(np.ptp([loop.guess.states[0], *turns], axis=0).max()) if turns else np.inf
     condition = across(field, loop.guess.states[0], loop.constants, loop.guess.states.size + 1)
     return solved(field, fly, loop.guess, condition, reach=reach)
 

@@ -138,6 +138,15 @@ def test_the_published_period_of_van_der_pols_oscillator() -> None:
     assert found.multipliers[1].real == pytest.approx(math.exp(damping), rel=1e-9)  # Liouville's formula
 
 
+@pytest.mark.parametrize("e", [300.0, pytest.param(1000.0, marks=pytest.mark.validate)])
+def test_the_period_of_a_long_relaxation_oscillation(e: float) -> None:
+    # J. Grasman, 1987: (3 − 2 ln 2) e + 3 a e^(−1/3) − (2/3) ln(e)/e + O(1/e), −a the first zero of Airy's function.
+    found = finding.cycle_near(VAN_DER_POL, (e,), (2.0, 0.0))
+    leading = (3 - 2 * math.log(2)) * e + 3 * 2.33810741 * e ** (-1 / 3) - 2 / 3 * math.log(e) / e
+    assert found.period == pytest.approx(leading, abs=2 / e)
+    assert abs(found.period - leading) > 1 / e > 1e3 * found.error
+
+
 #: Its cycle is the circle of radius sqrt(e), its period 2 π, its multiplier exp(−2 π e).
 CIRCLE = field_of(
     "circle", lambda x, v, e, m: (e - x * x - v * v) * v - x, lambda x, v, e, m: (-2 * x * v - 1, e - x * x - 3 * v * v),

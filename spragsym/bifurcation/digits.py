@@ -44,12 +44,7 @@ def precise_equilibria(
 ) -> PreciseEquilibria:
     """All equilibria of a point, each number within 10^−digits max(1, |number|).
 
-    Parameters
-    ----------
-    p : Parameters
-        Any set of the model.
-    exact : mapping
-        Every parameter: a rational number, or what gives an interval in an arithmetic.
+    ``p`` is any set of the model, ``exact`` has every parameter: a rational number, or what gives an interval in an arithmetic.
     """
     balance = balance_of(p.model, contact)
     found, around, whole = _isolated(balance, exact)

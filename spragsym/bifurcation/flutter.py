@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from ..models.parameters import ParameterSet
 from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
-from ..numerics.jets import Jet, gradient
 from ..questions import Method, question
 from ..remarks import At, Remark
 from ..results.points import Points
@@ -124,8 +123,6 @@ def flutter_onsets(
             out = nothing(balance, (vary,), given, spans, asked)
         else:
             out = search(balance, (vary,), condition, given, spans, asked=asked)
-        if condition is NO_SLOPE:
-            out = _without_ends(balance, vary, given, spans[0], out)
         if condition is not None and out.roots.left.shape[2]:
             out, more, omega = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
             followed = np.isfinite(omega)
@@ -136,38 +133,6 @@ def flutter_onsets(
     parts[1:1] = seen
     flat = sought[-1][0] is NO_SLOPE
     return onsets_of(_joined(balance, p, vary, given, parts, flat, endless(model, (vary,), between or {})))
-
-
-# ------------------------------------------------------------------------------------------ ends of the range
-
-
-def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> Found:
-    """Boxes without those in which the slope of the friction law has no zero but the end of the range."""
-    left, place = found.roots.left, balance.parameters.index(vary)
-    dropped = np.zeros(left.shape[2], dtype=np.bool_)
-    with np.errstate(all="ignore"):
-        for end in span:
-            point = np.where(np.isnan(given), end, given)
-            if not slope_vanishes(balance, vary, point, end):
-                continue
-            wide = np.repeat(point, left.shape[2], axis=1)
-            low, high = wide.copy(), wide.copy()
-            low[place], high[place] = np.minimum(end, -left[0, -1]), np.maximum(end, left[1, -1])
-            bounds = Intervals.between(low, high)
-            changed = {vary: Jet.variable(bounds[place], 0, 1)}
-            change = gradient(balance.slope(balance.arguments(balance.prepared(bounds), changed)), 1)
-            dropped |= ~stacked(change, left.shape[2:])[0].holds_zero()
-    return replace(found, roots=found.roots.kept(left=~dropped))
-
-
-def slope_vanishes(balance: Balance, vary: str, point: FloatArray, end: float) -> bool:
-    """Whether the slope of the friction law is 0 at this end of the range."""
-    exactly = {} if end or vary in balance.angles else {vary: 0}
-    try:
-        there = balance.slope(balance.arguments(balance.prepared(Intervals.point(point)), exactly))
-    except ZeroDivisionError:  # a law that has no value there
-        return False
-    return bool(stacked([there], (1,)).magnitude.max() <= NOTHING)
 
 
 # ------------------------------------------------------------------------------------------------------- frequencies

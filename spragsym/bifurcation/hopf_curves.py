@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from ..numerics.certified_roots import concatenated
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..questions import model_of
 from ..remarks import Remark
-from ..results.named_columns import Columns
+from ..results.bifurcation_sets import Curve
 from ..results.points import Points
 from ..results.result import Result
 from ..statics import stability
@@ -32,9 +32,6 @@ from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
 from .onsets import told
 from .points import arranged, given_column, matrices, nothing, ranges, search
-
-if TYPE_CHECKING:
-    pass
 
 #: Points of the plane that are nearer than this share of its scales are one.
 SAME = 1e-9
@@ -56,17 +53,6 @@ HARDLY = (
 
 
 @dataclass(frozen=True, eq=False)
-class OnsetCurve(Columns, held_in="values"):
-    """Hopf points in order along a curve, their columns attributes under their names.
-
-    Those are the parameters that vary, the coordinates, ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf
-    where there is no coefficient, and ``criticality``, as of :class:`spragsym.Onsets`.
-    """
-
-    values: Mapping[str, NDArray[Any]] = field(repr=False)
-
-
-@dataclass(frozen=True, eq=False)
 class OnsetCurves(Result):
     """Onsets on lines of the plane, joined to curves, and points at which these end or change.
 
@@ -78,8 +64,10 @@ class OnsetCurves(Result):
         Whether with all damping, or by (27), without: then curves are where two modes meet, and have no ``lyapunov``.
     between : mapping
         Ranges of the two.
-    curves : tuple of OnsetCurve
+    curves : tuple of Curve
         Hopf points in the order in which they follow each other. Each is proved; that they are joined in the right order is not.
+        Their columns: the parameters that vary, the coordinates, ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN
+        and inf where there is no coefficient, and ``criticality``, as of :class:`spragsym.Onsets`.
     points : Points
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"`` (zero–Hopf: it meets a fold) and
         ``"HH"`` (double Hopf: two curves meet; sought with two coordinates), proved.
@@ -99,7 +87,7 @@ class OnsetCurves(Result):
     vary: tuple[str, ...]
     damping: bool
     between: Mapping[str, tuple[float, float]]
-    curves: tuple[OnsetCurve, ...]
+    curves: tuple[Curve, ...]
     points: Points
     changes: Mapping[str, FloatArray]
     lines: Mapping[str, FloatArray] = field(repr=False)
@@ -195,7 +183,7 @@ class _Plane:
         """Points of a kind on lines, joined to curves."""
         return on_lines(self.balance, self.vary, condition, self.given, self.spans, n, more)
 
-    def told(self, damping: bool, curves: Sequence[OnsetCurve], points: Points, changes: Any, *known: Any) -> OnsetCurves:
+    def told(self, damping: bool, curves: Sequence[Curve], points: Points, changes: Any, *known: Any) -> OnsetCurves:
         """The result; of what is ``known`` the lines, whether it is complete, what is undecided, and remarks."""
         names = (*self.vary, *self.balance.coordinates, "error")
         rows = np.array(changes).reshape(-1, len(names)).T
@@ -210,7 +198,7 @@ class _Plane:
         ends = rows_of(balance, self.vary, points)[:, points.kind == "BT"]
         free = self.hardly_damped(ends) & (only is not None)
         found = self.on_lines(HOPF if only is None else undamped_mode(only), n, ends[:, ~free])
-        curves, changes = list[OnsetCurve](), list[list[float]]()
+        curves, changes = list[Curve](), list[list[float]]()
         for chain in found.chains:
             for states in self.oscillating(chain, _at_ends(found.curves, chain, ends[:, ~free])):
                 forms = self.forms(found.curves, states)
@@ -235,7 +223,7 @@ class _Plane:
 
     def undamped(self, n: int) -> OnsetCurves:
         """Curves on which two modes meet; none where there are not two, or where forces have a potential."""
-        balance, curves = self.balance, list[OnsetCurve]()
+        balance, curves = self.balance, list[Curve]()
         none = nothing(balance, self.vary, self.given, self.spans)
         points = arranged(balance, self.p, self.vary, self.given, none, np.empty(0, dtype=np.str_))
         if balance.n < 2 or is_conservative(balance, self.given, self.vary, self.spans):
@@ -296,7 +284,7 @@ class _Plane:
         cuts = np.flatnonzero(np.diff(kept)) + 1
         return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[:1].any()]
 
-    def of_all_pairs(self, chain: FloatArray, ends: NDArray[np.bool_]) -> list[OnsetCurve]:
+    def of_all_pairs(self, chain: FloatArray, ends: NDArray[np.bool_]) -> list[Curve]:
         """A curve for each pair, on the parts of a chain of states without damping that have as many."""
         modes = []
         for roots, end in zip(self.roots(chain), ends, strict=True):
@@ -328,7 +316,7 @@ class _Plane:
         except Undecided as reason:
             return str(reason)
 
-    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]) -> OnsetCurve:
+    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]) -> Curve:
         """The points with what is known of them."""
         n = self.balance.n
         values: dict[str, NDArray[Any]] = dict(
@@ -338,7 +326,7 @@ class _Plane:
         values["lyapunov"] = np.array([np.nan if isinstance(form, str) else form.lyapunov for form in forms])
         values["lyapunov_error"] = np.array([np.inf if isinstance(form, str) else form.lyapunov_error for form in forms])
         values["criticality"] = np.array([told(form)[0] for form in forms], dtype=np.str_)
-        return OnsetCurve(values)
+        return Curve(values)
 
     def changes(self, curves: FoldCurves, states: FloatArray, forms: Sequence[NormalForm | str]) -> list[list[float]]:
         """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""

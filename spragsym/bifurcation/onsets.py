@@ -28,6 +28,13 @@ BELOW_THE_LAW = (
 MEANT = 1e-9
 
 
+def _of_forms(name: str, missing: float) -> cached_property[FloatArray]:
+    """A column of normal forms, of onsets that have one."""
+    return cached_property(
+        lambda found: np.array([missing if isinstance(form, str) else getattr(form, name) for form in found.normal_forms])
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class Onsets(Points):
     """Onsets of flutter along one parameter, of the kind ``"hopf"`` or ``"flutter"``, with their normal forms.
@@ -63,25 +70,10 @@ class Onsets(Points):
         """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each, or why it has none."""
         return tuple(self._normal_form(row) for row in range(len(self)))
 
-    @cached_property
-    def lyapunov(self) -> FloatArray:
-        """l₁."""
-        return self._column("lyapunov", np.nan)
-
-    @cached_property
-    def lyapunov_error(self) -> FloatArray:
-        """Bounds on its error."""
-        return self._column("lyapunov_error", np.inf)
-
-    @cached_property
-    def crossing(self) -> FloatArray:
-        """d Re λ / d parameter."""
-        return self._column("crossing", np.nan)
-
-    @cached_property
-    def crossing_error(self) -> FloatArray:
-        """Bounds on its error."""
-        return self._column("crossing_error", np.inf)
+    lyapunov = _of_forms("lyapunov", np.nan)
+    lyapunov_error = _of_forms("lyapunov_error", np.inf)
+    crossing = _of_forms("crossing", np.nan)
+    crossing_error = _of_forms("crossing_error", np.inf)
 
     @cached_property
     def when(self) -> NDArray[np.str_]:
@@ -119,9 +111,6 @@ class Onsets(Points):
     def state(self, row: int) -> FloatArray:
         """Coordinates of one of them."""
         return np.array([getattr(self, name)[row] for name in self.parameters.model.coordinates])
-
-    def _column(self, name: str, missing: float) -> FloatArray:
-        return np.array([missing if isinstance(each, str) else getattr(each, name) for each in self.normal_forms])
 
 
 def told(form: Any) -> tuple[str, str]:

@@ -46,12 +46,7 @@ ENOUGH, BOUNDED = 0.999, 0.8
 def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None) -> tuple[FloatArray, NDArray[np.bool_]]:
     """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold all equilibria of its point.
 
-    Parameters
-    ----------
-    bounds : Intervals
-        Parameters, shape (P, N).
-    asked : ndarray, optional
-        The box by hand, from :func:`by_hand`.
+    ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`by_hand`.
     """
     ends, proved = _by_forces(balance, bounds)
     open_ = np.flatnonzero(~proved)

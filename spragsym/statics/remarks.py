@@ -44,14 +44,8 @@ def summed(kinds: Sequence[str]) -> tuple[str, ...]:
 def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> list[str]:
     """Kind of each box: where it is, and what is known of it.
 
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (parameters, boxes).
-    left : ndarray
-        −low and high of the unknowns, shape (2, unknowns, boxes): coordinates, and behind them parameters that vary.
-    varied : mapping, optional
-        The latter by their names.
+    ``given`` are parameters, shape (parameters, boxes), ``left`` −low and high of the unknowns, shape (2, unknowns, boxes):
+    coordinates, and behind them parameters that vary, which ``varied`` has by their names.
     """
     count, n = left.shape[2], balance.n
     if not count:

@@ -65,10 +65,7 @@ def balance_of(model: Model, contact: bool) -> Balance:
 def rest_index(p: ParameterSet, places: FloatArray) -> NDArray[np.int8]:
     """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
 
-    Parameters
-    ----------
-    places : ndarray, shape (n, …)
-        The coordinates of each, in the shape of ``p``; NaN for motions that do not rest.
+    ``places`` are the coordinates of each, in the shape of ``p`` behind the first axis; NaN for motions that do not rest.
     """
     places = np.broadcast_to(places, (len(places), *np.broadcast_shapes(p.shape, np.shape(places)[1:])))
     out = np.full(places.shape[1:], -1, dtype=np.int8)

@@ -33,14 +33,8 @@ def classified(
 ) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
     """Codes of :class:`spragsym.Stability`, and whether each is proved; a sign that is not known counts as that of 0.
 
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (P, N).
-    ends : ndarray
-        Boxes with one equilibrium each, shape (2, n, N).
-    alone : ndarray
-        Larger boxes in which that is the only one.
+    ``given`` are parameters, shape (P, N), ``ends`` boxes with one equilibrium each, shape (2, n, N), the only one in those of
+    ``alone``.
     """
     with np.errstate(all="ignore"):
         elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
@@ -53,15 +47,7 @@ def classified(
 
 
 def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> NDArray[np.bool_]:
-    """Boxes of coordinates and parameters all over which all κ are proved to be real, those that meet included.
-
-    Parameters
-    ----------
-    parameters : Intervals
-        From :meth:`Balance.prepared`, shape (…, N).
-    ends : ndarray
-        Shape (2, n, N).
-    """
+    """Boxes of coordinates and prepared parameters all over which all κ are proved to be real, those that meet included."""
     _, minors, conservative = _over(balance, parameters, ends)
     return np.asarray(conservative | (minors > 0).all(axis=0))
 
@@ -204,13 +190,7 @@ def _with_digits(
 
 
 def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stability:
-    """The type of a state of balls.
-
-    Raises
-    ------
-    Undecided
-        Where a sign that it takes is not decided.
-    """
+    """The type of a state of balls; :class:`Undecided` where a sign that it takes is not decided."""
     elementary, minors = _signs_at(balance, precise, q, lambda M, K, damping: invariants(K, M))
     low, high = balls.ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
     without = (low == 0 == high) | (balance.opens and not balance.contact)

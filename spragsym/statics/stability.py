@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..models.model_field import undecorated
 from ..numerics.interval_arrays import FloatArray
 from ..results.equilibria import Equilibria, Stability
 from . import spectrum
@@ -137,17 +136,11 @@ def frequency(roots: NDArray[np.complex128]) -> float:
 
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
-    shape = states.shape[1:]
-    values = balance.floats(given)
-    q = list(states)
-    model = balance.model
-    motion = [values[name] for name in model.about["arguments"]["motion"]]
+    shape, q, values = states.shape[1:], list(states), balance.floats(given)
     directions = balance.plain_directions(q, values, np)
-    mass = undecorated(model.algebra.mass_matrix)(*q, *motion, xp=np)
-    damping = undecorated(model.algebra.damping)(*q, *directions[: 3 * balance.springs], *motion, balance.pushing, xp=np)
     return (
-        filled(mass, shape),
-        filled(damping, shape),
+        filled(balance.mass(q, values, np), shape),
+        filled(balance.damping(q, directions, values, xp=np), shape),
         filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
     )
 

@@ -16,14 +16,8 @@ EQUAL = 1e-12
 def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> NDArray[np.intp]:
     """The slot of the least measure, and of those that are alike the one of larger coordinates, the first one first.
 
-    Parameters
-    ----------
-    measure : ndarray, shape (..., slots)
-        Infinite for slots that are not asked for.
-    states : ndarray, shape (n, ..., slots)
-        Coordinates.
-    error : ndarray, shape (..., slots)
-        Bounds on the errors of both, over max(1, |coordinate|), as of equilibria.
+    ``measure`` and ``error``, bounds over max(1, |coordinate|), have the shape (..., slots), the coordinates ``states`` have
+    (n, ..., slots); slots that are not asked for have an infinite measure.
 
     Examples
     --------
@@ -46,16 +40,8 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray) -> ND
 def in_order(rows: FloatArray, error: FloatArray, point: NDArray[np.int64]) -> NDArray[np.intp]:
     """Numbers of states of some points in their order: by the rows from the first on, of which those that agree decide nothing.
 
-    Two states that mirror each other have equal coordinates, of which rounding would make a first and a second.
-
-    Parameters
-    ----------
-    rows : ndarray, shape (n, states)
-        Coordinates.
-    error : ndarray, shape (states,)
-        Bounds on their errors, over max(1, |coordinate|).
-    point : ndarray of int, shape (states,)
-        Which states are compared with one another.
+    Two states that mirror each other have equal coordinates, of which rounding would make a first and a second. ``rows`` are
+    coordinates, shape (n, states), ``error`` bounds over max(1, |coordinate|); states of one ``point`` are compared.
     """
     keys = []
     for row in rows:

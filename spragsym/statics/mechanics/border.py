@@ -38,12 +38,7 @@ class WithGap(System, Protocol):
 def on_its_side(system: WithGap, given: FloatArray, found: Roots, precise: Callable[[FloatArray, int], Any]) -> Roots:
     """Roots on the side of the border that was asked for; those that may lie on it among the boxes that are left.
 
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (parameters, points).
-    precise : callable
-        The system with many digits at a point of parameters.
+    ``given`` are parameters, shape (parameters, points), ``precise`` makes the system with many digits at one of them.
     """
     if not system.opens:
         return found

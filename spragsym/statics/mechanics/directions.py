@@ -15,15 +15,9 @@ from ...numerics.jets import Jet, argument, binomial_series, change, constant, t
 def direction(dx: Any, dy: Any, shape: tuple[int, ...], square: Any = None) -> tuple[Any, Any, Any]:
     """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of them.
 
-    Parameters
-    ----------
-    square : optional
-        The squared length without its changes, where another form of it is known that may be narrower.
-
-    Notes
-    -----
-    With the turned and scaled change u + i v of the vector, (c + i s) (1 + u + i v) l is the vector. So all derivatives come
-    from the sharp enclosures of c, s and l, not from quotients of intervals.
+    ``square`` is the squared length without its changes, where another form of it is known that may be narrower. With the turned
+    and scaled change u + i v of the vector, (c + i s) (1 + u + i v) l is the vector. So all derivatives come from the sharp
+    enclosures of c, s and l, not from quotients of intervals.
     """
     c, s, L = _at(dx, dy, shape)
     if square is not None:
@@ -43,21 +37,10 @@ def turning(
 ) -> Any:
     """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes meet the ray φ = ±π.
 
-    Parameters
-    ----------
-    value : tuple
-        Cosine and sine of φ, without their changes.
-    vector : tuple
-        That of the spring, (dx, dy).
-    rest : tuple
-        Cosine and sine of the inclination at rest.
-    side : int or None
-        What is given on the ray instead, see :func:`spragsym.numerics.interval_functions.atan2`.
-
-    Notes
-    -----
-    Its derivatives are those of the spring's angle less those of the angle at rest: algebra in sharp enclosures of direction and
-    length. They hold at every point off the ray, and so on either side of it, but no mean value theorem holds across it.
+    ``value`` holds cosine and sine of φ without their changes, ``rest`` those of the inclination at rest; ``side`` says what is
+    given on the ray instead, see :func:`spragsym.numerics.interval_functions.atan2`. Its derivatives are those of the spring's
+    angle less those of the angle at rest: algebra in sharp enclosures of direction and length. They hold at every point off the
+    ray, and so on either side of it, but no mean value theorem holds across it.
     """
     cosine, sine = (as_intervals(part, shape) for part in value)
     phi = atan2(sine, cosine, side)

@@ -154,15 +154,10 @@ class Forces:
         upright: Sequence[int] = (),
         sides: Sequence[int] | None = None,
     ) -> list[Any]:
-        """Cosine, sine and length of every spring, then the turning of every torsion spring.
+        """Cosine, sine and length of every spring, then the turning of every torsion spring; dx = 0 where ``upright``.
 
-        Parameters
-        ----------
-        upright : sequence of int
-            Springs that are known to have dx = 0.
-        sides : sequence of int, optional
-            For each torsion spring what its turning is in boxes that meet the ray where it jumps: NaN if nothing is said, with 1
-            or −1 that on one side of the ray, with 0 anything from −π to π.
+        ``sides`` tell for each torsion spring what its turning is in boxes that meet the ray where it jumps: NaN without it, with
+        1 or −1 that on one side of the ray, with 0 anything from −π to π.
         """
         steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(self.geometry(q, values))]
         squares = self._squared_lengths(q, values)

@@ -17,7 +17,9 @@ import subprocess
 import sys
 import threading
 import traceback
+from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Any, TypeAlias
@@ -150,69 +152,40 @@ def pool(size: int) -> Iterator[Map]:
 
 
 def _map(children: list[subprocess.Popen[bytes]], function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
-    """Chunks go to whoever is free; the results come as they are done."""
-    tasks = list(items)
-    size = max(1, min(16, len(tasks) // (8 * len(children))))
-    chunks: queue.SimpleQueue[list[Any]] = queue.SimpleQueue()
-    for begin in range(0, len(tasks), size):
-        chunks.put(tasks[begin : begin + size])
-    found: queue.SimpleQueue[Any] = queue.SimpleQueue()
-    threads = [threading.Thread(target=_drive, args=(child, function, chunks, found), daemon=True) for child in children]
-    left = len(tasks)
-    try:
-        for thread in threads:
-            thread.start()
-        while left:
-            try:
-                result = found.get(timeout=1.0)  # Windows notices Ctrl-C in between only
-            except queue.Empty:
-                continue
-            if isinstance(result, SweepError):
-                raise result
-            left -= 1
-            yield result
-    except BaseException:
-        _end(children)
-        raise
-    finally:
-        for thread in threads:
-            thread.join()
-
-
-def _drive(
-    child: subprocess.Popen[bytes], function: Callable[[Any], Any], chunks: queue.SimpleQueue[list[Any]],
-    found: queue.SimpleQueue[Any],
-) -> None:  # fmt: skip
-    """Let one process work on chunks until none is left."""
-    with suppress(queue.Empty):
+    """Whoever is free takes the next item; the results come as they are done."""
+    free, left, asked, found = [*children], iter(items), dict[Future[Any], subprocess.Popen[bytes]](), list[Future[Any]]()
+    with ThreadPoolExecutor(len(children)) as threads:
         try:
             while True:
-                for result in _asked(child, function, chunks.get_nowait()):
-                    found.put(result)
-        except SweepError as error:
-            found.put(error)
+                for child, item in zip(free.copy(), left, strict=False):
+                    free.remove(child)
+                    asked[threads.submit(_asked, child, _packed((function, item)))] = child
+                for each in sorted(found, key=lambda each: each.exception() is not None):
+                    yield each.result()
+                if not asked:
+                    return
+                found = list(wait(asked, timeout=1.0, return_when=FIRST_COMPLETED).done)  # Windows notices Ctrl-C in between only
+                free += map(asked.pop, found)
+        except BaseException:
+            _end(children)
+            raise
 
 
-def _asked(child: subprocess.Popen[bytes], function: Callable[[Any], Any], chunk: list[Any]) -> Iterator[Any]:
-    """Results of a chunk, one after the other."""
+def _asked(child: subprocess.Popen[bytes], message: bytes) -> Any:
+    """What a process answers."""
     assert child.stdin is not None
     assert child.stdout is not None
     if child.stdin.closed:
         raise SweepError("the processes of this map have ended; start another")
-    said: list[bytes] = []
+    said = deque[bytes](maxlen=20)
     with suppress(OSError):  # it has ended; its output is still to be read
-        child.stdin.write(_packed((function, chunk)))
+        child.stdin.write(message)
         child.stdin.flush()
-    left = len(chunk)
-    while left:
-        line = child.stdout.readline()
+    for line in child.stdout:
         if line.startswith(_MARK) and line.endswith(b"\n"):
-            yield _unpacked(line)
-            left -= 1
-        elif line:
-            said = [*said[-20:], line]
-        else:
-            raise SweepError(_epitaph(child.wait(), b"".join(said).decode(errors="replace")))
+            return _unpacked(line)
+        said.append(line)
+    raise SweepError(_epitaph(child.wait(), b"".join(said).decode(errors="replace")))
 
 
 def _end(children: list[subprocess.Popen[bytes]]) -> None:
@@ -274,9 +247,8 @@ def serve() -> None:
     asked: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(asked,), daemon=True).start()
     while True:
-        function, chunk = _unpacked(asked.get())
-        for item in chunk:
-            _say(_packed(function(item)))
+        function, item = _unpacked(asked.get())
+        _say(_packed(function(item)))
 
 
 def _listen(asked: queue.SimpleQueue[bytes]) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any, TypeAlias
 
@@ -35,11 +35,6 @@ NEAR = 1e-3
 
 #: Kinds of event.
 EVENTS = len(Event)
-
-_ALL = list(range(LANES))
-
-#: Numbers of events of a motion that did not arrive.
-_NEVER = [0] * EVENTS
 
 #: What crossing a border does in a mode: the mode beyond, which parameters become what, and what a user calls it.
 _Passed: TypeAlias = tuple[Mode, list[tuple[int, float]], Event | None]
@@ -68,17 +63,13 @@ class Stage:
 
 @dataclass
 class _Run:
-    """A stage that is being carried: what all begin with (columns), who waits, who is in which lane, and who has arrived."""
+    """A stage on its way to the next: what all begin with (columns), who waits, and who is in which lane."""
 
     stage: Stage
+    after: Stage
     state: FloatArray
     pars: FloatArray
     waiting: list[int]
-    carried: FloatArray
-    modes: list[Mode]
-    steps: list[int]
-    turns: list[Turns | None]
-    counts: list[list[int]]
     running: dict[int, int] = field(default_factory=dict)
 
 
@@ -167,28 +158,18 @@ class Lanes:
 
         return turn
 
-    def carry(self, stage: Stage, begin: float, end: float) -> None:
-        """Carry the motions of a stage from ``begin`` to ``end``, except those that have stopped or stop on the way."""
+    def carry(self, stage: Stage, begin: float, end: float) -> Stage:
+        """Where the motions of a stage are that are carried from ``begin`` to ``end`` and do not stop on the way."""
         run = self._run(stage, end - begin)
         while run.waiting or run.running:
             if len(run.running) < LANES:
                 self._fill(run, begin, end)
             self.solver.propagate_until(end, max_steps=BURST)
-            results, times = self.solver.propagate_res, self.solver.time.tolist()
-            if not self.strays and times.count(end) == LANES:
-                self._arrive(run, sorted(run.running), results)
-            else:
-                self._sort_out(run, results, [lane for lane in run.running if times[lane] == end])
-        stage.carried, stage.modes, stage.steps = run.carried, run.modes, run.steps
-        stage.turns, stage.counts = run.turns, run.counts
-        self._check(stage, end)
-
-    def _enter(self, run: _Run, lane: int, row: int, begin: float) -> None:
-        """Note that a motion begins in a lane."""
-        run.running[lane] = row
-        self.modes[lane], self.turns[lane], self.counts[lane] = run.stage.modes[row], None, [0] * EVENTS
-        self.crossed[lane], self.looked[lane] = {}, (begin, run.steps[row])
-        self.resting.discard(lane)
+            self._sort_out(run, end)
+        states, modes = run.after.carried[:, : self.size].T, np.array(run.after.modes).T
+        for row in np.flatnonzero(~stage.motions.field.are_inside(states, stage.motions.constants.T, modes)).tolist():
+            stage.errors.setdefault(row, _missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
+        return run.after
 
     def _run(self, stage: Stage, duration: float) -> _Run:
         count = len(stage.modes)
@@ -198,22 +179,15 @@ class Lanes:
         pars = np.vstack([stage.motions.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
         pars = pars[: self.held]
         waiting = [row for row in reversed(range(count)) if row not in stage.errors]
-        arrived = np.full((count, len(self.state)), np.nan), stage.modes.copy(), stage.steps.copy()
-        return _Run(stage, state, pars, waiting, *arrived, [None] * count, [_NEVER] * count)
+        after = replace(
+            stage, carried=np.full((count, len(self.state)), np.nan), modes=stage.modes.copy(), steps=stage.steps.copy(),
+            turns=[None] * count, counts=[[0] * EVENTS] * count,
+        )  # fmt: skip
+        return _Run(stage, after, state, pars, waiting)
 
     def _fill(self, run: _Run, begin: float, end: float) -> None:
         """Put waiting motions into lanes that are free; what else is free stands still at the end, where another lane is."""
         solver, running = self.solver, run.running
-        if not running and len(run.waiting) >= LANES:
-            rows = run.waiting[: -LANES - 1 : -1]
-            del run.waiting[-LANES:]
-            self.state[:], self.pars[:] = run.state[:, _span(rows)], run.pars[:, _span(rows)]
-            solver.set_time(begin)
-            if self.eventful:
-                solver.reset_cooldowns()
-            for lane, row in enumerate(rows):
-                self._enter(run, lane, row, begin)
-            return
         free = [lane for lane in range(LANES) if lane not in running]
         lanes = free[: len(run.waiting)]
         rows = [run.waiting.pop() for _ in lanes]
@@ -226,25 +200,24 @@ class Lanes:
         for lane in free if self.eventful else ():
             solver.reset_cooldowns(lane)
         for lane, row in zip(lanes, rows, strict=True):
-            self._enter(run, lane, row, begin)
+            running[lane] = row
+            self.modes[lane], self.turns[lane], self.counts[lane] = run.stage.modes[row], None, [0] * EVENTS
+            self.crossed[lane], self.looked[lane] = {}, (begin, run.after.steps[row])
+            self.resting.discard(lane)
 
-    def _arrive(self, run: _Run, lanes: list[int], results: Any) -> None:
-        rows = [run.running.pop(lane) for lane in lanes]
-        run.carried[_span(rows)] = self.state.T if lanes == _ALL else self.state.T[lanes]
-        for lane, row in zip(lanes, rows, strict=True):
-            self._count(run, lane, row, results)
-            run.modes[row] = self.modes[lane]
-            if self.watch:
-                run.turns[row], run.counts[row] = self.turns[lane], self.counts[lane]
-                for border in list(self.crossed[lane]):
-                    self._rest(lane, border)
-                if lane in self.resting:
-                    run.stage.resting.add(row)
+    def _arrive(self, after: Stage, lane: int, row: int) -> None:
+        after.carried[row], after.modes[row] = self.state[:, lane], self.modes[lane]
+        if self.watch:
+            after.turns[row], after.counts[row] = self.turns[lane], self.counts[lane]
+            for border in list(self.crossed[lane]):
+                self._rest(lane, border)
+            if lane in self.resting:
+                after.resting.add(row)
 
     def _count(self, run: _Run, lane: int, row: int, results: Any) -> bool:
         """Count the steps of a motion; whether they are too many, or have collapsed."""
-        run.steps[row] += results[lane][3]
-        steps, motions, t = run.steps[row], run.stage.motions, float(self.solver.time[lane])
+        run.after.steps[row] += results[lane][3]
+        steps, motions, t = run.after.steps[row], run.stage.motions, float(self.solver.time[lane])
         before, counted = self.looked[lane]
         if steps > motions.max_steps:
             run.stage.errors[row] = too_many_steps(motions.max_steps, t, motions.t_end, motions.rtol)
@@ -257,37 +230,28 @@ class Lanes:
                 run.stage.errors[row] = error
         return row in run.stage.errors
 
-    def _sort_out(self, run: _Run, results: Any, arrived: list[int]) -> None:
+    def _sort_out(self, run: _Run, end: float) -> None:
         """Free the lanes of motions that have ended; where one broke off, the others under way begin the stage again."""
         hy = library()
         overflow, running = hy.taylor_outcome.err_nf_state, run.running
+        results, times = self.solver.propagate_res, self.solver.time.tolist()
         bad = [lane for lane in running if lane in self.strays or results[lane][0] == overflow]
         if bad:
             for lane in bad:
                 stray = self.strays.get(lane)
                 run.stage.errors[running.pop(lane)] = out_of_range() if stray is None else _missed(stray)
             for row in running.values():
-                run.steps[row] = run.stage.steps[row]
+                run.after.steps[row] = run.stage.steps[row]
             run.waiting += running.values()
             running.clear()
             self.strays.clear()
             return
-        if arrived:
-            self._arrive(run, arrived, results)
         for lane, row in list(running.items()):
-            if self._count(run, lane, row, results):
+            stopped = self._count(run, lane, row, results)
+            if times[lane] == end:
+                self._arrive(run.after, lane, row)
+            if stopped or times[lane] == end:
                 del running[lane]
-
-    def _check(self, stage: Stage, end: float) -> None:
-        """Refuse motions that stand outside their modes."""
-        states, constants, modes = stage.carried[:, : self.size].T, stage.motions.constants.T, np.array(stage.modes).T
-        for row in np.flatnonzero(~stage.motions.field.are_inside(states, constants, modes)).tolist():
-            stage.errors.setdefault(row, _missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
-
-
-def _span(rows: list[int]) -> Any:
-    """Rows as a slice where they follow each other: that is faster."""
-    return slice(rows[0], rows[-1] + 1) if rows == list(range(rows[0], rows[0] + len(rows))) else rows
 
 
 def _missed(t: float) -> ConvergenceError:
@@ -313,8 +277,7 @@ def _compiled(motions: Motions, watch: bool) -> Lanes:
 
 def ends(motions: Motions) -> FloatArray:
     """States at ``t_end``; an error where one of them stops."""
-    stage = Stage.of(motions)
-    _compiled(motions, watch=False).carry(stage, 0.0, motions.t_end)
+    stage = _compiled(motions, watch=False).carry(Stage.of(motions), 0.0, motions.t_end)
     for error in stage.errors.values():
         raise error
     return stage.carried
@@ -327,9 +290,9 @@ def watch(motions: Motions) -> tuple[Measured, list[int]]:
     """
     stage = Stage.of(motions)
     if motions.t_record > 0:
-        _compiled(motions, watch=False).carry(stage, 0.0, motions.t_record)
+        stage = _compiled(motions, watch=False).carry(stage, 0.0, motions.t_record)
     first, begin, end = stage.carried, motions.t_record, motions.t_end
-    _compiled(motions, watch=True).carry(stage, begin, end)
+    stage = _compiled(motions, watch=True).carry(stage, begin, end)
     size = first.shape[1]
     last, integrals = stage.carried[:, :size], stage.carried[:, size:] / _scale(end - begin)
     low, high = np.fmin(first[:, 0], last[:, 0]), np.fmax(first[:, 0], last[:, 0])

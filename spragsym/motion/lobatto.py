@@ -50,15 +50,7 @@ def _differentiation() -> FloatArray:
 
 @dataclass(frozen=True)
 class PiecewisePolynomial:
-    """States x, y, x', y' over time: polynomials of degree :data:`DEGREE`, consecutive steps sharing a sample.
-
-    Attributes
-    ----------
-    t : ndarray, shape (n,)
-        The Lobatto points of all steps.
-    states : ndarray, shape (4, n)
-        The values there.
-    """
+    """States over time, polynomials by ``states`` (2 n, k) at the Lobatto points ``t`` of all steps; steps share a sample."""
 
     t: FloatArray
     states: FloatArray

@@ -20,24 +20,9 @@ KEPT = 5000
 class Course:
     """Quantities measured on a motion while it runs; its steps are not kept, nor turning points before the latest KEPT of a kind.
 
-    Attributes
-    ----------
-    begin, end : float
-        Times between which it was measured.
-    first, last : ndarray, shape (2 n,)
-        The n coordinates and their rates at these; x stands for the first coordinate, x' for its rate.
-    maxima_t : ndarray, shape (k,)
-        Times at which x is largest: x' = 0 on the way down.
-    maxima : ndarray, shape (k, 2 n)
-        States there.
-    integrals : ndarray, shape (k + 1, n + 1)
-        From ``begin`` to these times, and last to ``end``: of u = x − x(begin), of u², and of the other coordinates.
-    minima : ndarray, shape (l, 2 n)
-        States at which x is least.
-    events : ndarray of int, shape (4,)
-        How often each :class:`~spragsym.motion.problem.Event` happened.
-    reach : tuple of float
-        Least and largest x between ``begin`` and ``end``.
+    States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t`` where the first coordinate x is
+    largest, ``minima`` (l, 2 n); ``integrals`` (k + 1, n + 1) from ``begin`` to the maxima, and last to ``end``: of
+    u = x − x(begin), of u², and of the other coordinates; how many ``events`` (4,) of each kind; least and largest x, ``reach``.
     """
 
     begin: float

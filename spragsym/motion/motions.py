@@ -75,26 +75,9 @@ class Turns:
 
 @dataclass(frozen=True)
 class Measured:
-    """Courses of many motions, a row each; NaN for those that stopped.
+    """Columns of :class:`Course` of many motions, a row each, NaN for those that stopped, of which ``errors`` says why.
 
-    Attributes
-    ----------
-    begin, end : float
-        Times between which they were measured.
-    first, last : ndarray, shape (N, 2 n)
-        States at these.
-    integrals : ndarray, shape (N, n + 1)
-        Over all of the time: of u = x − x(begin), of u², and of the other coordinates.
-    low, high : ndarray, shape (N,)
-        Least and largest x.
-    maxima : ndarray of int, shape (N,)
-        How many maxima of x there are, of those that are kept.
-    events : ndarray of int, shape (N, 4)
-        How often each :class:`~spragsym.motion.problem.Event` happened.
-    errors : dict
-        Why those stopped that did.
-    course : callable
-        ``course(row)`` of one that did not.
+    The ``integrals`` are those to the end, ``low`` and ``high`` the reach, ``maxima`` how many are kept.
     """
 
     begin: float

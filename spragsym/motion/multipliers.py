@@ -31,16 +31,10 @@ TRIALS, SAFETY = 3, 3.0
 
 @dataclass(frozen=True)
 class Multipliers:
-    """Multipliers of a closed orbit.
+    """Multipliers of a closed orbit, (m − 1,), largest first, but for the ``trivial`` one of the flow's own direction.
 
-    Attributes
-    ----------
-    trivial : float
-        That of the flow's own direction: 1 but for what the derivatives of the stretches have lost.
-    others : ndarray of complex, shape (m − 1,)
-        By size, largest first.
-    errors : ndarray, shape (m − 1,)
-        Estimates: how far those move if each stretch errs by as much as it errs along the flow.
+    That is 1 but for what the derivatives of the stretches have lost. The ``errors`` are estimates: how far the others move if
+    each stretch errs by as much as it errs along the flow.
     """
 
     trivial: float

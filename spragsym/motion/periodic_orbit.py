@@ -25,18 +25,9 @@ OPEN = 1e-9
 
 @dataclass(frozen=True)
 class Closed:
-    """A closed orbit.
+    """A closed orbit by its state (2 n,) on a section, all over which the number at the place ``fixed`` has one value.
 
-    Attributes
-    ----------
-    state : ndarray, shape (2 n,)
-        On the section: where x is extremal, x' = 0, or where x has a value.
-    period : float
-        The least one.
-    slope : ndarray, shape (2 n − 1, 2 n − 1)
-        Derivative of the return to the section, in the numbers of a state but ``fixed``. Its eigenvalues are the multipliers.
-    fixed : int
-        Place of the number that has one value all over the section.
+    The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return in the other numbers; its eigenvalues are the multipliers.
     """
 
     state: FloatArray

@@ -34,20 +34,11 @@ class Turn(NamedTuple):
 
 @dataclass(frozen=True)
 class Passage:
-    """A stretch of motion.
+    """A stretch of motion: where it ends, (m,), and derivatives of that.
 
-    Attributes
-    ----------
-    state : ndarray, shape (m,)
-        Where it ends.
-    by_state : ndarray, shape (m, m)
-        Derivatives of that by the state at the start: the product over the smooth pieces, as the field is continuous.
-    by_parameters : ndarray, shape (m, 2)
-        Derivatives along two directions in the space of the parameters.
-    crossings, turns : tuple
-        In order of time.
-    integrals : tuple of two floats or None
-        Of the first coordinate and of its square over time, where the integrator carries them along.
+    Those by the state at the start, (m, m), are the product over the smooth pieces, as the field is continuous; those by the
+    parameters, (m, 2), are along two directions. The ``integrals`` of the first coordinate and of its square over time are there
+    where the integrator carries them along.
     """
 
     state: FloatArray

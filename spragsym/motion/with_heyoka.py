@@ -46,17 +46,10 @@ Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
 @dataclass(frozen=True)
 class Approach:
-    """Where a step ends because of what its Taylor series does not see.
+    """Where a step ends because of what its Taylor series does not see: ``watched`` passes zero upward there.
 
-    That is where the argument of a root is least and small, as the squared length of a spring that passes its anchor, and where
-    an exponential or a hyperbolic tangent of the place is about to be felt; those of the sliding speed are borders of the field.
-
-    Attributes
-    ----------
-    watched : expression
-        Passes zero upward there.
-    value : heyoka.cfunc or None
-        The argument of a root.
+    The argument of a root, ``value``, is least and small, as the squared length of a spring that passes its anchor, or an
+    exponential or a hyperbolic tangent of the place is about to be felt; those of the sliding speed are borders of the field.
     """
 
     watched: Any
@@ -90,20 +83,12 @@ class Approach:
 
 @dataclass(frozen=True)
 class Equations:
-    """A field for heyoka: constants, mode and directions are its ``par[]``.
+    """A field for heyoka: constants, mode and directions are its ``par[]``; ``seen`` is state, constants and mode.
 
-    Attributes
-    ----------
-    system : list
-        Variables with their derivatives in time: the state; with ``derivatives`` those of the state by its start and along
-        ``directions`` of the parameters, column by column in :data:`UNIT`, and the integrals of the first coordinate and of its
-        square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter so that
-        they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
-    seen : tuple
-        State, constants and mode.
-    approaches : list of Approach
-        For each root in the field.
-    accelerations : list
+    The ``system`` holds variables with their derivatives in time: the state; with ``derivatives`` those of the state by its start
+    and along ``directions`` of the parameters, column by column in :data:`UNIT`, and the integrals of the first coordinate and of
+    its square; with ``watch`` the integrals of a :class:`~spragsym.motion.measures.Course`, scaled by the last parameter so that
+    they stay below the states: heyoka's error is relative to the largest of all. The parameter before is x(begin).
     """
 
     system: list[Any]

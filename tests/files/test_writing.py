@@ -16,6 +16,7 @@ import pytest
 import spragsym as ss
 from spragsym.errors import ParameterError, SpragsymError, StoreError
 from spragsym.files import text, writing
+from spragsym.files.journal import journal
 from tests.conftest import Begin
 from tests.support import ROOT
 
@@ -174,3 +175,21 @@ def test_a_job_in_the_background_ignores_ctrl_c() -> None:
     ask = f"{sys.executable} -m spragsym equilibria --theta0 49 & sleep 0.4; kill -INT $!; wait $!"
     done = subprocess.run(["sh", "-c", ask], capture_output=True, text=True, timeout=60)
     assert (done.returncode, "contact" in done.stdout) == (0, True)
+
+
+def test_who_works_on_a_journal_is_told_and_a_killed_process_holds_nothing(tmp_path: Path, begin: Begin) -> None:
+    path, code = tmp_path / "rms.csv", "\n".join([
+        "import sys, time; from pathlib import Path; from spragsym.files.journal import journal",
+        "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)",
+    ])  # fmt: skip
+    with journal(path, "a", 2), pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"):
+        journal(path, "a", 2).__enter__()
+    process = begin([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "held\n"
+    with pytest.raises(StoreError, match=f"process {process.pid} on this machine"):
+        journal(path, "a", 2).__enter__()
+    process.kill()
+    process.wait()
+    with journal(path, "a", 2):
+        pass

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from ..errors import ParameterError
+from ..models.parameters import POSITIVE
 from ..progress import show_progress
 from . import options as o
 from .output import print_json, refuse
@@ -20,7 +21,13 @@ from .output import print_json, refuse
 @o.file("--html", metavar="PATH", help="Write one page with pictures.")
 @click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
 @click.option("--redesign/--no-redesign", default=True, show_default=True, help="Say what to change where it jumps.")
-@click.option("--safety", type=float, default=1.2, show_default=True, help="Factor on the largest friction, for what to change.")
+@click.option(
+    "--safety",
+    type=o.Number(POSITIVE),
+    default=1.2,
+    show_default=True,
+    help="Factor on the largest friction, for what to change.",
+)
 @o.force
 @o.as_json
 def report(
@@ -50,7 +57,6 @@ def report(
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([] if html is None else [html], force)
-    from ..models.parameters import POSITIVE, as_number
     from ..report.brake_files import read_brake
     from ..report.facts import Asked
     from ..report.reports import report as report_of
@@ -60,7 +66,7 @@ def report(
         raise click.UsageError(f"--model {model}: {file} is about {study.model}; leave --model out")
     options = [flag for flag, asked in (("--no-oscillation", oscillation), ("--no-redesign", redesign)) if asked]
     less = f" ({' and '.join(options)} {'leave' if len(options) > 1 else 'leaves'} out what takes longest)" if options else ""
-    found = report_of(study, Asked(True, redesign, oscillation, as_number("safety", safety, POSITIVE), None), now=False)
+    found = report_of(study, Asked(True, redesign, oscillation, safety, None), now=False)
     blocks = found.blocks()
 
     def computed() -> str | None:

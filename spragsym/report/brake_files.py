@@ -123,12 +123,11 @@ class _Reader:
         found = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", message)
         number = int(found[1]) if found and found[1] else len(self.lines)
         line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
-        said = message[: found.start()] if found else message
         key = line.partition("=")[0].strip()
         example = example_of(key, quantities(USUAL).units.get(key, "kg"))
         cure = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
         cure = f"{key} is there twice; keep one of the two" if "overwrite" in message else cure
-        return f"{self.path}, line {number}: {line!r} is not TOML ({said[:1].lower()}{said[1:]}); {cure}"
+        return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
     def _model(self, name: Any, trust: bool | str) -> str:
         if not isinstance(name, str):
@@ -182,8 +181,8 @@ class _Reader:
                 self.refuse("correlation", f"correlation = {given!r} is no list of two names and a number each; {cure}")
             for name in row[:2]:
                 if name not in found or not found[name].varies:
-                    what = "has no tolerance" if name in found else "is not a quantity of this file"
-                    self.refuse("correlation", f"correlation: {name} {what}{hint(name, found)}; leave the pair out")
+                    what = "has no tolerance" if name in found else f"is not a quantity of this file{hint(name, found)}"
+                    self.refuse("correlation", f"correlation: {name} {what}; give it one, or leave the pair out")
         pairs = [(row[0], row[1]) for row in rows]
         if len({frozenset(pair) for pair in (*pairs, *fitted)}) < len(pairs) + len(fitted):
             cure = "has a pair twice, or that of the measured file; keep one of them"
@@ -210,6 +209,11 @@ class _Reader:
             cure = f'write may_change = {{ {example} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
             self.refuse("may_change", f"may_change = {given!r} does not name quantities; {cure}")
         ends = {name: self._quantity(name, text, kind.units[name], kind.ranges()[name]) for name, text in given.items()}
+        for name, one in ends.items():
+            if not one.varies:
+                self.refuse(
+                    "may_change", f'may_change: {name} = {given[name]!r} is no range; write two ends, as in "[100, 250] N/mm"'
+                )
         try:
             return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
         except ParameterError as error:

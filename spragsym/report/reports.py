@@ -123,10 +123,8 @@ def report(study: Study, asked: Asked, progress: bool = False, *, now: bool = Tr
     if study.friction[2] == 0 and study.kind.of_mu0 and study.quantities["mu0"].high > 0:
         law = " and ".join(study.kind.of_the_law)
         without = f", or leave {law} out for friction at full slip" if law else ""
-        raise ParameterError(
-            f"{study.shown_speed(study.values[study.belt or 'V'])}: nothing slides at that speed, and the friction law has no "
-            f"friction there; give the speed of the belt{without}"
-        )
+        speed = study.shown_speed(study.values[study.belt or "V"])
+        raise ParameterError(f"{speed}: nothing slides at that speed; give the speed of the belt{without}")
     found = Report(study, asked)
     if now:
         with show_progress() if progress else nullcontext(), doing(""):

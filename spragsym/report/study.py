@@ -73,8 +73,8 @@ def rise_of(kind: Quantities, vary: str | None, begin: float | None, values: Map
             raise ParameterError(f"begin = {begin!r} says from where a quantity rises; give vary, its name, too")
         return Rise("mu0", "mu0", 0.0, kind.of_mu0) if "mu0" in kind.parameters else None
     if vary not in kind.may_rise:
-        cure = hint(vary, kind.may_rise) or f"; a loading parameter is one of {', '.join(kind.may_rise)}"
-        raise ParameterError(f"vary = {vary!r} is no quantity of {kind.model.where} on which its states depend, or a unit{cure}")
+        cure = hint(vary, kind.may_rise) or f"; choose one of {', '.join(kind.may_rise)}"
+        raise ParameterError(f"vary = {vary!r} does not move the states of {kind.model.where}, or is a unit{cure}")
     allowed = kind.ranges(values)[vary]
     if begin is None and not allowed.contains(allowed.low):
         raise ParameterError(f"vary = {vary!r} has no least value in {allowed}; give begin, from where it rises")

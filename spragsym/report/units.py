@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 #: SI unit of a quantity → how an engineer would write one, alone and between two ends.
 EXAMPLES: Mapping[str, tuple[str, str]] = {
     "kg": ("0.35 kg", "[0.3, 0.4] kg"), "N/m": ("180 N/mm ± 15 %", "[150, 210] N/mm"), "m": ("38 mm", "[37, 39] mm"),
-    "rad": ("52 deg ± 1 deg", "[51, 53] deg"), "N": ("420 N", "[400, 440] N"), "m/s": ("1.2 m/s", "[1, 1.4] m/s"),
+    "rad": ("52 deg ± 1 deg", "[51, 53] deg"), "N": ("420 N ± 10 %", "[400, 440] N"), "m/s": ("1.2 m/s", "[1, 1.4] m/s"),
     "s/m": ("10 s/m", "[8, 12] s/m"), "m/s^2": ("9.81 m/s^2", "[9, 10] m/s^2"), "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
 }  # fmt: skip
 #: Standard deviations on either side of a normal distribution's mean that its ends are, and that lie within its range.
@@ -192,7 +192,7 @@ def remedy(si: str, allowed: Range = FINITE, example: str = "") -> str:
         with suppress(ParameterError):
             _read(text, si, allowed)
             good.append(f'"{text}"')
-    return f"for instance {' or '.join(good[:2])}" if good else f"a number in {allowed} of the unit {si}"
+    return " or ".join(good[:2]) if good else f"a number in {allowed} of the unit {si}"
 
 
 def _read(text: str, si: str, allowed: Range) -> Measured:
@@ -206,7 +206,7 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
     elif (found := _BRACKETED.fullmatch(body) or _PLAIN.fullmatch(body)) and bool(cut) == bool(ends):
         one = _about(found, si, None if ends is None else _between(ends, si))
     else:
-        raise ParameterError("this is not a number with a point, its unit, and a tolerance if it has one")
+        raise ParameterError("not a number with a point and its unit, alone or with a tolerance")
     reach = (one.value - WITHIN * one.sd, one.value + WITHIN * one.sd) if not one.cut else (one.low, one.high)
     for end in (one.value, *reach):
         if not allowed.contains(end):

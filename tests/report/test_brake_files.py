@@ -42,7 +42,7 @@ VALUES = [
     ("k", '"150-210 N/mm"', ["not a number with a point", "[150, 210] N/mm"]),
     ("k", '"150 to 210 N/mm"', ["'to 210 N/mm' can't be read", "[150, 210] N/mm"]),
     ("k", '"180 N/mm +15% -10%"', ["'N/mm +15% -10%' can't be read", "[150, 210] N/mm"]),
-    ("F_L", '"42 kg"', ["'kg' (kilogram) does not measure what N does", '"420 N"']),
+    ("F_L", '"42 kg"', ["'kg' (kilogram) does not measure what N does", '"420 N ± 10 %"']),
     ("mu0", '"0.45 N"', ["'N'", "number without unit", '"0.45 ± 10 %"']),
     ("mu0", '"-0.1"', ["'-0.1'", "supplement"]),
     ("V", '"-1.2 m/s"', ["'-1.2 m/s'", "mirror image"]),

@@ -99,8 +99,7 @@ def escapes(balance: Balance, p: ParameterSet, vary: Sequence[str], spans: Float
     NaN those that stay. What is not proved is missing: a state runs to infinity there, others may elsewhere.
     """
     given = given_column(p, balance.parameters, vary)
-    found: dict[str, list[float]] = {name: [] for name in (*vary, *balance.coordinates, "error", "side")}
-    known: list[FloatArray] = []
+    found, known = list[list[float]](), list[FloatArray]()
     for pivot in (i for i in range(balance.n) if i not in balance.around):
         for sign in (1, -1):
             chart = _Chart(balance, vary, pivot, sign)
@@ -112,10 +111,10 @@ def escapes(balance: Balance, p: ParameterSet, vary: Sequence[str], spans: Float
                 known.append(z)
                 away = np.where(np.abs(z[: balance.n]) < SAME, np.nan, np.copysign(np.inf, z[: balance.n]))
                 away[balance.around] = np.nan
-                for name, value in zip(found, [*z[balance.n :], *away, error, side], strict=True):
-                    found[name].append(float(value))
-    columns = {name: np.array(column) for name, column in found.items()}
-    errors, sides = columns.pop("error"), columns.pop("side")
+                found.append([*z[balance.n :], *away, error, side])
+    names = (*vary, *balance.coordinates)
+    *places, errors, sides = np.array(found).reshape(-1, len(names) + 2).T
+    columns = dict(zip(names, places, strict=True))
     kind = np.select([sides > 0, sides < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
     return Points(p, tuple(vary), kind, errors, spans, True, (), np.empty((0, balance.n + len(vary), 2)), (), columns)
 

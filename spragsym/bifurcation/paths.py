@@ -129,8 +129,11 @@ def quasi_static_path(
     out = [way.state(0, place)]
     jumps = []
     for stop in range(1, way.stops.size):
-        place, jump = way.moved(stop, place, after_jump)
-        jumps += [jump] if jump else []
+        following = way.followed(stop, place)
+        if following is None:
+            following, jump = way.jump(stop, place, after_jump)
+            jumps.append(jump)
+        place = following
         if way.wanted[stop]:
             out.append(way.state(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
@@ -308,11 +311,6 @@ class _Way:
         """Where one λ is 0 the others decide."""
         given = columns(self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters)
         return with_a_zero(self.balance, self._states(np.array([number])), given)
-
-    def moved(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump | None]:
-        """The slot at a stop of the state that was in a slot at the one before, with the jump if it vanishes on the way."""
-        following = self.followed(stop, place)
-        return self.jump(stop, place, choose) if following is None else (following, None)
 
     def followed(self, stop: int, place: int) -> int | None:
         """The slot at a stop of the state that was in a slot at the one before; None if it vanishes on the way."""

@@ -8,8 +8,9 @@ proves the onset in a small box; what it does not prove is listed as seen.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,14 +44,8 @@ GROWS = 1e-11
 SMALL = 1e-6
 #: Times that the range between two values is halved.
 HALVINGS = 40
-
-
-@dataclass(frozen=True)
-class Sighting:
-    """An onset that floats see: coordinates and parameter, shape (n + 1,), and the frequency, NaN where none was followed."""
-
-    z: FloatArray
-    omega: float
+#: An onset that floats see: coordinates and parameter, shape (n + 1,), and the frequency, NaN where none was followed.
+Sighting: TypeAlias = tuple[FloatArray, float]
 
 
 def with_seen(
@@ -59,14 +54,14 @@ def with_seen(
     """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
     fixed = _at(given, span[:1])
     sightings = _sightings(system, given, span, asked)
-    sightings = [one for one in sightings if span[0] <= one.z[-1] <= span[1]]
-    candidates = np.array([one.z for one in sightings]).reshape(-1, system.n).T
+    sightings = [(z, omega) for z, omega in sightings if span[0] <= z[-1] <= span[1]]
+    candidates = np.array([z for z, _ in sightings]).reshape(-1, system.n).T
     room = ROOM * np.maximum(1.0, np.abs(candidates))
     wide = np.stack([room - candidates, room + candidates])
     proved_ends = [_proved(system, fixed[:, 0], box) for box in np.moveaxis(wide, 2, 0)]
     sure = np.array([ends is not None for ends in proved_ends], dtype=np.bool_)
     ends = np.concatenate([wide[:, :, :0], *(part for part in proved_ends if part is not None)], axis=2)
-    omega = np.array([one.omega for one in sightings])[~sure]
+    omega = np.array([omega for _, omega in sightings])[~sure]
     proved, open_ = (
         on_its_side(system, fixed, Roots.at(part), partial(PreciseAugmented, system)) for part in (ends, wide[:, :, ~sure])
     )
@@ -154,7 +149,7 @@ def _bisected(
     # Else the ends do not lie on one branch.
     crossing = _crossing(low[1], high[1])
     nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
-    return [Sighting(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
+    return [(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
 
 
 def _at(given: FloatArray, z: FloatArray) -> FloatArray:
@@ -187,7 +182,7 @@ def _sign_changes(system: Augmented, given: FloatArray, z: FloatArray, neighbour
     starts = [z[:, i] + (z[:, j] - z[:, i]) * tested[i] / (tested[i] - tested[j]) for i, j in passed]
     fixed = _at(given, z[:, :1])
     found = _converged(system, fixed, np.array(starts).reshape(-1, system.n).T)
-    return [Sighting(column, np.nan) for column in found.T]
+    return [(column, np.nan) for column in found.T]
 
 
 def _converged(system: Augmented, fixed: FloatArray, start: FloatArray) -> FloatArray:

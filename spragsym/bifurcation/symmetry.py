@@ -171,7 +171,9 @@ def _with_pitchforks(
 ) -> tuple[Found, int]:
     """Points with the pitchforks of one mirror symmetry added."""
     known = pitchforks(balance, vary, given, span, mirror)
-    inside, beyond = _on_side(balance, vary, given, known.ends)
+    system = Augmented(balance, (vary,), FOLD)
+    fixed = system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), known.point.size, axis=1)))
+    inside, beyond = on_side(system, fixed, known.ends)
     left = found.roots.left
     open_boxes = np.ones(left.shape[2], dtype=np.bool_)
     decided = []
@@ -184,12 +186,6 @@ def _with_pitchforks(
             open_boxes &= ~contractors.within(left, hull[:, :, None])
     parts = [found.roots.kept(left=open_boxes), known.kept(decided, slice(0))]
     return replace(found, roots=certified_roots.concatenated(parts, left.shape[1])), len(decided)
-
-
-def _on_side(balance: Balance, vary: str, given: FloatArray, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Pitchforks in contact, and such beyond its border."""
-    system = Augmented(balance, (vary,), FOLD)
-    return on_side(system, system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), ends.shape[2], axis=1))), ends)
 
 
 def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, mirror: _Mirror) -> bool:

@@ -23,15 +23,7 @@ POSITIVE = 1e-6
 def reference_state(model: Any, eq: Equilibria, near: Mapping[str, float] | None = None) -> NDArray[np.intp]:
     """The slot of the stable equilibrium of least strain energy, for each point; where none is stable, of any of least strain.
 
-    Parameters
-    ----------
-    eq : Equilibria
-        In contact, of any shape; slots are the last axis.
-    near : mapping, optional
-        Coordinates to which it is the nearest, instead.
-
-    Notes
-    -----
+    ``eq`` is in contact, of any shape, slots are the last axis; ``near`` are coordinates to which it is the nearest, instead.
     Strain energy is that of springs, torsion springs, contact and the page's potentials, without applied forces. Where it is
     convex at the origin of the coordinates, it is taken to second order there, so that a spring that flipped over, as that of a
     truss which snapped, counts as deformed though it may be relaxed again. Of equal energies, as those of mirror images, the

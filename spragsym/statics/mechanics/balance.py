@@ -24,6 +24,7 @@ NOTHING = 1e-290
 
 #: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
 Excluded: TypeAlias = Callable[[NDArray[np.int64], Sequence[int]], NDArray[np.bool_]]
+Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
 class Balance(Forces, System):
@@ -166,40 +167,34 @@ class Balance(Forces, System):
     def with_waves(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
         """The balance with cosines and sines of the coordinates as free unknowns, as directions are."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
+        given = self.linear(unknowns, near, lambda q: self.by_coordinate("forces", q, directions, values, FREE))
+        return np.fmin(contractors.by_rows(*given), unknowns.ends)
+
+    def linear(self, unknowns: Intervals, at: FloatArray, forces: Callable[[list[Any]], Sequence[Any]]) -> Linear:
+        """What contractors take: forces at points of the boxes, slopes over the boxes, the points and distances from them."""
         shape = unknowns.shape[1:]
-        at_near = self.by_coordinate("forces", list(Intervals.point(near)), directions, values, FREE)
-        rows = self.by_coordinate("forces", jets.variables(list(unknowns), 1), directions, values, FREE)
-        slopes = matrix([jets.gradient(row, self.n) for row in rows], shape)
-        reach = contractors.distance(unknowns.ends, near)
-        return np.fmin(contractors.by_rows(stacked(at_near, shape), slopes, near, reach), unknowns.ends)
+        slopes = matrix([jets.gradient(row, self.n) for row in forces(jets.variables(list(unknowns), 1))], shape)
+        return stacked(forces(list(Intervals.point(at))), shape), slopes, at, contractors.distance(unknowns.ends, at)
 
     def _linear(
         self,
         unknowns: Intervals,
-        middle: FloatArray,
+        at: FloatArray,
         values: Mapping[str, Any],
         directions: Sequence[Any],
         call: Callable[..., Any] | None = None,
-    ) -> tuple[Intervals, Intervals, FloatArray, FloatArray]:
-        """Forces at points of the boxes, slopes over the boxes, the points and distances from them, with fixed directions."""
+    ) -> Linear:
+        """:meth:`linear` with directions and lengths fixed."""
         shape, call = unknowns.shape[1:], call or self.call
-        at_middle = call("forces", list(Intervals.point(middle)), directions, values)
-        reach = contractors.distance(unknowns.ends, middle)
-        return stacked(at_middle, shape), self._slopes(unknowns, values, directions, call), middle, reach
-
-    def _slopes(
-        self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any], call: Callable[..., Any]
-    ) -> Intervals:
-        """Slopes of the forces with directions and lengths fixed."""
-        shape = unknowns.shape[1:]
         if self._lengths_matter(unknowns, values, directions):
-            rows = call("forces", jets.variables(list(unknowns), 1), directions, values)
-            return matrix([jets.gradient(row, self.n) for row in rows], shape)
+            return self.linear(unknowns, at, lambda q: call("forces", q, directions, values))
         # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
         # for a derivative that its stiffness has in a sharper form.
         endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
         far = [endless if self._is_length(i) else part for i, part in enumerate(directions)]
-        return matrix(call("forces_jacobian", list(unknowns), far, values), shape)
+        slopes = matrix(call("forces_jacobian", list(unknowns), far, values), shape)
+        forces = stacked(call("forces", list(Intervals.point(at)), directions, values), shape)
+        return forces, slopes, at, contractors.distance(unknowns.ends, at)
 
     def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
         """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""

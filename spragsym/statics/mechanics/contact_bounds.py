@@ -14,7 +14,7 @@ import numpy as np
 
 from ...numerics import contractors, jets
 from ...numerics.interval_arrays import FloatArray, Intervals, stacked
-from .balance import Balance, matrix
+from .balance import Balance
 from .laws import FREE
 
 
@@ -76,11 +76,10 @@ def by_contact_force(balance: Balance, ends: FloatArray, values: Mapping[str, An
     along = stacked([jets.gradient(row, 1)[0] / touch for row in of_touch], shape)
     apart = stacked(balance.by_coordinate("forces", list(unknowns), directions, values, FREE, pushing=0), shape)
     force = _balancing(force, apart, along)
-    at_near = balance.by_coordinate("forces", list(Intervals.point(near)), directions, values, FREE, pushing=0)
-    rows = balance.by_coordinate("forces", jets.variables(list(unknowns), 1), directions, values, FREE, pushing=0)
-    slopes = matrix([jets.gradient(row, balance.n) for row in rows], shape)
-    reach = contractors.distance(ends, near)
-    given = stacked(at_near, shape) + along * force, slopes, near, reach
+    at_near, slopes, near, reach = balance.linear(
+        unknowns, near, lambda q: balance.by_coordinate("forces", q, directions, values, FREE, pushing=0)
+    )
+    given = at_near + along * force, slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
     return np.fmin(found, ends)
 

@@ -47,18 +47,14 @@ class Boxes(ByColumn):
         """Their middles, by parameter."""
         return self.parameters(0.5 * (self.low + self.high))
 
-    def by_side(self, changes: Mapping[str, FloatArray]) -> FloatArray:
-        """Derivatives by each side in the middles, from those by each parameter: a unit changes all that depend on it."""
-        out = np.zeros_like(self.low)
-        for side, name, slope in self._slopes():
-            out[side] += changes[name] * slope
-        return out
+    def by_side(self, changes: Mapping[str, FloatArray], term: Callable[[FloatArray], FloatArray] = np.positive) -> FloatArray:
+        """Derivatives by each side in the middles, from those by each parameter: a unit changes all that depend on it.
 
-    def apart(self, changes: Mapping[str, FloatArray]) -> FloatArray:
-        """Sums of sizes: the value if nothing cancelled."""
+        With ``np.abs`` for a ``term`` the value if nothing cancelled.
+        """
         out = np.zeros_like(self.low)
         for side, name, slope in self._slopes():
-            out[side] += np.abs(changes[name] * slope)
+            out[side] += term(changes[name] * slope)
         return out
 
     def _slopes(self) -> Iterator[tuple[int, str, FloatArray]]:

@@ -70,12 +70,6 @@ def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
     return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
 
 
-def _three(boxes: Boxes) -> Parameters | None:
-    middle = boxes.middle()
-    many = np.flatnonzero(count(Parameters(**middle)) == 3)
-    return point_at(middle, many[0]) if many.size else None
-
-
 # --------------------------------------------------------------------------------------------------------- no flutter
 
 
@@ -92,12 +86,6 @@ def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
         return Verdict(done | (discriminant.sign() > 0), (value, slope, discriminant))
 
     return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
-
-
-def _flutters(boxes: Boxes) -> Parameters | None:
-    middle = boxes.middle()
-    many = np.flatnonzero((equilibria(Parameters(**middle)).stability == Stability.FLUTTER).any(axis=-1))
-    return point_at(middle, many[0]) if many.size else None
 
 
 # ------------------------------------------------------------------------------------------------------------ no jump
@@ -175,7 +163,7 @@ def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[
         known = value.sign() == wanted, inside.sign() > 0
         result &= known[0] & known[1]
         # A direction that follows the state leaves what is of second order, in each of the parameters that a side changes.
-        second = half * boxes.apart(_motion(boxes.middle() | {"mu0": friction}, line.value))
+        second = half * boxes.by_side(_motion(boxes.middle() | {"mu0": friction}, line.value), np.abs)
         second[_MU0] = 0.0
         first = np.abs(inside.terms[:-1])
         straight = known[0] & ~known[1] & (first.sum(axis=0) > inside.error)
@@ -251,8 +239,19 @@ def _jumps(boxes: Boxes) -> Parameters | None:
     return None
 
 
+def _in_a_middle(fails: Callable[[Parameters], NDArray[np.bool_]]) -> Callable[[Boxes], Parameters | None]:
+    """The first middle of a box at which a claim is false."""
+
+    def refute(boxes: Boxes) -> Parameters | None:
+        middle = boxes.middle()
+        many = np.flatnonzero(fails(Parameters(**middle)))
+        return point_at(middle, many[0]) if many.size else None
+
+    return refute
+
+
 CLAIMS = {
     "no jump": Claim(_no_jump, _jumps, ("mu0",)),
-    "one equilibrium": Claim(_one_equilibrium, _three),
-    "no flutter": Claim(_no_flutter, _flutters),
+    "one equilibrium": Claim(_one_equilibrium, _in_a_middle(lambda p: count(p) == 3)),
+    "no flutter": Claim(_no_flutter, _in_a_middle(lambda p: (equilibria(p).stability == Stability.FLUTTER).any(axis=-1))),
 }

@@ -72,7 +72,7 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
         raise ParameterTypeError(
             f"part = {part!r}, to = {to!r}; give a text, and a function of one text, as show_progress(to=print)"
         )
-    work = _Work(to or _nothing, part)
+    work = _Work(to or str, part)  # a line listens for itself
     token = _work.set(work)
     try:
         if to is None:
@@ -105,10 +105,6 @@ def tell(text: str, *values: object) -> None:
     if work is not None:
         work.parts[-1] = text.format(*values)
         work.listener(str(work))
-
-
-def _nothing(_: str) -> None:
-    """Where a line asks for itself."""
 
 
 def _line(work: _Work) -> AbstractContextManager[object]:

@@ -22,7 +22,7 @@ from ..models.parameters import NAMES, FloatArray, Parameters
 from ..motion import simulate
 from ..motion.regimes import Regime
 from ..motion.sweeps import sensitivity
-from ..results.equilibria import Stability
+from ..results.equilibria import Equilibria, Stability
 from ..results.paths import Jump
 from .ledger import Found, Value, package_text
 
@@ -151,11 +151,15 @@ def base_regions() -> Found:
 
 
 def base_stability() -> Found:
-    eq = ss.equilibria(_at(_GRID))
-    stable, divergent = Stability.STABLE, Stability.DIVERGENT
-    three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
-    one = (eq.stability[eq.count == 1][:, 0] == stable).all()
-    return Found(bool(three and one), {"of three": ["stable", "divergent", "stable"], "of one": ["stable"]})
+    return Found(
+        _middle_diverges(ss.equilibria(_at(_GRID))), {"of three": ["stable", "divergent", "stable"], "of one": ["stable"]}
+    )
+
+
+def _middle_diverges(eq: Equilibria) -> bool:
+    """Whether of three states the middle one diverges and the others are stable, and of one that is."""
+    stable, three = Stability.STABLE, eq.stability[eq.count == 3]
+    return bool((three == [stable, Stability.DIVERGENT, stable]).all() and (eq.stability[eq.count == 1][:, 0] == stable).all())
 
 
 def lift_off() -> Found:
@@ -267,12 +271,8 @@ def flutter_sigma() -> Found:
 
 def sheets() -> Found:
     eq = ss.equilibria(_at(_GRID, mu0=np.linspace(0.0, MU0_MAX, 101)[:, None]))
-    stable, divergent = Stability.STABLE, Stability.DIVERGENT
-    three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
-    one = (eq.stability[eq.count == 1][:, 0] == stable).all()
     lowest = float(ss.flutter_boundary(_article()).mu0.min())
-    holds = bool(three and one and lowest > MU0_MAX)
-    return Found(holds, {"lowest mu0 with flutter": float(f"{lowest:.4g}")})
+    return Found(_middle_diverges(eq) and lowest > MU0_MAX, {"lowest mu0 with flutter": float(f"{lowest:.4g}")})
 
 
 def hopf() -> Found:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -29,6 +28,7 @@ from .style import (
     angle_axis,
     panels,
     plain_ticks,
+    stacked,
     styled,
     write_along,
 )
@@ -179,8 +179,8 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
     """
     figure, ((ax,),) = panels(1, 1, SINGLE * 1.3, 3.2)
     p = Parameters.article()
-    cells = _divided(p, step_deg, step_mu0, levels, workers)
-    image = ax.pcolormesh(cells.angles, cells.frictions, cells.rms, cmap="cividis", vmin=0.0, rasterized=True)
+    angles, frictions, rms, table = _divided(p, step_deg, step_mu0, levels, workers)
+    image = ax.pcolormesh(angles, frictions, rms, cmap="cividis", vmin=0.0, rasterized=True)
     found = ss.bifurcation_set(p)
     for curve in found.curves:
         ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
@@ -209,22 +209,15 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
         divergent state. Region II has nothing to do with folds: the only equilibrium there is stable, a large cycle lives
         beside it, at θ₀ = 132° from μ₀ = 0.3 upwards at least, and the motion from rest, which bounces on the belt, grows into
         that cycle where friction is above about 0.83. Its ragged edge depends on the start, and on rounding.""",
-        a=cells.table,
+        a=table,
     )
 
 
-@dataclass(frozen=True)
-class _Cells:
-    """A map over cells of unequal size: on the finest grid, and as a table of what was computed."""
-
-    angles: FloatArray
-    frictions: FloatArray
-    rms: FloatArray
-    table: Table
-
-
-def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers) -> _Cells:
-    columns: dict[str, list[NDArray[Any]]] = {"theta0_deg": [], "mu0": [], "rms_x": [], "regime": [], "level": []}
+def _divided(
+    p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers
+) -> tuple[FloatArray, FloatArray, FloatArray, Table]:  # fmt: skip
+    """A map over cells of unequal size: angles, frictions and RMS on the finest grid, and a table of what was computed."""
+    tables: list[Table] = []
     for level in range(levels + 1):
         angles = _centres(180.0, step_deg / 2**level)
         frictions = _centres(MU0_RANGE[1], step_mu0 / 2**level)
@@ -236,12 +229,11 @@ def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, worke
         where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
         sweep = rms_sweep(where, V, D, rtol=1e-8, workers=workers)
         rms[row, column] = sweep.rms
-        found: tuple[NDArray[Any], ...] = (
-            angles[column], frictions[row], sweep.rms, sweep.regime, np.full(row.size, level)
-        )  # fmt: skip
-        for values, more in zip(columns.values(), found, strict=True):
-            values.append(more)
-    return _Cells(angles, frictions, rms, {name: np.concatenate(values) for name, values in columns.items()})
+        tables.append({
+            "theta0_deg": angles[column], "mu0": frictions[row], "rms_x": sweep.rms, "regime": sweep.regime,
+            "level": np.full(row.size, level),
+        })  # fmt: skip
+    return angles, frictions, rms, stacked(tables)
 
 
 def _centres(top: float, step: float) -> FloatArray:

@@ -42,9 +42,9 @@ def draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> tuple[Cover, Ta
     low, high = MU0_RANGE
     angles = np.linspace(0.5, 179.5, round(120 * detail))
     polygons, colors = [], []
-    for sheet in surfaces.sheets(p, MU0_RANGE, angles, round(120 * detail)):
-        polygons += sheet.polygons
-        colors += [surfaces.shaded(_SHEET_COLORS[sheet.stability], polygon) for polygon in sheet.polygons]
+    for stability, sheet in surfaces.sheets(p, MU0_RANGE, angles, round(120 * detail)).items():
+        polygons += sheet
+        colors += [surfaces.shaded(_SHEET_COLORS[stability], polygon) for polygon in sheet]
     # One collection, so that polygons of all sheets are sorted by depth together; edges close the seams.
     filled = surfaces.of_equal_length(polygons)
     ax.add_collection3d(Poly3DCollection(filled, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -22,16 +21,8 @@ from ..results.equilibria import Stability
 _THETA0, _MU0, _X, _SLOPE, _DISCRIMINANT = range(5)
 
 
-@dataclass(frozen=True)
-class SurfaceSheet:
-    """Polygons of one stability, each an array of (θ₀ in degrees, μ₀, x)."""
-
-    stability: Stability
-    polygons: list[FloatArray]
-
-
-def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int = 90) -> list[SurfaceSheet]:
-    """The surface over the given θ₀ and between two frictions, cut along folds and flutter onsets.
+def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int) -> dict[Stability, list[FloatArray]]:
+    """Polygons of (θ₀ in degrees, μ₀, x): the surface between two frictions, cut along folds and flutter onsets.
 
     Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite. So
     the mesh has no hole; polygons are cut by straight lines where they leave a sheet.
@@ -45,7 +36,7 @@ def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: i
         Stability.DIVERGENT: _clip(polygons, _SLOPE, 0.0, keep_above=False),
         Stability.FLUTTER: _clip(standing, _DISCRIMINANT, 0.0, keep_above=False),
     }
-    return [SurfaceSheet(kind, [polygon[:, :3] for polygon in part]) for kind, part in parts.items() if part]
+    return {kind: [polygon[:, :3] for polygon in part] for kind, part in parts.items()}
 
 
 def _mesh(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:

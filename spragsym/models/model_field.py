@@ -120,61 +120,64 @@ class _Rooted:
         return self._xp.sqrt(value)
 
 
-def _borders(model: Model, row: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
-    """Level and rate of one of the generated borders: the gap, or the sliding speed."""
-    level, rate = map(undecorated, (model.algebra.borders, model.algebra.border_rates))
+def _generated(
+    model: Model, names: tuple[str, str], row: int, taken: Callable[[Any], Sequence[Any]] = lambda mode: ()
+) -> tuple[Callable[..., Any], Callable[..., Any]]:  # fmt: skip
+    """Level and rate of a border: a row of two generated functions, which may take numbers of the mode too."""
+    level, rate = (undecorated(getattr(model.algebra, name)) for name in names)
 
     def level_of(state: Any, constants: Any, mode: Any) -> Any:
-        return level(*state, *constants, xp=_namespace(state))[row]
+        return level(*state, *constants, *taken(mode), xp=_namespace(state))[row]
 
     def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-        return rate(*state, *accelerations, *constants, xp=_namespace(state))[row]
+        return rate(*state, *accelerations, *constants, *taken(mode), xp=_namespace(state))[row]
 
     return level_of, rate_of
 
 
+def _other(place: int, both: int) -> Callable[[Mode], Mode]:
+    """The mode whose number at a place is the other one of two that add up to ``both``."""
+    return lambda mode: (*mode[:place], both - mode[place], *mode[place + 1 :])
+
+
 def _contact(model: Model) -> Border:
     """Where the gap is zero. A law that is no polynomial may have no continuation beyond: it is left GAP before its border."""
-    level, rate = _borders(model, 0)
+    level, rate = _generated(model, ("borders", "border_rates"), 0)
     shift, name = 0.0 if model.about["contact"]["polynomial"] else 2 * GAP, f"{model.about['contact']['gap']} = 0"
 
     def shifted(state: Any, constants: Any, mode: Any) -> Any:
         return level(state, constants, mode) + shift
 
     return Border(
-        name, shifted if shift else level, rate, lambda mode: 1 - 2 * mode[0], lambda mode: (1 - mode[0], *mode[1:]),
+        name, shifted if shift else level, rate, lambda mode: 1 - 2 * mode[0], _other(0, 1),
         crossings=("contact_lost", "contact_regained"),
     )  # fmt: skip
 
 
 def _slip(model: Model) -> Border:
     """Where the sliding speed is zero."""
-    level, rate = _borders(model, 1)
+    level, rate = _generated(model, ("borders", "border_rates"), 1)
     along, belt = (model.about["friction"][name] for name in ("along", "belt"))
     name = f"{along if along.isidentifier() else f'({along})'}' = {belt}"
     return Border(
-        name, level, rate, lambda mode: mode[1], lambda mode: (mode[0], -mode[1], *mode[2:]),
+        name, level, rate, lambda mode: mode[1], _other(1, 0),
         crossings=("belt_overtakes", "mass_overtakes"),
     )  # fmt: skip
 
 
 def _layer(model: Model, number: int, reach: float) -> Border:
     """Where one of the exponentials of the sliding speed is about to be felt."""
-    level, rate = map(undecorated, (model.algebra.layers, model.algebra.layer_rates))
     place = 2 + number
+    depth, rate = _generated(model, ("layers", "layer_rates"), number, lambda mode: (mode[1],))
 
-    def level_of(state: Any, constants: Any, mode: Any) -> Any:
-        return level(*state, *constants, mode[1], xp=_namespace(state))[number] - reach - WIDTH * mode[place]
-
-    def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-        return rate(*state, *accelerations, *constants, mode[1], xp=_namespace(state))[number]
+    def level(state: Any, constants: Any, mode: Any) -> Any:
+        return depth(state, constants, mode) - reach - WIDTH * mode[place]
 
     def watched(state: Any, constants: Any, mode: Any) -> Any:
-        return 1e-3 * level_of(state, constants, mode) / reach
+        return 1e-3 * level(state, constants, mode) / reach
 
     return Border(
-        f"layer {number + 1}", level_of, rate_of, lambda mode: 1 - 2 * mode[place],
-        lambda mode: (*mode[:place], 1 - mode[place], *mode[place + 1 :]), kink=False, watched=watched,
+        f"layer {number + 1}", level, rate, lambda mode: 1 - 2 * mode[place], _other(place, 1), kink=False, watched=watched,
     )  # fmt: skip
 
 
@@ -193,7 +196,7 @@ def _turn(model: Model) -> Border:
     row, n, place = model.coordinates.index(model.about["contact"]["gap"]), len(model.coordinates), 2 + model.about["layers"]
     return Border(
         "gap' = 0", lambda state, *_: state[n + row], lambda _, accelerations, *__: accelerations[row], lambda mode: mode[place],
-        lambda mode: (*mode[:place], -mode[place], *mode[place + 1 :]),
+        _other(place, 0),
     )  # fmt: skip
 
 
@@ -202,22 +205,15 @@ def _way(model: Model, number: int, torsions: int) -> Border:
 
     Each way is smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
     """
-    level, rate = map(undecorated, (model.algebra.turning_borders, model.algebra.turning_rates))
     first = 2 + model.about["layers"] + _turns(model)
-    place = first + number
-
-    def level_of(state: Any, constants: Any, mode: Any) -> Any:
-        return level(*state, *constants, *mode[first : first + torsions], xp=_namespace(state))[number]
-
-    def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-        return rate(*state, *accelerations, *constants, *mode[first : first + torsions], xp=_namespace(state))[number]
+    names, place = ("turning_borders", "turning_rates"), first + number
+    level, rate = _generated(model, names, number, lambda mode: mode[first : first + torsions])
 
     def jumps(state: Any, constants: Any) -> bool:
         return bool(_turned(model, state, constants)[number][1] < 0)
 
     return Border(
-        f"turning {number + 1}", level_of, rate_of, lambda mode: 1,
-        lambda mode: (*mode[:place], -mode[place], *mode[place + 1 :]), jumps=jumps,
+        f"turning {number + 1}", level, rate, lambda mode: 1, _other(place, 0), jumps=jumps,
     )  # fmt: skip
 
 

@@ -100,13 +100,13 @@ def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: floa
     rng = np.random.default_rng(2)
     places = np.stack([rng.uniform(3, 177, 60), rng.uniform(0.03, 0.97, 60)], axis=-1)
     covered: list[list[tuple[int, float]]] = [[] for _ in places]
-    for sheet in found:
-        for polygon in sheet.polygons:
+    for stability, sheet in found.items():
+        for polygon in sheet:
             assert -1e-9 <= polygon[:, 1].min() <= polygon[:, 1].max() <= 1 + 1e-9
             box = (places >= polygon[:, :2].min(axis=0)).all(axis=-1) & (places <= polygon[:, :2].max(axis=0)).all(axis=-1)
             for i in np.flatnonzero(box):
                 if Outline(polygon[:, :2]).contains_point(places[i]):
-                    covered[i].append((int(sheet.stability), float(polygon[:, 2].mean())))
+                    covered[i].append((int(stability), float(polygon[:, 2].mean())))
     wrong = 0
     for place, states in zip(places, covered, strict=True):
         eq = ss.equilibria(p.replace(theta0=np.radians(place[0]), mu0=place[1]))

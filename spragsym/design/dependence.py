@@ -65,11 +65,6 @@ class Dependence:
 def dependence(names: Sequence[str], correlation: Correlation | None = None) -> Dependence:
     """How some quantities vary together.
 
-    Raises
-    ------
-    ParameterError
-        For pairs that are none of the quantities, numbers beyond −1 and 1, and correlations that can't all be true.
-
     Examples
     --------
     >>> found = dependence(("k", "k_x", "mu0"), {("k", "k_x"): 1.0})

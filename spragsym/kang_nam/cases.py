@@ -21,12 +21,5 @@ _CASES: tuple[tuple[str, float, dict[str, float]], ...] = (
 
 
 def cases() -> tuple[tuple[str, Parameters], ...]:
-    """Named points of all parameters.
-
-    Examples
-    --------
-    >>> name, p = cases()[0]
-    >>> name, float(p.mu0)
-    ('Article, base values, before the fold: θ₀ = 30°', 0.5)
-    """
+    """Named points of all parameters."""
     return tuple((name, Parameters.article(theta0=math.radians(angle), **changed)) for name, angle, changed in _CASES)

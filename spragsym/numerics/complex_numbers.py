@@ -10,15 +10,7 @@ from .arithmetic import Arithmetic
 
 @dataclass(frozen=True)
 class Complex(Arithmetic):
-    """re + i im.
-
-    Examples
-    --------
-    >>> Complex(1, 2) * Complex(0, 1)
-    Complex(re=-2, im=1)
-    >>> Complex(-2.0, 1.0) / Complex(0.0, 1.0)
-    Complex(re=1.0, im=2.0)
-    """
+    """re + i im."""
 
     re: Any
     im: Any

@@ -244,13 +244,7 @@ def change(value: Any, order: int) -> Jet:
 
 @cache
 def binomial_series(exponent: Fraction, order: int) -> tuple[float, ...]:
-    """Coefficients of (1 + h)^exponent up to that order; for half-integers they are binary fractions, hence exact.
-
-    Examples
-    --------
-    >>> binomial_series(Fraction(1, 2), 3)
-    (1.0, 0.5, -0.125, 0.0625)
-    """
+    """Coefficients of (1 + h)^exponent up to that order; for half-integers they are binary fractions, hence exact."""
     series = [Fraction(1)]
     for k in range(order):
         series.append(series[-1] * (exponent - k) / (k + 1))

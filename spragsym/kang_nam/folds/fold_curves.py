@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,13 +27,16 @@ _COARSE = 512
 _FIRST = 1e-7
 
 
-@dataclass(frozen=True)
-class Strand:
+class Strand(NamedTuple):
     """One curve of folds, points in order."""
 
     theta: FloatArray
     theta0: FloatArray
     mu0: FloatArray
+
+    def part(self, which: slice) -> Strand:
+        """Some of the points."""
+        return Strand(*(column[which] for column in self))
 
 
 # ------------------------------------------------------------------------------------------- folds at a given θ
@@ -204,7 +207,7 @@ def _one_sign(strand: Strand, events: list[float], fixed: Fixed, *, positive: bo
     for begin, end in zip([0, *changes], [*changes, good.size], strict=True):
         if not good[begin]:
             continue
-        part = Strand(strand.theta[begin:end], strand.theta0[begin:end], strand.mu0[begin:end])
+        part = strand.part(slice(begin, end))
         before = _zero_friction(strand, begin - 1, events, fixed) if begin else None
         after = _zero_friction(strand, end - 1, events, fixed) if end < good.size else None
         chunks = [chunk for chunk in (before, part, after) if chunk is not None]
@@ -214,7 +217,7 @@ def _one_sign(strand: Strand, events: list[float], fixed: Fixed, *, positive: bo
 
 
 def _concatenated(chunks: list[Strand]) -> Strand:
-    return Strand(*(np.concatenate([getattr(chunk, name) for chunk in chunks]) for name in ("theta", "theta0", "mu0")))
+    return Strand(*map(np.concatenate, zip(*chunks, strict=True)))
 
 
 def _zero_friction(strand: Strand, place: int, events: list[float], fixed: Fixed) -> Strand | None:
@@ -249,14 +252,10 @@ def _joined(parts: list[Strand], others: list[Strand]) -> list[Strand]:
 
 
 def _end_to_end(one: Strand, two: Strand) -> Strand | None:
-    for first in (one, _backward(one)):
-        for second in (two, _backward(two)):
+    for first, second in itertools.product(*((strand, strand.part(slice(None, None, -1))) for strand in (one, two))):
+        if first.mu0[-1] > 0:
             a = np.array([first.theta[-1], first.theta0[-1], first.mu0[-1] / (1 + first.mu0[-1])])
             b = np.array([second.theta[0], second.theta0[0], second.mu0[0] / (1 + second.mu0[0])])
-            if first.mu0[-1] > 0 and np.abs(a - b).max() < 1e-6:
+            if np.abs(a - b).max() < 1e-6:
                 return _concatenated([first, second])
     return None
-
-
-def _backward(strand: Strand) -> Strand:
-    return Strand(strand.theta[::-1], strand.theta0[::-1], strand.mu0[::-1])

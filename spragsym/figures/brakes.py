@@ -30,12 +30,16 @@ def draw_operating_point(
     p: ParameterSet, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan"), ax: Axes | None = None, *,
     n: int = 60,
 ) -> Any:  # fmt: skip
-    """The bifurcation set of any model over inclination and friction, with a brake in it, see :func:`mark_brake`.
+    """The bifurcation set of any model over inclination and friction, the point where a brake works, its tolerances and its jump.
 
     Parameters
     ----------
-    p, theta0, mu0, jump
-        As for :func:`mark_brake`.
+    p : Parameters
+        Scalars, with the friction that works.
+    theta0, mu0 : (float, float)
+        Ends of the tolerances, radians.
+    jump : float
+        Friction at which the followed state jumps at θ₀, NaN if it never does, or is not to be shown.
     ax : Axes, optional
     n : int
         Lines of either parameter on which a search looks for folds.
@@ -53,23 +57,7 @@ def draw_operating_point(
 def mark_brake(
     ax: Axes, p: ParameterSet, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan")
 ) -> Any:  # fmt: skip
-    """The point where a brake works in the plane of inclination and friction, the box of its tolerances, and where it jumps.
-
-    Parameters
-    ----------
-    ax : Axes
-        Of θ₀ in degrees and μ₀.
-    p : Parameters
-        Scalars, with the friction that works.
-    theta0, mu0 : (float, float)
-        Ends of the tolerances, radians.
-    jump : float
-        Friction at which the followed state jumps at θ₀, NaN if it never does, or is not to be shown.
-
-    Returns
-    -------
-    matplotlib line of the point
-    """
+    """A brake in the plane of θ₀ in degrees and μ₀: its point, the box of its tolerances, and where it jumps, if it does."""
     radians, friction = p.scalars("theta0", "mu0")
     angle = float(np.degrees(radians))
     low, high = np.degrees(theta0)

@@ -36,18 +36,10 @@ def path_of(target: Path) -> Path:
 def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
     """Finished points of an earlier run to ``target``, and a function that stores one more.
 
-    Every line is out of this process before the next task is asked for. A line that a kill cut short is
-    dropped; a damaged one is dropped with a :class:`~spragsym.errors.DamageWarning`. The journal is removed when
-    the body ends well, which must have written the target; whatever else ends the body says how many points are
-    kept.
-
-    Raises
-    ------
-    StoreError
-        If another process writes to the same target, the journal cannot be read or written, or nothing in it
-        can be told to be of any sweep.
-    ParameterError
-        If it holds points of another sweep.
+    Every line is out of this process before the next task is asked for. The journal is removed when the body ends well, which
+    must have written the target; whatever else ends the body says how many points are kept. A line that a kill cut short is
+    dropped, a damaged one with a :class:`~spragsym.errors.DamageWarning`. Another process at it, a file that can't be read or
+    written, or that is no journal, is a StoreError; points of another sweep are a ParameterError.
     """
     path = path_of(target)
     with ExitStack() as stack:

@@ -27,17 +27,10 @@ class HeldError(StoreError):
 
 @contextmanager
 def exclusive(path: Path) -> Iterator[FileIO]:
-    """Open a file to read and append, created if absent, for this caller alone until the context ends.
+    """Open a file to read and append, created if absent, for this caller alone until the context ends, or raise a HeldError.
 
-    The system lets go of the lock when the process ends, whatever ends it. On a network file system it holds
-    between machines as far as the file system's own locks do; where there are none, a warning says so.
-
-    Raises
-    ------
-    HeldError
-        At once, if another has it.
-    OSError
-        If the file can't be opened.
+    The system lets go of the lock when the process ends, whatever ends it. On a network file system it holds between machines as
+    far as the file system's own locks do; where there are none, a warning says so.
     """
     with _opened(path) as file:
         yield file

@@ -131,13 +131,7 @@ _TRAILED = re.compile(rb"(.*\n)# sha256: ([0-9a-f]{64})\n", re.DOTALL)
 
 
 def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Columns, flat, and attributes of a file that :func:`write` wrote.
-
-    Raises
-    ------
-    StoreError
-        If the file cannot be read, or a single bit of it is not as it was written.
-    """
+    """Columns, flat, and attributes of a file that :func:`write` wrote; a StoreError if a bit of it has changed."""
     content = _verified(path)
     return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
 

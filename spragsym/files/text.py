@@ -14,10 +14,7 @@ BY_HAND, MEASURED = 1 << 20, 8 << 20
 def contents(path: str | os.PathLike[str], largest: int = BY_HAND, what: str = "another file") -> bytes:
     """The bytes of a file, or of a pipe; a device without end, and a pipe that nobody writes to, end too.
 
-    Raises
-    ------
-    ParameterError
-        If there is no such file, or it holds more than ``largest`` bytes.
+    If there is no such file, or it holds more than ``largest`` bytes, that is a ParameterError.
     """
     name = os.fspath(path)
     shown = name if len(name) <= 200 else f"{name[:80]}…"

@@ -66,12 +66,9 @@ def probe(path: str | os.PathLike[str], bytes_needed: int = 0, *, made: bool = F
 
 
 def put(path: str | os.PathLike[str], data: bytes | str, *, made: bool = False) -> None:
-    """Write a file, whole or not at all; a file that was there keeps its mode. ``made`` is for a folder that is made if missing.
+    """Write a file, whole or not at all, or raise a StoreError that names it; a file that was there keeps its mode.
 
-    Raises
-    ------
-    StoreError
-        If it can't be written; it names the file.
+    ``made`` is for a folder that is made if missing.
     """
     target = resolved(path)
     try:

@@ -10,11 +10,8 @@ from ..interrupts import held
 
 @functools.cache
 def library() -> Any:
-    """The module, which from now on reports errors only.
-
-    Its warnings are of a cache that can't be written, as in a read-only home, and of its search for crossings near a tangency.
-    ``heyoka.set_logger_level_warning()`` brings them back.
-    """
+    """The module, which from now on reports errors only: its warnings are of a cache that can't be written, as in a read-only
+    home, and of its search for crossings near a tangency. ``heyoka.set_logger_level_warning()`` brings them back."""
     with held():
         import heyoka as hy
     hy.set_logger_level_error()

@@ -26,17 +26,11 @@ Columns = Mapping[str, NDArray[Any]]
 
 @dataclass
 class Slots:
-    """Equilibria of ``size`` points, up to ``slots`` of each.
+    """Equilibria of ``size`` points, up to ``slots`` of each; ``count`` says how many each point has.
 
-    Attributes
-    ----------
-    count : ndarray of int8
-        How many each point has.
-    first : mapping of str to ndarray
-        The first equilibrium of every point; after :meth:`clear`, NaN and 0 for points without one.
-    further : list of (rows, columns)
-        Of some points, all of those that are in slots 1 and up, columns of shape (slots − 1, len(rows)), NaN and 0 beyond the
-        count. A later entry replaces an earlier one.
+    ``first`` is the first equilibrium of every point; after :meth:`clear`, NaN and 0 for points without one. ``further`` are rows
+    and columns: of some points all equilibria in slots 1 and up, of shape (slots − 1, len(rows)), NaN and 0 beyond the count. A
+    later entry replaces an earlier one.
     """
 
     size: int

@@ -75,21 +75,8 @@ def range_of(name: str, remedy: str = "") -> Range:
 def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
     """``value`` as a float64 array of any shape, or an error that names the argument.
 
-    Parameters
-    ----------
-    name : str
-        Name of the argument, for the error.
-    value : array_like
-        Real numbers: int, float32 and float64 are taken; a masked array only if nothing in it is masked.
-    allowed : Range
-        Where every number must lie.
-
-    Raises
-    ------
-    ParameterTypeError
-        For strings, booleans, complex numbers, objects, ragged lists, masked values, quantities with units and named dimensions.
-    ParameterError
-        For NaN, infinities and numbers out of range.
+    Texts, booleans, complex numbers, objects, ragged lists, masked values, units and named dimensions are a ParameterTypeError;
+    NaN, infinities and numbers out of range a ParameterError.
     """
     if type(value) is float and allowed.contains(value):  # most are
         single: FloatArray = np.array(value)

@@ -22,13 +22,7 @@ class Unit:
 
 
 def checked_units(units: Mapping[str, Unit] | None, parameters: Collection[str], angles: Collection[str]) -> dict[str, Unit]:
-    """Units by name, without powers that are 0, for a model with these parameters, of which some are angles.
-
-    Raises
-    ------
-    ParameterError, ParameterTypeError
-        For what is no unit, has no ends above 0, the name of a parameter, or powers of what is measured in none.
-    """
+    """Units by name, without powers that are 0, for a model with these parameters, of which some are angles; or an error."""
     if not isinstance(units or {}, Mapping):
         raise ParameterTypeError(f"units = {units!r:.60} is no mapping; give units by name")
     found = {}

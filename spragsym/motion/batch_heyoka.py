@@ -7,7 +7,6 @@ begun again without it, since nothing says what its last step has done to them.
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -22,7 +21,7 @@ from ..models.parameters import FloatArray
 from .measures import Course
 from .motions import Measured, Motions, Turns
 from .problem import Event, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
-from .with_heyoka import CHUNK, Approach, Equations, tolerance
+from .with_heyoka import CHUNK, Approach, Equations, compiled, count_of, tolerance
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -79,11 +78,11 @@ class Lanes:
     With ``watch`` it also carries the integrals of a :class:`~spragsym.motion.measures.Course`, and notes where x' = 0.
     """
 
-    def __init__(self, field: Field, constants: int, rtol: float, watch: bool) -> None:
+    def __init__(self, field: Field, rtol: float, watch: bool) -> None:
         hy = library()
 
         equations = Equations.of(field, watch=watch)
-        self.size, self.constants, self.watch = field.size, constants, watch
+        self.size, self.constants, self.watch = field.size, count_of(field), watch
         self.modes: list[Mode] = [field.modes[0]] * LANES
         self.turns: list[Turns | None] = [None] * LANES
         self.counts = [[0] * EVENTS for _ in range(LANES)]
@@ -263,21 +262,9 @@ def _scale(duration: float) -> float:
     return 1e-3 / duration
 
 
-_CACHE = threading.local()
-
-
-def _compiled(motions: Motions, watch: bool) -> Lanes:
-    """Compiled once per model, tolerance and thread."""
-    known: dict[tuple[str, float, bool], Lanes] = _CACHE.__dict__.setdefault("compiled", {})
-    key = motions.field.name, motions.rtol, watch
-    if key not in known:
-        known[key] = Lanes(motions.field, motions.constants.shape[1], motions.rtol, watch)
-    return known[key]
-
-
 def ends(motions: Motions) -> FloatArray:
     """States at ``t_end``; an error where one of them stops."""
-    stage = _compiled(motions, watch=False).carry(Stage.of(motions), 0.0, motions.t_end)
+    stage = compiled(Lanes, motions.field, motions.rtol, watch=False).carry(Stage.of(motions), 0.0, motions.t_end)
     for error in stage.errors.values():
         raise error
     return stage.carried
@@ -290,9 +277,9 @@ def watch(motions: Motions) -> tuple[Measured, list[int]]:
     """
     stage = Stage.of(motions)
     if motions.t_record > 0:
-        stage = _compiled(motions, watch=False).carry(stage, 0.0, motions.t_record)
+        stage = compiled(Lanes, motions.field, motions.rtol, watch=False).carry(stage, 0.0, motions.t_record)
     first, begin, end = stage.carried, motions.t_record, motions.t_end
-    stage = _compiled(motions, watch=True).carry(stage, begin, end)
+    stage = compiled(Lanes, motions.field, motions.rtol, watch=True).carry(stage, begin, end)
     size = first.shape[1]
     last, integrals = stage.carried[:, :size], stage.carried[:, size:] / _scale(end - begin)
     low, high = np.fmin(first[:, 0], last[:, 0]), np.fmax(first[:, 0], last[:, 0])

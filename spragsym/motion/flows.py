@@ -14,15 +14,18 @@ from ..models.parameters import FloatArray
 from . import batch_heyoka, integrators
 from .measures import Course
 from .motions import Motions
-from .periodic_orbit import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
+from .periodic_orbit import Closed, closed_orbit, nearly_closed
 from .problem import Problem
-from .segment import Fly
+from .segment import Fly, Passage, Turn
 from .shooting import CLOSED, Loop
 from .with_heyoka import taylor_of
 from .with_scipy import Flight
 
 #: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
+
+#: Differences of a flow are taken over this; by how much an orbit that is found with them may stay open, at first and in the end.
+STEP, ROUGH, OPEN = 1e-5, 1e-4, 1e-9
 
 #: Tolerance by which SciPy follows a motion to where Newton's method can begin.
 LOOSE = 1e-9
@@ -77,10 +80,23 @@ class Onward:
             return batch_heyoka.ends(self._motions(states, duration))
         return np.array([course.last for course in self.courses(states, duration)])
 
+    def _forward(self, state: FloatArray, _: Any, duration: float, __: Any) -> Passage:
+        """``fly`` by forward differences of the plain flow."""
+        last, *others = self.ends(np.vstack([state, state + STEP * np.eye(state.size)]), duration)
+        return Passage(last, (np.array(others) - last).T / STEP, np.zeros((state.size, 2)), (), ())
+
+    def _central(self, state: FloatArray, _: Any, duration: float, __: Any) -> Passage:
+        """``fly`` by central differences of the plain flow; crossings are not reported."""
+        m, off = state.size, STEP * np.eye(state.size)
+        course, *others = self.courses(np.vstack([state, state + off, state - off]), duration)
+        last = np.array([other.last for other in others])
+        unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
+        turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
+        return Passage(course.last, (last[:m] - last[m:]).T / (2 * STEP), np.zeros((m, 2)), (), tuple(turns))
+
     def roughly(self, state: FloatArray, fixed: int, period: float, reach: float, precision: float = ROUGH) -> Loop:
         """The closed orbit near a state of a section, where the number at the place ``fixed`` has its value, to some digits."""
-        fly = by_forward_differences(self.field, self.ends)
-        return nearly_closed(self.field, fly, state, fixed, period, reach, precision)
+        return nearly_closed(self.field, self._forward, state, fixed, period, reach, precision)
 
     def closed(self, state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
         """The same to all digits."""
@@ -90,7 +106,7 @@ class Onward:
         with suppress(ConvergenceError):
             guess = fine.roughly(state, fixed, period, reach, near).guess
             state, period = guess.states[0], guess.period
-        fly: Fly = by_differences(self.field, fine.courses)
+        fly: Fly = fine._central
         if self.backend != "compiled":
             fly = (taylor_of if self.backend == "heyoka" else Flight)(self.field, directions=0).fly
         return closed_orbit(self.field, fly, state, fixed, period, reach, precision)

@@ -31,7 +31,7 @@ _INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_c
 
 def offered_for(model: Model) -> tuple[str, ...]:
     """Integrators that take its motion: what is compiled on installation is that of a model that brings its own."""
-    return BACKENDS if "integrate" in model.closed else OF_ANY_MODEL
+    return OF_ANY_MODEL if model.closed_form("integrate") is None else BACKENDS
 
 
 def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:

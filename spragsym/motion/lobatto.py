@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from ..models.parameters import FloatArray
@@ -18,9 +19,9 @@ DEGREE = 12
 @cache
 def lobatto() -> tuple[FloatArray, FloatArray]:
     """Gauss–Lobatto points in [−1, 1], ends included, and their weights."""
-    legendre = np.polynomial.Legendre.basis(DEGREE)
-    points = np.concatenate([[-1.0], np.sort(legendre.deriv().roots().real), [1.0]])
-    weights = 2 / (DEGREE * (DEGREE + 1) * legendre(points) ** 2)
+    basis = legendre.Legendre.basis(DEGREE)
+    points = np.concatenate([[-1.0], np.sort(basis.deriv().roots().real), [1.0]])
+    weights = 2 / (DEGREE * (DEGREE + 1) * basis(points) ** 2)
     return points, weights
 
 
@@ -34,18 +35,6 @@ def _barycentric() -> FloatArray:
     points, weights = lobatto()
     barycentric: FloatArray = np.sqrt(weights) * (-1.0) ** np.arange(len(points))
     return barycentric
-
-
-@cache
-def _differentiation() -> FloatArray:
-    """The matrix that takes values at the Lobatto points in [−1, 1] to the derivatives of their polynomial there."""
-    points, _ = lobatto()
-    weights, apart = _barycentric(), points[:, None] - points
-    np.fill_diagonal(apart, 1.0)
-    matrix: FloatArray = weights / weights[:, None] / apart
-    np.fill_diagonal(matrix, 0.0)
-    np.fill_diagonal(matrix, -matrix.sum(axis=1))
-    return matrix
 
 
 @dataclass(frozen=True)
@@ -80,7 +69,9 @@ class PiecewisePolynomial:
         """Derivative of a component at the samples; where two steps meet that of the later one."""
         steps = self.t[::DEGREE]
         inside = self.states[row, np.arange(len(steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
-        slopes = inside @ _differentiation().T * (2 / np.diff(steps))[:, None]
+        points, _ = lobatto()
+        derivatives = legendre.legval(points, legendre.legder(np.linalg.inv(legendre.legvander(points, DEGREE))))
+        slopes = inside @ derivatives * (2 / np.diff(steps))[:, None]
         return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
 
     def after(self, begin: float) -> PiecewisePolynomial:
@@ -92,15 +83,16 @@ class PiecewisePolynomial:
         states = np.concatenate([self.at(np.full(t.shape, step), t)[:, :-1], self.states[:, end:]], axis=1)
         return PiecewisePolynomial(np.concatenate([t[:-1], self.t[end:]]), states)
 
-    def passages(self, values: FloatArray, function: Callable[[FloatArray], FloatArray]) -> FloatArray:
-        """Times where ``values``, a ``function`` of the state, cease to be negative: Illinois method."""
+    def passages(self, row: int, sign: int) -> FloatArray:
+        """Times where a component, times a sign, ceases to be negative: Illinois method."""
+        values = sign * self.states[row]
         (before,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
         step, low, high = before // DEGREE, self.t[before], self.t[before + 1]
         below, above = values[before], values[before + 1]
         root, was_left, was_right = high, np.zeros(len(high), dtype=bool), np.zeros(len(high), dtype=bool)
         for _ in range(60):
             last, root = root, high - above * (high - low) / (above - below)
-            value = function(self.at(step, root))
+            value = sign * self.at(step, root)[row]
             left = value < 0
             # Where an end of the interval stays twice in a row, its value is halved: that draws the next root to its side.
             above = np.where(left, np.where(was_left, above / 2, above), value)

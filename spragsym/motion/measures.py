@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,12 +53,6 @@ def moments_of(first: Any, shift: Any, square: Any) -> tuple[Any, Any]:
     return first + shift, np.sqrt(np.maximum(square - shift * shift, 0.0))
 
 
-#: Continue motions from states (k, 2 n) for a given time; an error where one of them cannot be continued.
-Courses: TypeAlias = Callable[[FloatArray, float], list[Course]]
-#: The same where only the states at the end are asked for, (k, 2 n).
-Ends: TypeAlias = Callable[[FloatArray, float], FloatArray]
-
-
 def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
     """The course of a motion given by its samples, and the number of events of each kind."""
     t, states = samples.t, samples.states
@@ -69,8 +62,7 @@ def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
         shift = state[0] - states[0, 0]
         return np.array([shift, shift**2, *state[1:n]])
 
-    lowest = samples.passages(states[n], lambda state: state[n])
-    highest = samples.passages(-states[n], lambda state: -state[n])
+    lowest, highest = (samples.passages(n, sign) for sign in (1, -1))
     maxima, minima = samples(highest).T, samples(lowest).T
     extrema = np.concatenate([states[0, [0, -1]], maxima[:, 0], minima[:, 0]])
     late = highest[-KEPT:]

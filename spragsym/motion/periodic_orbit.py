@@ -9,18 +9,8 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import FloatArray
-from .measures import Courses, Ends
-from .segment import Fly, Passage, Turn
+from .segment import Fly
 from .shooting import Guess, Loop, once_round, rate, solved, through
-
-#: Differences of a flow are taken over this, where an integrator carries no derivatives.
-STEP = 1e-5
-
-#: Step of forward differences, and how closely an orbit closes that is found with them.
-COARSE, ROUGH = 1e-5, 1e-4
-
-#: By how much an orbit that is found with differences over STEP may stay open.
-OPEN = 1e-9
 
 
 @dataclass(frozen=True)
@@ -67,29 +57,3 @@ def nearly_closed(
     on_section = through(state, np.eye(state.size)[fixed], state.size + 1)
     guess = Guess(state[None], period, ())
     return solved(field, fly, guess, on_section, reach=reach, iterations=iterations, precision=precision, closed=precision)
-
-
-def by_forward_differences(field: Field, ends: Ends) -> Fly:
-    """``fly`` of the plain flow, with its forward differences."""
-    m = field.size
-
-    def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
-        last, *others = ends(np.vstack([state, state + COARSE * np.eye(m)]), duration)
-        return Passage(last, (np.array(others) - last).T / COARSE, np.zeros((m, 2)), (), ())
-
-    return fly
-
-
-def by_differences(field: Field, courses: Courses) -> Fly:
-    """``fly`` of a flow that carries no derivatives: by central differences; crossings are not reported."""
-    m = field.size
-    unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
-
-    def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
-        off = STEP * np.eye(m)
-        course, *others = courses(np.vstack([state, state + off, state - off]), duration)
-        last = np.array([other.last for other in others])
-        turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
-        return Passage(course.last, (last[:m] - last[m:]).T / (2 * STEP), np.zeros((m, 2)), (), tuple(turns))
-
-    return fly

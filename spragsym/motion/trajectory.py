@@ -238,9 +238,7 @@ class Trajectory(Result):
         """
         row, n = self._row(of, self.model.coordinates), len(self.model.coordinates)
         late = self.after(transient)
-        speed = late.state[row + n]
-        lowest = late.samples.passages(speed, lambda state: state[row + n])
-        extrema = np.concatenate([lowest, late.samples.passages(-speed, lambda state: -state[row + n])])
+        extrema = np.concatenate([late.samples.passages(row + n, sign) for sign in (1, -1)])
         return spectra.decay_rate_of(extrema, late.samples(extrema)[row])
 
     def plot(self, ax: Any = None, *, transient: float = 0.0, of: str | None = None) -> Any:  # type: ignore[override]  # names its options
@@ -297,8 +295,7 @@ class Trajectory(Result):
         row, n = self._row(of, self.components), len(self.components) // 2
         speed = self.state[row + n] if row < n else self.samples.slopes(row)
         both = PiecewisePolynomial(self.t, np.array([values, speed]))
-        lowest, highest = both.passages(speed, lambda state: state[1]), both.passages(-speed, lambda state: -state[1])
-        return np.concatenate([values[[0, -1]], both(lowest)[0], both(highest)[0]])
+        return np.concatenate([values[[0, -1]], *(both(both.passages(1, sign))[0] for sign in (1, -1))])
 
     def _arguments(self) -> list[float]:
         return [float(value) for value in self.model.arguments(self.p, "motion")]

@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -39,6 +39,8 @@ FELT = 37.0
 
 #: Largest tolerance of fields with a border that is curved.
 CURVED = 1e-3 * GAP
+
+T = TypeVar("T")
 
 #: Times and states by steps, shapes (steps, DEGREE + 1) and (steps, 4, DEGREE + 1).
 Samples: TypeAlias = tuple[FloatArray, FloatArray]
@@ -327,24 +329,24 @@ def _sampled(output: Any) -> Samples:
 _CACHE = threading.local()
 
 
-def _compiled(field: Field, tol: float, **options: Any) -> Taylor:
-    """Compiled once per field, tolerance and thread."""
-    known: dict[Any, Taylor] = _CACHE.__dict__.setdefault("compiled", {})
-    key = field.name, tol, *options.items()
+def compiled(kind: Callable[..., T], field: Field, tol: float, **options: Any) -> T:
+    """An integrator that is compiled once per field, tolerance and thread."""
+    known: dict[Any, T] = _CACHE.__dict__.setdefault("compiled", {})
+    key = kind, field.name, tol, *options.items()
     if key not in known:
-        known[key] = Taylor(field, tol, **options)
+        known[key] = kind(field, tol, **options)
     return known[key]
 
 
 def taylor_for(problem: Problem) -> Taylor:
     """What carries a motion."""
-    return _compiled(problem.field, problem.rtol)
+    return compiled(Taylor, problem.field, problem.rtol)
 
 
 def taylor_of(field: Field, derivatives: bool = True, directions: int = 2) -> Taylor:
     """What carries a flow, with turns; without ``directions``, derivatives by parameters are 0."""
     tol = TOLERANCE if derivatives else PLAIN
-    return _compiled(field, tol, derivatives=derivatives, directions=directions * derivatives, turning=True)
+    return compiled(Taylor, field, tol, derivatives=derivatives, directions=directions * derivatives, turning=True)
 
 
 def integrate(problem: Problem) -> Solution:

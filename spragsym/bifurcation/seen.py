@@ -65,7 +65,8 @@ def with_seen(
     proved, open_ = (
         on_its_side(system, fixed, Roots.at(part), partial(PreciseAugmented, system)) for part in (ends, wide[:, :, ~sure])
     )
-    omega = omega[[int(np.abs(candidates[:, ~sure] - z[:, None]).max(axis=0).argmin()) for z in open_.middle.T]]
+    apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
+    omega = omega[linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
     every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
     every = every.kept(np.argsort(-every.alone[0, 0]))
     keep, _ = certified_roots.once(every.ends, every.alone, every.point)

@@ -121,6 +121,9 @@ def test_a_double_hopf_point_in_closed_form() -> None:
     places = np.concatenate([[curve.kappa - 1.0, curve.zeta - fed] for curve in curves.curves], axis=1).T
     near = places[np.hypot(*places.T) < 0.1]
     assert {tuple(np.sign(row).tolist()) for row in near} == {(1, 1), (1, -1), (-1, 1), (-1, -1)}
+    # Along a line through it both pairs cross at one place, each with its frequency: roots of λ⁴ + b₂ λ² + b₀.
+    both = ss.flutter_onsets(p.replace(kappa=1.0), vary="zeta", between={"zeta": (0.0, 0.4)})
+    assert np.sort(both.omega**2) == pytest.approx(np.sort(np.roots([1, -(2 + 2 * g - fed**2), 1 + 2 * g])), abs=1e-6)
 
 
 @pytest.mark.thorough

@@ -81,10 +81,11 @@ def reach_of(rtol: float) -> float:
     return 5 - math.log(rtol)
 
 
-def too_many_steps(max_steps: int, t: float, t_end: float, rtol: float) -> ConvergenceError:
-    """The error of a motion that has used its steps."""
+def too_many_steps(max_steps: int, t: float, t_end: float, rtol: float, *, given: bool = True) -> ConvergenceError:
+    """The error of a motion that has used its steps, as many as are ``given`` or as there are for any."""
+    made, more = ("max_steps = ", "a larger max_steps, ") if given else ("", "")
     return ConvergenceError(
-        f"max_steps = {max_steps} steps were made by t = {t:.6g} of {t_end:g}; give a larger max_steps, a "
+        f"{made}{max_steps} steps were made by t = {t:.6g} of {t_end:g}; give {more}a "
         f"smaller t_end or a larger rtol than {rtol:g}, or a less steep friction law: creep is stiff where it is steep"
     )
 

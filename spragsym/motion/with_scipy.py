@@ -78,7 +78,7 @@ class Flight:
         try:
             for steps, piece in enumerate(self._pieces(whole, constants, duration, directions)):
                 if steps >= MAX_STEPS:
-                    raise too_many_steps(MAX_STEPS, piece.clock + piece.end, duration, self.rtol)
+                    raise too_many_steps(MAX_STEPS, piece.clock + piece.end, duration, self.rtol, given=False)
                 turns += self._turns(piece, constants)
                 crossings += self._crossed(piece)
                 whole = piece.state
@@ -94,7 +94,7 @@ class Flight:
         with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
             for steps, piece in enumerate(flight._pieces(np.array(start, dtype=float), constants, t_end, np.empty(0)), 1):
                 if steps > max_steps:
-                    raise too_many_steps(max_steps, piece.clock + piece.end, t_end, self.rtol)
+                    raise too_many_steps(max_steps, piece.clock + piece.end, t_end, self.rtol, given=not self.stiff)
                 begin = max(piece.begin, t_record - piece.clock)
                 if piece.end > begin:
                     t = sample_times(begin, piece.end)
@@ -241,7 +241,7 @@ def integrate(problem: Problem, *, stiff: bool = False) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where it is ``stiff``."""
     flight, steps = flight_of(problem), problem.max_steps
     if stiff:
-        flight, steps = Flight(problem.field, False, 0, max(problem.rtol / 100, IMPLICIT), stiff=True), MAX_STEPS
+        flight, steps = Flight(problem.field, False, 0, max(problem.rtol, IMPLICIT), stiff=True), MAX_STEPS
     return flight.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=steps)
 
 

@@ -20,14 +20,13 @@ from ..models.parameters import FINITE, Range
 from ..names import hint
 from .friction_tables import FrictionFit, fit_friction, read_friction
 from .quantities import Quantities, quantities
-from .study import Rise, Study, rise_of, spanned
+from .study import PLAIN_UNITS, Rise, Study, rise_of, spanned
 from .units import ENDS, EXAMPLES, WITHIN, Measured, factor, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
-#: Of a file to begin with: what one of a unit of measure is, by its unit in SI; the unit of a brake and its tolerance.
+#: Of a file to begin with: what one of a unit of measure is, by its unit in SI, and tolerances.
 _SIZES = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
-_AS_WRITTEN = {"N/m": "N/mm", "N/m^3": "N/mm^3", "m": "mm", "rad": "deg", "1": ""}
 _TOLERANCES = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}
 #: A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds are those of the examples.
 _FASTEST = 10.0
@@ -195,7 +194,6 @@ class _Reader:
         return result
 
     def _state(self, given: Any, kind: Quantities) -> dict[str, float]:
-        """Coordinates in SI near which the followed state begins."""
         units = {entry["name"]: entry["unit"] for entry in kind.about["coordinates"]}
         if not isinstance(given, dict) or not set(given) <= set(units):
             example = ", ".join(f'{name} = "{"30 deg" if unit == "rad" else "2 mm"}"' for name, unit in units.items())
@@ -203,7 +201,6 @@ class _Reader:
         return {name: self._quantity(name, text, units[name], FINITE).value for name, text in given.items()}
 
     def _may_change(self, given: Any, kind: Quantities) -> dict[str, tuple[float, float]]:
-        """Ranges in SI in which proposals may change quantities."""
         if not isinstance(given, dict) or not set(given) <= set(kind.units):
             example = next(iter(kind.units))
             cure = f'write may_change = {{ {example} = "[100, 250] N/mm" }}, in the quantity\'s own unit'
@@ -220,7 +217,6 @@ class _Reader:
             self.refuse("may_change", str(error), error)
 
     def _rise(self, vary: Any, begin: Any, kind: Quantities, values: Mapping[str, float]) -> Rise | None:
-        """The loading parameter."""
         if not isinstance(vary, str | None):
             self.refuse("vary", f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
         start = begin
@@ -257,7 +253,7 @@ def example(model: Model) -> str:
 
     def written(name: str, value: float) -> str:
         si = kind.units[name]
-        unit = _AS_WRITTEN.get(si, si)
+        unit = PLAIN_UNITS.get(si, si)
         return example_of(name, si) if si in given else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
 
     rises, lines = kind.rises, []

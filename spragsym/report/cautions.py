@@ -47,7 +47,6 @@ def _has(study: Study, *names: str) -> bool:
 
 
 def _data(study: Study, *names: str) -> str:
-    """Quantities with their values."""
     return " and ".join(f"{name} = {study.shown(name)}" for name in names)
 
 

@@ -114,12 +114,10 @@ class Facts:
 
     @property
     def _has_plane(self) -> bool:
-        """Whether friction rises, at an inclination."""
         return self.study.of_friction and "theta0" in self.study.dimensionless.model.parameters
 
     @cached_property
     def _lowest(self) -> Any:
-        """The lowest end over all angles."""
         if not self._has_plane:
             return None
         found = self._known(
@@ -193,7 +191,6 @@ class Facts:
 
     @cached_property
     def _here(self) -> dict[str, float] | None:
-        """The place of the state that the brake is in."""
         return self._known("the state that the brake is in is", lambda: current(self.study, self._equilibria))
 
     @cached_property

@@ -25,7 +25,6 @@ def next_steps(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
-    """The nearest change, or what to allow where there is none; and what rises, where that is not said."""
     study = report.study
     if study.rise is None:
         yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
@@ -39,7 +38,6 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _ranges(report: Report) -> Iterator[tuple[str, str]]:
-    """The range to narrow: of what rises below the jump, or of what decides most."""
     study, jump, odds = report.study, report.jump_at, report.probability
     low, _, high = study.working
     if jump is not None and low < jump <= high and low < high:
@@ -55,7 +53,6 @@ def _ranges(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _measurements(report: Report) -> Iterator[tuple[str, str]]:
-    """What is assumed: the belt's speed and the law, damping, and quantities that are taken as exact."""
     study, here = report.study, report.current
     missing = [name for name in study.kind.of_the_law if name not in study.quantities]
     if missing:
@@ -64,6 +61,9 @@ def _measurements(report: Report) -> Iterator[tuple[str, str]]:
     elif here is not None and here.settles is None:
         at = " and ".join(f"{frequency:.4g} Hz" for frequency in here.frequencies_hz)
         yield "measure", f"the damping of the real brake{f' at {at}' if at else ''}: the model has next to none"
+    elif here is not None and not here.settles and study.belt and study.source:
+        command = f"spragsym bifurcation --data {study.source} --vary {study.belt}"
+        yield "find", f"the {study.belt} at which sliding becomes stable: {command}"
     exact = [name for name in deciding(study) if not study.quantities[name].varies and study.values[name]]
     if exact:
         more = f" and {len(exact) - NAMED} more" if len(exact) > NAMED else ""
@@ -71,7 +71,6 @@ def _measurements(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _other_state(report: Report) -> Iterator[tuple[str, str]]:
-    """How to ask about another stable state."""
     for place, _ in report.others[:1]:
         name, _, unit = next(iter(place)).rpartition("_")
         text = f'state = {{ {name} = "{place[f"{name}_{unit}"]:.3g} {unit}" }}'

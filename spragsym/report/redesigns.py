@@ -143,7 +143,6 @@ class _Search:
         return found
 
     def _off(self, name: str, value: float) -> float:
-        """How far a value is from the old one, in tolerances."""
         return abs(value - self.study.values[name]) / self.scale[name]
 
     def _starts(self, name: str) -> list[tuple[float, float]]:
@@ -171,7 +170,6 @@ class _Search:
         return best
 
     def _ladder(self, name: str, side: int) -> FloatArray:
-        """Values from the present one away, as far as it may change."""
         start, end, share = self.study.values[name], self.span[name][side > 0], np.linspace(0.0, 1.0, self.effort.values)
         if (end - start) * side <= 0:
             return np.empty(0)
@@ -203,7 +201,6 @@ class _Search:
         return self._first_proved(one for one in longer if all(self._may_be(name, at) for name, at in one.items()))
 
     def _movers(self) -> tuple[str, ...]:
-        """Quantities by how far one tolerance of each moves the jump."""
         designs = space(design(self.study), self.scale, None)
         z = np.zeros(len(designs.names))
         found, slopes = ss.jump_gradient(designs.sets(z), **self.study.along()).slopes, designs.slopes(z)
@@ -238,7 +235,6 @@ class _Search:
         return None
 
     def _inside(self, name: str, low: float, high: float) -> bool:
-        """Whether all between two ends are values of a quantity."""
         return self.allowed[name].contains(low) and self.allowed[name].contains(high)
 
     def _may_be(self, name: str, value: float) -> bool:
@@ -266,7 +262,6 @@ class _Search:
 
 
 def _order(change: Change) -> tuple[bool, float]:
-    """What is proved before what is not, then by distance."""
     return change.outcome != "proved", change.distance
 
 

@@ -34,7 +34,6 @@ def as_json(report: Report) -> dict[str, Any]:
         return {name: one(name, value) for name, value in values.items()}
 
     def told(value: float | None) -> Any:
-        """A value of the loading parameter, in the unit of the file; friction as a number."""
         if value is None or report.vary is None:
             return None
         return {"value": value, "unit": ""} if study.of_friction else one(report.vary, value)

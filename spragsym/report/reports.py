@@ -24,13 +24,8 @@ from .study import Study
 class Report(Facts, Result):
     """What can be said of a brake; None where a model gives no answer, with the reason among ``warnings``.
 
-    What is computed is an attribute; ``facts`` is the report itself.
+    What is computed is an attribute.
     """
-
-    @property
-    def facts(self) -> Facts:
-        """Itself: what is so."""
-        return self
 
     @property
     def vary(self) -> str | None:

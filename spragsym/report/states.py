@@ -171,21 +171,18 @@ def in_units(study: Study, place: Mapping[str, float]) -> dict[str, float]:
 
 
 def _of_springs(study: Study, values: Sequence[Any]) -> Any:
-    """One number, several by the names of the springs, or None."""
     if len(values) < 2:
         return next(iter(values), None)
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
 def _forces(study: Study, ends: Mapping[str, tuple[float, float]]) -> tuple[Any, Any]:
-    """Least and largest forces of springs, and of the contact, None where there is none."""
     told = {name: (low * study.scales.force, high * study.scales.force) for name, (low, high) in ends.items()}
     contact = told.pop("contact_force", None)
     return _of_springs(study, list(told.values())), contact
 
 
 def _extremes(p: Any, states: FloatArray) -> dict[str, tuple[float, float]]:
-    """Least and largest value of each force over states of a motion."""
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     told = {name: np.asarray(force(states, constants)) for name, force in forces.told_of(p.model).items()}
     return {name: (float(force.min()), float(force.max())) for name, force in told.items()}

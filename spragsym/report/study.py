@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .reports import Report
 
 #: Units of the report where the data came as plain numbers in SI.
-PLAIN_UNITS: Mapping[str, str] = {"N/m": "N/mm", "m": "mm", "rad": "deg", "1": ""}
+PLAIN_UNITS: Mapping[str, str] = {"N/m": "N/mm", "N/m^3": "N/mm^3", "m": "mm", "rad": "deg", "1": ""}
 
 
 @dataclass(frozen=True)
@@ -449,7 +449,6 @@ class Study:
 
 
 def _given(parameters: Any, kind: Quantities, model: str) -> dict[str, float]:
-    """Quantities in SI by name, checked."""
     allowed = kind.ranges()
     if isinstance(parameters, PhysicalParameters) and model == USUAL:
         if parameters.shape:

@@ -44,7 +44,6 @@ def verdict(report: Report) -> Iterator[str]:
 
 
 def _on_others(report: Report) -> str:
-    """Which other states are stable at the design, and where each ends."""
     study, told = report.study, []
     for place, end in report.others:
         until = ""
@@ -123,7 +122,6 @@ def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
 
 
 def _unknown(report: Report) -> str:
-    """The verdict where nothing is known of a jump."""
     states, about = report.states, report.study.kind.about
     where = (" of sliding" if about["friction"] else "") + (" in contact" if about["contact"]["gap"] is not None else "")
     there = f"are {len(states)} states{where}, {sum(state.stable for state in states)} stable"
@@ -134,7 +132,6 @@ def _unknown(report: Report) -> str:
 
 
 def _on_the_tolerances(report: Report) -> str:
-    """What follows within the tolerances, at the belt's speed."""
     odds, speed = report.probability, " at this speed" if report.reach == "faster" else ""
     if report.within == "proved":
         return f"Proved{speed}: nothing within {box(report.unbounded)} sprags." if report.study.tolerances else "That is proved."
@@ -193,7 +190,6 @@ def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
 
 
 def _jump(report: Report) -> Rows:
-    """The friction, where it jumps as the loading parameter rises, and how far that is."""
     study, rise, (low, works, high) = report.study, report.study.rise, report.study.friction
     if study.kind.about["friction"]:
         yield "friction at the belt's speed", f"{works:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else "")
@@ -230,7 +226,6 @@ def _jump(report: Report) -> Rows:
 
 
 def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) -> str:
-    """A number as it is shown, or words where there is none, or none is known."""
     return "unknown" if value is None else shown(value) if math.isfinite(value) else never
 
 
@@ -242,8 +237,6 @@ def _springs(told: Any, shown: Callable[[Any], str], of: str = "force of ") -> R
 
 
 def _forces(found: Any) -> Rows:
-    """Rows of what springs and contact come to."""
-
     def ends(force: tuple[float, float]) -> str:
         return f"{force[0]:.5g} N to {force[1]:.5g} N"
 
@@ -257,7 +250,6 @@ def _pulling(force: float) -> str:
 
 
 def _places(places: Mapping[str, float]) -> str:
-    """Coordinates with their units."""
     named = ((*key.rpartition("_"), value) for key, value in places.items())
     return ", ".join(f"{name} = {value:.4g} {unit}" for name, _, unit, value in named)
 
@@ -335,7 +327,6 @@ def _folds(report: Report) -> Rows:
 
 
 def _tolerances(report: Report) -> Rows:
-    """What is proved of all within the tolerances, the probability with its interval and its proved bounds, and what decides."""
     study, reached, odds = report.study, report.certificate, report.probability
     if reached is not None:
         within = box(report.unbounded) if report.unbounded else "all of them"

@@ -216,7 +216,6 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
 
 
 def _within(allowed: Range, unit: str, si: str) -> str:
-    """A range in words."""
     low, high = (shown_in(limit, unit, si, 6) for limit in (allowed.low, allowed.high))
     words = f"{'above' if allowed.open_low else 'at least'} {low}"
     if not math.isinf(allowed.high):

@@ -89,7 +89,7 @@ def test_a_certificate_is_as_sharp_as_the_closed_form(ends: tuple[float, float],
     found = truss(tmp_path, P=f"[{ends[0]}, {ends[1]}] N").report(**QUICKLY, n=64)
     assert found.certificate is not None
     assert found.certificate.outcome == outcome
-    assert found.facts.within == outcome
+    assert found.within == outcome
 
 
 @pytest.mark.thorough

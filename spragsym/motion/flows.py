@@ -15,11 +15,12 @@ from . import batch_heyoka, integrators
 from .measures import Course
 from .motions import Motions
 from .periodic_orbit import Closed, closed_orbit, nearly_closed
-from .problem import Problem
+from .problem import Problem, StiffError
 from .segment import Fly, Passage, Turn
 from .shooting import CLOSED, Loop
+from .solution import Solution
 from .with_heyoka import taylor_of
-from .with_scipy import Flight
+from .with_scipy import IMPLICIT, Flight
 
 #: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
@@ -37,6 +38,15 @@ PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN)
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
     """An integrator of a field: it has ``fly`` and ``motion``."""
     return taylor_of(field, derivatives) if backend == "heyoka" else Flight(field, derivatives)
+
+
+def motion_of_flow(field: Field, backend: str, start: FloatArray, constants: tuple[float, ...], t_end: float) -> Solution:
+    """A motion by its samples; by an implicit method where steps collapse."""
+    try:
+        solution: Solution = flow(field, backend, derivatives=False).motion(start, constants, t_end)
+    except StiffError:
+        solution = Flight(field, False, 0, IMPLICIT, stiff=True).motion(start, constants, t_end)
+    return solution
 
 
 def follower(field: Field, backend: str) -> Any:

@@ -18,7 +18,7 @@ from ..files import storage
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.events import Events, events_of
-from ..motion.flows import flow
+from ..motion.flows import flow, motion_of_flow
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.segment import Fly
 from ..motion.shooting import (
@@ -256,9 +256,9 @@ def moments(loop: Loop, backend: str) -> tuple[float, float]:
 
 def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
     """One round by the polynomials through its samples."""
-    found: PiecewisePolynomial = (
-        flow(loop.field, backend, derivatives=False).motion(loop.guess.states[0], loop.constants, loop.guess.period).samples
-    )
+    found: PiecewisePolynomial = motion_of_flow(
+        loop.field, backend, loop.guess.states[0], loop.constants, loop.guess.period
+    ).samples
     return found
 
 

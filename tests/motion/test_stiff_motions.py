@@ -1,13 +1,20 @@
 """A light mass between a spring with a damper and a steep friction law: the steps of explicit methods collapse."""
 
+import types
+from functools import partial
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from spragsym.motion import with_compiled, with_heyoka
 from spragsym.motion.flows import flow
+from spragsym.motion.problem import check_stiffness
 from spragsym.motion.sweeps import rms_sweep
+from spragsym.orbits import finding
 from tests.oracles.user_pages import model_of
+from tests.orbits.test_cycles import CIRCLE
 
 BRISTLE = """r'''A mass that drags a light mass over a belt.'''
 from spragsym.derive.model import Page, tanh
@@ -44,6 +51,22 @@ def test_an_implicit_method_takes_over_where_steps_collapse() -> None:
     assert motion.state[:, -1] == pytest.approx(found.y[:, -1], abs=1e-6)
     assert motion.implicit
     assert not ss.simulate(p.replace(d=10.0, eps=0.1), start=(0.5, 0.5, 0.0, 0.0), t_end=3.0).implicit
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("integrator", [with_compiled, with_heyoka])
+def test_what_is_compiled_and_a_cycle_go_over_as_well(integrator: types.ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where few steps are too many: a motion that the explicit method carries too, and a cycle that is a circle."""
+    follow = partial(ss.simulate, ss.Parameters.article(theta0=0.85, kappa=1.0), V=0.5, d=1e4, t_end=5.0, backend="compiled")
+    explicit = follow() if integrator is with_compiled else None
+    monkeypatch.setattr(integrator, "check_stiffness", partial(check_stiffness, most=10.0))
+    monkeypatch.setattr(integrator, "CHUNK", 20)
+    if explicit is None:
+        found = finding.cycle_at(CIRCLE, (100.0,), np.array([9.9, 0.0]), 6.3)
+        assert [found.period, found.amplitude] == pytest.approx([2 * np.pi, 10.0], abs=1e-9)
+    else:
+        assert (explicit.implicit, follow().implicit) == (False, True)
+        assert follow().state[:, -1] == pytest.approx(explicit.state[:, -1], abs=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -115,7 +115,7 @@ def jump_gradient(
     Returns
     -------
     JumpGradient
-        NaN where the state goes on or leaves the contact.
+        NaN where the state goes on, leaves the contact, runs to infinity or ends at a pitchfork.
 
     Raises
     ------

@@ -34,10 +34,7 @@ LONG = (
     "spragsym.orbits.branch", "spragsym.orbits.two_parameters", "spragsym.orbits.diagram", "spragsym.bifurcation.hopf_curves",
     "spragsym.figures.curves", "spragsym.design.jump_probability", "spragsym.design.jumps", "spragsym.design.tube_certificates",
 )  # fmt: skip
-SECONDS = (
-    "spragsym.orbits.fate_boundaries", "spragsym.orbits.basin_boundaries", "spragsym.bifurcation.critical",
-    "spragsym.design.proposals",
-)  # fmt: skip
+SECONDS = ("spragsym.orbits.fate_boundaries", "spragsym.orbits.basin_boundaries", "spragsym.bifurcation.critical")
 #: The others by their room.
 ROOMS = sorted({name.split(".")[1] for name in MODULES if name not in (*LONG, *SECONDS)})
 

@@ -10,7 +10,7 @@ import enum
 import html
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -127,12 +127,12 @@ def tables(thing: Any, above: Words | None = None) -> Iterator[Table]:
         shape = next(iter(columns.values())).shape
         yield _columns(caption(said, name, single, _size(shape)), columns, shape, said)
     elif single:
-        yield Table(name, *_pairs(single, said))
+        yield Table(name, ("", "value"), tuple((said.heading(key), said.cell(key, value)) for key, value in single.items()))
     for key, value in values.items():
         if _is_single(value):
             continue
         if is_dataclass(value):
-            yield from _parts(key, tables(value, said))
+            yield from (replace(table, title=f"{key}: {table.title}") for table in tables(value, said))
         elif isinstance(value, Sequence):
             yield from _sequence(key, value, said)
 
@@ -252,11 +252,6 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def _parts(key: str, found: Iterator[Table]) -> Iterator[Table]:
-    for table in found:
-        yield Table(f"{key}: {table.title}", table.header, table.rows)
-
-
 def _is_single(value: Any) -> bool:
     """Whether something fits on the line above a table."""
     if type(value).__name__ in ("Parameters", "PhysicalParameters"):
@@ -269,10 +264,6 @@ def _is_single(value: Any) -> bool:
 
 def _size(shape: tuple[int, ...]) -> str:
     return f"{shape[0]} rows" if len(shape) == 1 else f"{' × '.join(map(str, shape))} points"
-
-
-def _pairs(single: Mapping[str, Any], said: Words) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    return ("", "value"), tuple((said.heading(key), said.cell(key, value)) for key, value in single.items())
 
 
 # ------------------------------------------------------------------------------------------------- as HTML, as text

@@ -15,11 +15,12 @@ from typing import Any
 _COMMANDS: tuple[tuple[str, ...], ...] = (("check", "--again"), ("check", "--claims", "--again"), ("figures", "--out", "figures"))
 
 
-def measure() -> str:
-    """JSON for measured.json."""
+def write() -> None:
+    """Measure, and write measured.json beside this file."""
     rows = [_measured(arguments) for arguments in _COMMANDS]
     machine = f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}"
-    return json.dumps({"machine": machine, "rows": rows}, indent=1) + "\n"
+    text = json.dumps({"machine": machine, "rows": rows}, indent=1) + "\n"
+    Path(__file__).with_name("measured.json").write_text(text, encoding="utf-8", newline="\n")
 
 
 def _measured(arguments: tuple[str, ...]) -> dict[str, Any]:
@@ -39,8 +40,3 @@ def _measured(arguments: tuple[str, ...]) -> dict[str, Any]:
         "cpu": round(used.ru_utime + used.ru_stime, 1),
         "megabytes": round(used.ru_maxrss / 1024),
     }
-
-
-def write() -> None:
-    """Measure, and write measured.json beside this file."""
-    Path(__file__).with_name("measured.json").write_text(measure(), encoding="utf-8", newline="\n")

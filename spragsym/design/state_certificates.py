@@ -213,6 +213,9 @@ def corners(low: FloatArray, high: FloatArray) -> FloatArray:
 
 def corner_values(names: Sequence[str], low: Any, high: Any) -> tuple[FloatArray, FloatArray]:
     """Parameters of two corners of a box, each of shape (P,)."""
+    for what, corner in (("low", low), ("high", high)):
+        if corner.shape:
+            raise ParameterError(f"{what} has the shape {corner.shape}; give one point, the corner of a box")
     one, other = (np.array(p.scalars(*names)) for p in (low, high))
     for name, least, most in zip(names, one, other, strict=True):
         if least > most:

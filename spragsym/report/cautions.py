@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from .facts import Facts
+from .facts import FRICTION, Facts
 from .states import State
 from .study import Study
 
@@ -20,8 +20,6 @@ POOR = 0.1
 #: d times the slowest measured speed from which on no measurement is on the rising part of the friction law, and d times the
 #: fastest one up to which none is on its level part.
 STEEP, FULL_AT = 8.0, 0.1
-#: A friction coefficient that no brake has.
-FRICTION = 2.0
 #: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.

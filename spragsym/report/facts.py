@@ -22,6 +22,8 @@ from .study import Study
 from .tolerances import BoxCertificate, bracket, certificate, chance, effort, varied
 
 T = TypeVar("T")
+#: A friction coefficient that no brake has.
+FRICTION = 2.0
 
 
 @dataclass(frozen=True)
@@ -221,9 +223,14 @@ class Facts:
         sets |= {"theta0": study.at_work} if "theta0" in study.at_work.model.parameters else {}
         asked = ((vary, self._known(f"folds along {vary} are", partial(ss.folds, p, vary))) for vary, p in sets.items())
         found = {vary: points for vary, points in asked if points is not None}
-        if rise is not None and rise.name in found and not found[rise.name].complete:
+        if rise is not None and rise.name in found and self._misses(found[rise.name]):
             self.remarks.append(f"folds along {rise.quantity} may be missing: {self._brief(*found[rise.name].remarks)}")
         return found
+
+    def _misses(self, found: Points) -> bool:
+        """Whether folds that matter may be missing: beyond a friction that no brake has none does."""
+        beyond = self.study.of_friction and self.study.top > FRICTION and not len(found.undecided)
+        return not found.complete and not beyond
 
     @cached_property
     def fold_rows(self) -> tuple[FoldRow, ...]:

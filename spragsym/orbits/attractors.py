@@ -49,17 +49,7 @@ BENT = 0.25
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a motion comes to, and when that was seen.
-
-    Attributes
-    ----------
-    outcome : Outcome
-    end : ndarray, shape (m,)
-        Where the motion is at ``t``.
-    t : float
-    otherwise : str
-        What a motion within rounding comes to, where that is something else.
-    """
+    """What a motion comes to, seen at ``t``, where it is at ``end``; ``otherwise`` is what one within rounding comes to."""
 
     outcome: Outcome
     end: FloatArray
@@ -194,11 +184,14 @@ def followed_cycle(field: Field, known: Cycle, values: tuple[float, ...], backen
     return cycle_of(along(setting, started(setting, known.loop.guess), values[index]).loop, fly, name)
 
 
-def limiting(field: Field, known: Attractor) -> tuple[FloatArray, FloatArray]:
-    """The Lyapunov exponents of an equilibrium or a cycle, largest first, and their errors.
+def settled(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> tuple[str, FloatArray, FloatArray]:
+    """The kind of attractor that a decided motion comes to, its Lyapunov exponents, largest first, and their errors.
 
-    Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is known.
+    Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is known. NaN for lift-off.
     """
+    kind, known = KINDS[verdict.kind], attractor(field, values, verdict, backend)
+    if known.kind == Regime.LIFT_OFF:
+        return kind, np.full(field.size, np.nan), np.full(field.size, np.nan)
     if known.orbit is None:
         rates = np.asarray(np.linalg.eigvals(linearization(field, known.values, known.state)).real, dtype=float)
         errors = np.zeros(len(rates))
@@ -210,15 +203,7 @@ def limiting(field: Field, known: Attractor) -> tuple[FloatArray, FloatArray]:
             errors = np.where(off < sizes, -np.log1p(-off / sizes) / known.orbit.period, np.inf)
         rates[0] = 0.0
     order = np.argsort(-rates, kind="stable")
-    return np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
-
-
-def settled(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> tuple[str, FloatArray, FloatArray]:
-    """The kind of attractor that a decided motion comes to, and its exponents with their errors; NaN for lift-off."""
-    none = np.full(field.size, np.nan)
-    if verdict.kind == Regime.LIFT_OFF:
-        return KINDS[verdict.kind], none, none
-    return KINDS[verdict.kind], *limiting(field, attractor(field, values, verdict, backend))
+    return kind, np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
 
 
 def same(field: Field, one: Attractor, other: Attractor) -> bool:

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import reduce
 from operator import methodcaller
 from typing import Any
 
@@ -377,7 +378,7 @@ def _fundamental(field: Field, within: list[Any], constants: list[Any], mode: Mo
     with _terms(order + 1):
         rows = slopes_at(field, within, constants, mode)
     slopes = [arb_mat(n, m, [_term(value, k) for row in rows for value in row]) for k in range(order)]
-    parts = [arb_mat(m, m, [int(i == j) for i in range(m) for j in range(m)])]
+    parts = [unit(m)]
     for k in range(order):
         total = slopes[0] * parts[k]
         for i in range(1, k + 1):
@@ -388,6 +389,11 @@ def _fundamental(field: Field, within: list[Any], constants: list[Any], mode: Mo
     for part in reversed(parts[:-1]):
         found = found * step + part
     return found
+
+
+def unit(size: int) -> Any:
+    """The identity."""
+    return arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
 
 
 def _term(value: Any, k: int) -> Any:
@@ -415,7 +421,4 @@ def _exact(value: Any) -> Any:
 
 def most(values: list[Any]) -> Any:
     """A bound on the largest."""
-    found = values[0]
-    for value in values[1:]:
-        found = found.max(value)
-    return found.abs_upper()
+    return reduce(arb.max, values).abs_upper()

@@ -30,6 +30,7 @@ from .ball_flow import (
     rates_at,
     solution,
     steepness,
+    unit,
 )  # fmt: skip
 
 #: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
@@ -84,7 +85,7 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     state, period, times = _refined(field, constants, state, period, mode, claim["crossings"], inverse, moved, digits)
 
     start = [arb(0, radius) if i in moved else arb(0) for i in range(field.size)]
-    balls = Balls(field, constants, fine, rough, [value.mid() for value in state], _unit(field.size), start, mode)
+    balls = Balls(field, constants, fine, rough, [value.mid() for value in state], unit(field.size), start, mode)
     clock = arb(0)
     for index, time in times:
         half = arb(min(float((radius * WINDOW).mid()), WIDEST))
@@ -124,10 +125,6 @@ def _exactly(value: Any) -> Any:
     if not value.is_exact():
         raise NotProved("time could not be kept exactly: it is not a number")
     return value
-
-
-def _unit(size: int) -> Any:
-    return arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
 
 
 # ------------------------------------------------------------------------------ the orbit to many digits, not yet proved

@@ -19,7 +19,7 @@ from ..progress import doing
 from ..questions import model_of
 from ..results.result import Result
 from .attractors import Verdict, attractor, judged, same, surely
-from .saddles import Saddle, saddle_near, side
+from .saddles import Saddle, saddle_near
 
 #: Equilibria that differ by less than this are one.
 SAME = 1e-9
@@ -171,14 +171,9 @@ def _told_sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tu
     if not _differ(field, values, *both, backend):
         return False, told
     nearer = _sides(walk, backend, state, span, NEARER * ASIDE)
-    other = [_alternate(field, values, one, near, backend) for one, near in zip(both, nearer, strict=True)]
+    other = [not near.decided or _differ(field, values, one, near, backend) for one, near in zip(both, nearer, strict=True)]
     also = (f", and nearer by {near.told()}" if differs else "" for near, differs in zip(nearer, other, strict=True))
     return not any(other), [text + more for text, more in zip(told, also, strict=True)]
-
-
-def _alternate(field: Field, values: tuple[float, ...], one: Verdict, near: Verdict, backend: str) -> bool:
-    """Whether a nearer start is not seen to come to the attractor of one that is decided."""
-    return not near.decided or _differ(field, values, one, near, backend)
 
 
 def _sides(walk: _Walk, backend: str, state: FloatArray, span: float, aside: float) -> tuple[Verdict, Verdict]:
@@ -193,14 +188,8 @@ def _sides(walk: _Walk, backend: str, state: FloatArray, span: float, aside: flo
 def _surely(walk: _Walk, start: FloatArray, backend: str) -> Verdict:
     """What a motion comes to, unless rounding decides that."""
     found = judged(walk.field, walk.values, start, backend)
-    return surely(
-        walk.field,
-        walk.values,
-        start,
-        found,
-        backend,
-        lambda beside: not _differ(walk.field, walk.values, found, beside, backend),
-    )
+    there = walk.field, walk.values
+    return surely(*there, start, found, backend, lambda beside: not _differ(*there, found, beside, backend))
 
 
 def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdict, backend: str) -> bool:
@@ -259,8 +248,9 @@ class _Walk:
 
     def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
         """How far a motion has come along the direction of growth, and the derivative of that in the plane."""
-        value, slope = side(self.field, self.fly, self.values, state, span, self.saddle)
-        return value, slope[list(self.axes)]
+        passage = self.fly(state, self.field.constants(self.values), span, np.zeros((2, len(self.field.parameters))))
+        measure = self.saddle.measure
+        return float(measure @ (passage.state - self.saddle.state)), (measure @ passage.by_state)[list(self.axes)]
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
         """A first point, along the first direction of the plane, between starts that leave to different sides."""

@@ -26,81 +26,59 @@ AROUND = 1e-13
 SHARE, FREE = 0.1, 0.01
 #: How closely an amplitude is met, relatively; by how many steps, and the longest of them, as a factor.
 MET, ROUNDS, FARTHEST = 1e-3, 20, 2.0
-#: What to do where none is met.
-SMALLER = "give a smaller one, and go on from it with cycle_branch"
 
 
 def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | None) -> Cycle:
-    """The cycle that is born at one of the onsets, see :func:`born`."""
+    """The cycle of an amplitude in the family that is born at one of the onsets, along their first parameter.
+
+    The motion takes friction at its sliding speed. Where statics takes its limit at fast sliding (``at_rest`` on the page), the
+    Hopf point of the motion is sought beside the one that is proved. From there the normal form u = u* + 2 Re(z q) + …, with
+    |z|² = −(d Re λ/dp) (p − p*)/(ω l₁), is corrected by Newton's method on the closed orbit, its period and the parameter.
+    Without an amplitude it is a tenth of that at which the motion would come to a border of the field.
+    """
     if not isinstance(index, int | np.integer) or isinstance(index, bool):
         raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
     if not 0 <= index < len(onsets):
         remedy = f"give a number from 0 to {len(onsets) - 1}" if len(onsets) else "search where there is one to begin from"
         raise ParameterError(f"index = {index}: there are {len(onsets)} onsets; {remedy}")
-    row = int(index)
+    row, model, vary = int(index), onsets.parameters.model, onsets.vary[0]
     form = onsets.normal_forms[row]
     if isinstance(form, str):
         raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
-    return born(onsets.parameters.model, onsets.given(row), onsets.state(row), onsets.vary[0], form, amplitude, backend)
-
-
-def born(
-    model: Model, given: FloatArray, state: FloatArray, vary: str, form: NormalForm, amplitude: float | None = None,
-    backend: str | None = None,
-) -> Cycle:  # fmt: skip
-    """The cycle of an amplitude in the family that is born at a Hopf point.
-
-    Parameters
-    ----------
-    model : Model
-    given, state, vary : ndarray, ndarray, str
-        Parameters in the order of the page, coordinates, and the parameter of the onset, which is free: the cycle says its value.
-    form : NormalForm
-        Of the onset.
-    amplitude : float, optional
-        Half of the range of the coordinate that moves most at the onset, to a thousandth, in the units of the page. Without it a
-        tenth of that at which the motion would leave the contact or come up with the belt.
-    backend : {"heyoka", "scipy"}, optional
-        As for :func:`spragsym.cycle`.
-
-    Notes
-    -----
-    The motion takes friction at its sliding speed. Where statics takes its limit at fast sliding (``at_rest`` on the page), the
-    Hopf point of the motion is sought beside the one that is proved. From there the normal form u = u* + 2 Re(z q) + …, with
-    |z|² = −(d Re λ/dp) (p − p*)/(ω l₁), is corrected by Newton's method on the closed orbit, its period and the parameter.
-
-    Raises
-    ------
-    ConvergenceError
-        Where Newton's method finds no such cycle.
-    """
     place = model.parameters.index(vary)
     if amplitude is not None:
         amplitude = as_number("amplitude", amplitude, POSITIVE)
-    given, state, radius = _of_the_motion(model, given, state, place, form)
+    given, state, radius = _of_the_motion(model, onsets.given(row), onsets.state(row), place, form)
     try:
         form = normal_form(model, given, state, vary, np.full(state.size + 1, radius), law="friction_at_speed")
     except Undecided as reason:
         raise ConvergenceError(f"the motion has no generic Hopf point beside the onset: {reason}") from reason
     most = int(np.abs(form.q[: len(state)]).argmax())
     size = float(np.abs(form.q[most]))
+    border, reach = _first_border(model, given, state, form)
     if amplitude is None:
-        z = min(_default(model, given, state, form), _within(model, given, place, form))
+        z = min(SHARE * reach, 1.0) if border else FREE
+        z = min(z, _within(model, given, place, form))
     else:
         z = amplitude / 2 / size
+
+    def smaller(asked: float) -> str:
+        least = 2 * reach * size
+        beyond = f"; to first order only amplitudes below {least:.3g} do not come to {border}" if asked > least else ""
+        return f"give a smaller one, and go on from it with cycle_branch{beyond}"
+
     for _ in range(ROUNDS):
         try:
             found = _along(model, given, state, place, form, z, backend)
         except ConvergenceError as error:
             asked = 2 * z * size if amplitude is None else amplitude
-            more = _beyond(model, given, state, form, asked, size)
-            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {SMALLER}{more}") from error
+            raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {smaller(asked)}") from error
         reached = float(np.ptp(found.samples.states[most])) / 2
         if amplitude is None or abs(reached / amplitude - 1) < MET:
             return found
         z *= min(max(amplitude / reached, 1 / FARTHEST), FARTHEST)
-    more = _beyond(model, given, state, form, float(amplitude or 0.0), size)
-    raise ConvergenceError(f"no cycle of the amplitude {amplitude:g} was found: the last one has {reached:.6g}; {SMALLER}{more}")
+    told = f"the last one has {reached:.6g}; {smaller(float(amplitude or 0.0))}"
+    raise ConvergenceError(f"no cycle of the amplitude {amplitude:g} was found: {told}")
 
 
 def _along(
@@ -115,13 +93,11 @@ def _along(
     start = given.copy()
     start[place] += aside
     fly, name = carrier(field, backend)
-    rows = np.zeros((2, 2 * n + 2))
-    rows[:, : 2 * n] = form.p.conjugate().real, form.p.conjugate().imag
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         seen = form.p.conjugate() @ (loop.guess.states[0] - rest)
         wide = np.zeros((2, loop.guess.states.size + 2))
-        wide[:, : 2 * n] = rows[:, : 2 * n]
+        wide[:, : 2 * n] = form.p.conjugate().real, form.p.conjugate().imag
         return np.array([seen.real - wanted, seen.imag]), wide
 
     guess = Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()))
@@ -166,19 +142,6 @@ def _of_the_motion(
             return there, x[:n], 4 * max(width, AROUND * scale)
         before = width
     raise ConvergenceError("the motion's own Hopf point was not found beside the onset")
-
-
-def _default(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> float:
-    """|z| of a share of the amplitude at which gap or sliding speed would come to 0."""
-    name, reach = _first_border(model, given, state, form)
-    return min(SHARE * reach, 1.0) if name else FREE
-
-
-def _beyond(model: Model, given: FloatArray, state: FloatArray, form: NormalForm, asked: float, size: float) -> str:
-    """Error: an amplitude takes the motion past a border of the field; nothing where it does not."""
-    name, reach = _first_border(model, given, state, form)
-    least = 2 * reach * size
-    return f"; to first order only amplitudes below {least:.3g} do not come to {name}" if asked > least else ""
 
 
 def _first_border(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> tuple[str, float]:

@@ -166,8 +166,7 @@ def diagram(
     (1, 1, True)
     """
     model = model_of(p)
-    if vary not in model.parameters:
-        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
+    model.require_parameter(vary)
     p.scalars(*(name for name in model.parameters if name != vary))
     points, doublings = as_count("points", points), as_count("doublings", doublings, 0)
     low, high = (as_number("to", value, FINITE) for value in to)

@@ -109,13 +109,7 @@ def lyapunov(
     True
     """
     model, values = model_of(p), p.given(V=V, d=d).scalars(*p.ranges)
-    return exponents_of(model.field, values, state_of(model, start), as_number("t_end", t_end, POSITIVE), backend)
-
-
-def exponents_of(
-    field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str | None = None
-) -> Lyapunov:
-    """:func:`lyapunov` of any field."""
+    field, state, t_end = model.field, state_of(model, start), as_number("t_end", t_end, POSITIVE)
     fly, name = carrier(field, backend)
     whole = rates_along(field, fly, values, state, t_end)
     late = whole.part(len(whole.logs) // 2)

@@ -15,7 +15,7 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field, apart
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
-from ..motion.flows import carrier
+from ..motion.integrators import OF_ANY_MODEL, choose
 from ..motion.regimes import Outcome, Regime, same_limit
 from ..motion.simulation import motion_of, state_of
 from ..progress import doing
@@ -162,30 +162,20 @@ def fate_boundary(
     (0.72101173, 'equilibrium')
     """
     model = model_of(p)
-    if vary not in model.parameters:
-        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
-    ends = as_numbers("bracket", bracket)
-    if ends.shape != (2,):
+    model.require_parameter(vary)
+    given = as_numbers("bracket", bracket)
+    if given.shape != (2,):
         raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
-    low, high = ends.tolist()
+    low, high = sorted(given.tolist())
     values = p.given(V=V, d=d).replace(**{vary: low}).scalars(*p.ranges)
-    return boundary_of(model.field, values, vary, (low, high), state_of(model, start), backend)
-
-
-def boundary_of(
-    field: Field, values: tuple[float, ...], vary: str, bracket: tuple[float, float], start: FloatArray,
-    backend: str | None = None,
-) -> FateBoundary:  # fmt: skip
-    """:func:`fate_boundary` of any field."""
-    index = field.parameters.index(vary)
-    _, name = carrier(field, backend)
+    field, index = model.field, model.field.parameters.index(vary)
+    name = choose(backend, OF_ANY_MODEL)
 
     def at(value: float) -> tuple[float, ...]:
         field.check(vary, value)
         return (*values[:index], value, *values[index + 1 :])
 
-    low, high = sorted(bracket)
-    asked = _Asked(field, at, vary, start, name)
+    asked = _Asked(field, at, vary, state_of(model, start), name)
     ends = asked.surely(asked.ask(low)), asked.surely(asked.ask(high))
     for share in LOOKED_AT:
         asked.ask(low + share * (high - low))
@@ -244,15 +234,13 @@ class _Asked:
         if fate.label >= 0:
             verdict = surely(
                 self.field, self.at(fate.value), self.start, fate.verdict, self.backend,
-                lambda beside: self._are_one(fate.verdict, beside) or self._label(fate.value, beside) == fate.label,
+                # whatever labels they have: two may turn out to be one later
+                lambda beside: same_limit(fate.verdict.outcome, beside.outcome, self.field.around)
+                or self._label(fate.value, beside) == fate.label,
             )  # fmt: skip
             if not verdict.decided:
                 self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
         return fate
-
-    def _are_one(self, one: Verdict, other: Verdict) -> bool:
-        """Whether two motions at one value have one limit, whatever labels it has there: two may turn out to be one later."""
-        return same_limit(one.outcome, other.outcome, self.field.around)
 
     def _label(self, value: float, verdict: Verdict) -> int:
         """Label of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.

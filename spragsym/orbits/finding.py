@@ -82,7 +82,7 @@ def cycle(
         The number of the onset among them.
     amplitude : float, optional
         Of the cycle that is born there: half of the range of the coordinate that moves most, to a thousandth; see
-        :func:`spragsym.orbits.births.born`. The parameter along which the onsets were found takes the value that
+        :func:`spragsym.orbits.births.born_at`. The parameter along which the onsets were found takes the value that
         belongs to it.
 
     Returns

@@ -46,19 +46,10 @@ STILL = 1e-9
 
 @dataclass(frozen=True)
 class Rates:
-    """Growth rates over a stretch of motion.
+    """Growth rates over n equal stretches of motion, each of the time ``stretch``, to the state ``end``.
 
-    Attributes
-    ----------
-    logs : ndarray, shape (n, m)
-        Logarithms of the growth in equal stretches: along the flow, then across it.
-    volumes : ndarray, shape (n,)
-        Logarithms of the growth of volumes.
-    stretch : float
-        Time of each.
-    flow : ndarray, shape (n + 1,)
-        Logarithm of the speed of the flow between the stretches; −∞ at rest.
-    end : ndarray, shape (m,)
+    ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it, and of volumes; ``flow``
+    (n + 1,) those of the flow's speed between the stretches, −∞ at rest.
     """
 
     logs: FloatArray

@@ -1,4 +1,4 @@
-"""Saddles: equilibria and cycles that repel in exactly one direction, and on which side of them a motion passes."""
+"""Saddles: equilibria and cycles that repel in exactly one direction."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import numpy as np
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.rest import equilibrium_near
-from ..motion.segment import Fly
 from .orbit import Cycle
 
 #: Of a matrix of the motion about an equilibrium: relative error, with a margin.
@@ -22,15 +21,8 @@ ROUNDING = 1e-13
 class Saddle:
     """An equilibrium with one real direction of growth, and no other that is proved.
 
-    Attributes
-    ----------
-    state : ndarray, shape (m,)
-    growth : float
-        Its one eigenvalue with a positive real part.
-    direction, measure : ndarray, shape (m,)
-        Right and left eigenvectors of that, the product of which is 1: ``measure @ (state − saddle)`` grows as exp(growth τ).
-    attracts : bool
-        Whether all other eigenvalues are proved to have negative real parts; not so where nothing damps.
+    ``direction`` and ``measure`` are right and left eigenvectors of the eigenvalue ``growth``, the product of which is 1:
+    ``measure @ (state − saddle)`` grows as exp(growth τ). ``attracts`` is that all others are proved to have negative real parts.
     """
 
     state: FloatArray
@@ -96,12 +88,3 @@ def growth_of_cycle(cycle: Cycle) -> float | None:
     if not sizes[which] - error[which] > 1 or not (np.delete(sizes + error, which) < 1).all():
         return None
     return float(np.log(sizes[which]) / cycle.period)
-
-
-def side(
-    field: Field, fly: Fly, values: tuple[float, ...], start: FloatArray, duration: float, saddle: Saddle
-) -> tuple[float, FloatArray]:  # fmt: skip
-    """How far a motion has come along the direction of growth after a while, and the derivative of that by its start."""
-    none = np.zeros((2, len(field.parameters)))
-    passage = fly(start, field.constants(values), duration, none)
-    return float(saddle.measure @ (passage.state - saddle.state)), saddle.measure @ passage.by_state

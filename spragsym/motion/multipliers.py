@@ -58,7 +58,8 @@ def multipliers_of(stretches: Sequence[FloatArray], flows: Sequence[FloatArray])
         trivial *= float(units[after] @ carried) / float(np.linalg.norm(due))
         errors.append(max(ROUNDING, float(np.linalg.norm(carried - due)) / (size * float(np.linalg.norm(flows[i])))))
         parts.append(bases[after].T @ stretch @ bases[i])
-    values = by_size(eigenvalues_of_product(parts))
+    values = eigenvalues_of_product(parts)
+    values = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
     moved, rng = np.zeros(len(values)), np.random.default_rng(0)
     for _ in range(TRIALS):
         off = [
@@ -71,12 +72,6 @@ def multipliers_of(stretches: Sequence[FloatArray], flows: Sequence[FloatArray])
             moved[i] = max(moved[i], abs(other[nearest] - value))
             other = np.delete(other, nearest)
     return Multipliers(trivial, values, SAFETY * moved)
-
-
-def by_size(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Largest first."""
-    found: NDArray[np.complex128] = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
-    return found
 
 
 def eigenvalues_of_product(parts: Sequence[FloatArray]) -> NDArray[np.complex128]:

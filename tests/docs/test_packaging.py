@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -49,16 +48,6 @@ def test_packages_are_those_of_the_tree() -> None:
     tree = {name: path for name, path in tree.items() if not name.startswith("spragsym.derive.emit.targets.")}
     assert sorted(listed) == sorted(tree)
     assert len(listed) == len(set(listed))
-
-
-def test_version_stands_in_one_place() -> None:
-    assert "version" not in PROJECT["project"]
-    holders = [
-        path.name
-        for path in (ROOT / "spragsym").rglob("*.py")
-        if re.search(rf"\b{re.escape(spragsym.__version__)}\b", path.read_text(encoding="utf-8"))
-    ]
-    assert holders == ["_version.py"]
 
 
 # ------------------------------------------------------------------------------------------------------ archives

@@ -34,11 +34,3 @@ def test_a_wrong_digit_is_noticed() -> None:
     assert page.off("34.2673700110", [1.0, 34.26737001097547]) < 0.5
     assert page.off("34.2673700111", [1.0, 34.26737001097547]) > 0.5
     assert len(ROWS) > 8
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize("command", page.proofs())
-def test_proofs_are_printed_as_they_stand(command: str) -> None:
-    pytest.importorskip("flint")
-    assert page.proofs()[command]
-    assert page.unproved(command, page.proofs()[command]) == []

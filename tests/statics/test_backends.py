@@ -56,11 +56,11 @@ def test_where_digits_run_out(backend: str) -> None:
 
 @pytest.mark.parametrize("backend", ["numpy", "compiled"])
 def test_underflow_is_left_to_the_ladder(backend: str) -> None:
-    """No count of roundings covers what a subnormal parameter loses."""
+    """No count of roundings covers what a subnormal parameter loses, but for a preload, whose y is 0 within its bound."""
     ss.set_backend(backend)
     article = ss.Parameters.article(theta0=1.0)
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
-        assert ss.equilibria(article.replace(**{name: 1e-251})).escalated
+        assert ss.equilibria(article.replace(**{name: 1e-251})).escalated == (name != "kappa")
     assert not ss.equilibria(article.replace(mu0=0.0, alpha=0.0, beta=0.0)).escalated
 
 

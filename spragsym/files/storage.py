@@ -14,6 +14,7 @@ import json
 import os
 import re
 from collections.abc import Callable, Mapping
+from enum import IntEnum
 from pathlib import Path
 from typing import Any
 
@@ -38,10 +39,18 @@ def xarray() -> Any:
     return xarray
 
 
-def attributes(name: str, explained: Mapping[str, tuple[str, str]]) -> dict[str, str]:
-    """Unit and meaning of a quantity."""
-    unit, meaning = explained[name]
-    return {"units": unit, "long_name": meaning}
+def dataset(
+    data: Mapping[str, Any], coords: Mapping[str, Any], attributes: Mapping[str, Any], explained: Mapping[str, tuple[str, str]],
+    codes: Mapping[str, type[IntEnum]],
+) -> Any:  # fmt: skip
+    """An ``xarray.Dataset``, with unit and meaning of every quantity, and the words of ``codes``."""
+    made = xarray().Dataset(data, coords=coords, attrs=attributes)
+    for name in made.variables:
+        made[name].attrs = dict(zip(("units", "long_name"), explained[name], strict=True))
+    for name, kinds in codes.items():
+        words = " ".join(kind.name.lower() for kind in kinds)
+        made[name].attrs |= {"flag_values": np.array(list(kinds), dtype=np.int8), "flag_meanings": words}
+    return made
 
 
 def provenance() -> dict[str, str]:

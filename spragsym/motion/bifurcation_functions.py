@@ -5,6 +5,7 @@ They are products over multipliers, every factor divided by its size, so that on
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from functools import partial
 from itertools import combinations
@@ -36,10 +37,7 @@ def criterion_of(kind: str, loop: Loop) -> float:
 
     That is a torus, if they are complex; nothing, if they are real.
     """
-    product = 1.0 + 0.0j
-    for factor, _ in _factors(loop, kind):
-        product *= factor
-    return float(product.real)
+    return math.prod((factor for factor, _ in _factors(loop, kind)), start=1.0 + 0.0j).real
 
 
 def is_lost(loop: Loop, kind: str) -> bool:

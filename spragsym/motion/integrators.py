@@ -40,8 +40,13 @@ def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
         return next(name for name in offered if _is_there(name))
     if backend not in offered:
         raise ParameterError(f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the fastest")
+    if not _is_there(backend) and backend == "heyoka":
+        raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
     if not _is_there(backend):
-        raise _missing(backend)
+        raise BackendError(
+            "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+            "install spragsym again, with a compiler, or install a wheel"
+        )
     return backend
 
 
@@ -49,15 +54,6 @@ def _is_there(backend: str) -> bool:
     if backend == "compiled":
         return with_compiled.available()
     return backend != "heyoka" or importlib.util.find_spec("heyoka") is not None
-
-
-def _missing(backend: str) -> Exception:
-    if backend == "heyoka":
-        return MissingExtraError("backend='heyoka'", "heyoka", "fast")
-    return BackendError(
-        "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
-        "install spragsym again, with a compiler, or install a wheel"
-    )
 
 
 def version(backend: str) -> str:

@@ -259,15 +259,8 @@ class Trajectory(Result):
         if self.events is not None:
             coords["event_t"] = self.events.t
             data["event"] = ("event_t", self.events.which.astype(np.int8))
-        dataset = storage.xarray().Dataset(data, coords=coords, attrs=self._attributes())
-        for name in dataset.variables:
-            dataset[name].attrs = storage.attributes(name, self.model.quantities)
-        if self.events is not None:
-            dataset["event"].attrs |= {
-                "flag_values": np.array(list(Event), dtype=np.int8),
-                "flag_meanings": " ".join(kind.name.lower() for kind in Event),
-            }
-        return dataset
+        codes = {"event": Event} if "event" in data else {}
+        return storage.dataset(data, coords, self._attributes(), self.model.quantities, codes)
 
     def _save_columns(self, path: Path) -> None:
         """Write netCDF to ``*.nc`` (extra ``sweep``), with the events, or the samples alone to ``*.csv``."""

@@ -71,8 +71,13 @@ def integrate(problem: Problem) -> Solution:
             if outcome == FULL:
                 step, left = (float(clock[0]) - begun) / made, bound - float(clock[0])
                 check_stiffness(problem.field, state, problem.constants, step, left)
-        _refuse(problem, outcome, elapsed + float(clock[0]), state)
         elapsed, length = elapsed + float(clock[0]), float(clock[1])
+        if outcome == TOO_MANY:
+            raise too_many_steps(problem.max_steps, elapsed, problem.t_end, problem.rtol)
+        if not np.isfinite(state).all():
+            raise out_of_range()
+        if outcome == TOO_SMALL:
+            raise ConvergenceError(f"DOP853 stopped at t = {elapsed:.6g}: the step is too small; use a larger rtol")
         if outcome == ENDED:
             break
         passed = problem.field.borders[border]
@@ -81,12 +86,3 @@ def integrate(problem: Problem) -> Solution:
             crossings.append(Crossing(elapsed, border, int(passed.sign(mode)), state.copy()))
     found_times, found_states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     return assembled(found_times, found_states, crossings, problem.t_record)
-
-
-def _refuse(problem: Problem, outcome: int, t: float, state: FloatArray) -> None:
-    if outcome == TOO_MANY:
-        raise too_many_steps(problem.max_steps, t, problem.t_end, problem.rtol)
-    if not np.isfinite(state).all():
-        raise out_of_range()
-    if outcome == TOO_SMALL:
-        raise ConvergenceError(f"DOP853 stopped at t = {t:.6g}: the step is too small; use a larger rtol")

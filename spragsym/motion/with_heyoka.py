@@ -132,14 +132,17 @@ class Equations:
     ) -> list[Any]:  # fmt: skip
         """Terminal events: levels that are positive within their mode, and approaches, with callbacks of what is done there.
 
-        The gap keeps one crossing from being found twice, which is what a cooldown is for.
+        The gap keeps one crossing from being found twice, which is what a cooldown is for. Where the field jumps, the
+        levels of both modes are 0, and are curved in the state: after a crossing the new one may be negative by the error of a
+        step, and its way up is no event.
         """
+        ways = library().event_direction
         inside = [border.sign(self.seen[2]) * watched(border, *self.seen) for border in field.borders]
         return [
-            event(value, callback=cross(row), cooldown=0.0, direction=ways_out(field.borders[row]))
-            for row, value in enumerate(inside)
+            event(value, callback=cross(row), cooldown=0.0, direction=ways.any if border.jumps is None else ways.negative)
+            for row, (border, value) in enumerate(zip(field.borders, inside, strict=True))
         ] + [
-            event(each.watched, callback=passing(each), direction=library().event_direction.positive) for each in self.approaches
+            event(each.watched, callback=passing(each), direction=ways.positive) for each in self.approaches
         ]  # fmt: skip
 
 
@@ -280,16 +283,6 @@ class Taylor:
             return implicit.fly(state, constants, duration, directions)
         integrals = (float(self.state[-2]) / UNIT, float(self.state[-1]) / UNIT) if self.derivatives else None
         return Passage(*self._split(self.state), tuple(self.crossings), tuple(self.turns), integrals)
-
-
-def ways_out(border: Border) -> Any:
-    """In which directions an event of a border is looked for.
-
-    Where the field jumps, the levels of both modes are 0, and are curved in the state: after a crossing the new one may be
-    negative by the error of a step, and its way up is no event.
-    """
-    hy = library()
-    return hy.event_direction.any if border.jumps is None else hy.event_direction.negative
 
 
 def tolerance(field: Field, rtol: float) -> float:

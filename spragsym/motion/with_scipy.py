@@ -146,7 +146,7 @@ class Flight:
                 if not np.isfinite(solver.y).all():
                     raise out_of_range()
                 dense, begin, end = solver.dense_output(), solver.t_old, solver.t
-                found = first_crossing(self.field, constants, mode, partial(_part, dense, m), begin, end)
+                found = first_crossing(self.field, constants, mode, dense, begin, end)
                 if found is None:
                     yield _Piece(clock, begin, end, solver.y.copy(), dense, mode)
                 steps += 1
@@ -232,22 +232,18 @@ class Flight:
         return [-1, *kinks], values
 
 
-def flight_of(problem: Problem) -> Flight:
-    """The explicit method that carries a motion."""
-    return Flight(problem.field, False, 0, problem.rtol, absolute=1e-3, interpolated=True)
-
-
 def integrate(problem: Problem, *, stiff: bool = False) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where it is ``stiff``."""
-    flight, steps = flight_of(problem), problem.max_steps
     if stiff:
         flight, steps = Flight(problem.field, False, 0, max(problem.rtol, IMPLICIT), stiff=True), MAX_STEPS
+    else:
+        flight, steps = Flight(problem.field, False, 0, problem.rtol, absolute=1e-3, interpolated=True), problem.max_steps
     return flight.motion(problem.start, problem.constants, problem.t_end, t_record=problem.t_record, max_steps=steps)
 
 
 def first_step(problem: Problem, mode: Mode) -> float:
     """The length of the first step, as SciPy chooses it."""
-    rates = flight_of(problem).rates(problem.constants, mode, np.empty(0))
+    rates = Flight(problem.field, False, 0).rates(problem.constants, mode, np.empty(0))
     options = {"rtol": problem.rtol, "atol": problem.rtol * 1e-3}
     return float(_method(False)(rates, 0.0, np.array(problem.start), problem.t_end, **options).h_abs)
 
@@ -270,11 +266,11 @@ def first_crossing(
 
     def border(row: int, part: int, t: float) -> float:
         """Distance from one of the borders (part 0), or its rate (part 1)."""
-        return float(clearances(field, constants, mode, dense(np.asarray(t)))[row, part])
+        return float(clearances(field, constants, mode, dense(np.asarray(t))[: field.size])[row, part])
 
     grid = begin + _CROSSINGS * (end - begin)
     found = []
-    for row, (distance, rate) in enumerate(clearances(field, constants, mode, dense(grid))):
+    for row, (distance, rate) in enumerate(clearances(field, constants, mode, dense(grid)[: field.size])):
         bracket = _bracket(grid, distance, rate, partial(border, row))
         if bracket is not None:
             found.append((_root(partial(border, row, 0), *bracket), row))
@@ -304,10 +300,6 @@ def _root(function: Callable[[float], float], begin: float, end: float) -> float
     if function(begin) * function(end) > 0:
         return begin  # the motion begins beyond the border, by rounding: it is left at once
     return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
-
-
-def _part(dense: Callable[[Any], FloatArray], size: int, t: Any) -> FloatArray:
-    return dense(t)[:size]
 
 
 def _method(stiff: bool) -> Any:

@@ -20,20 +20,17 @@ from ..problems import without_direction
 from ..regimes import Regime
 
 
-def averages(coordinates: Sequence[str]) -> tuple[str, ...]:
-    """What is measured of every motion after its transient: of the first coordinate, and means of the others."""
-    return ("rms", "spread", "largest", "mean", *(f"mean_{name}" for name in coordinates[1:]), "contact_lost", "slip_reversed")
-
-
-def limits(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
-    """What a record says, after those, about the limit of a motion: an equilibrium by its place, a cycle by one state."""
-    rest, cycle = (f"rest_{name}" for name in coordinates), (f"cycle_{name}" for name in (*coordinates, *rates))
-    return ("period", "rate", "distance", "cycle_mean", "cycle_rms", *rest, *cycle)
-
-
 def reported(coordinates: Sequence[str], rates: Sequence[str]) -> tuple[str, ...]:
-    """Numbers that a file and a result hold, by names of the model; a record holds these, then the code of the regime."""
-    return (*averages(coordinates), *limits(coordinates, rates))
+    """Numbers that a file and a result hold, by names of the model; a record holds these, then the code of the regime.
+
+    Of the first coordinate after the transient, and means of the others; then about the limit, from ``period`` on: an equilibrium
+    by its place, a cycle by one state.
+    """
+    return (
+        "rms", "spread", "largest", "mean", *(f"mean_{name}" for name in coordinates[1:]), "contact_lost", "slip_reversed",
+        "period", "rate", "distance", "cycle_mean", "cycle_rms", *(f"rest_{name}" for name in coordinates),
+        *(f"cycle_{name}" for name in (*coordinates, *rates)),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -70,7 +67,8 @@ def _no_result(error: Exception) -> Record:
 def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Exception]]:
     """What records of motions hold, a row each, and why there is none."""
     found, names, n = integrators.measure(motions, backend), motions.field.components, len(motions.field.coordinates)
-    first, told = _averages(found), (*limits(names[:n], names[n:]), "regime")
+    first = _averages(found)
+    told = (*reported(names[:n], names[n:])[len(first) :], "regime")
     table, errors = np.full((len(motions), len(first) + len(told)), np.nan), found.errors.copy()
     table[:, : len(first)] = first.T
     table[:, -1] = Regime.UNSETTLED
@@ -85,7 +83,7 @@ def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Excep
 
 
 def _averages(found: Measured) -> FloatArray:
-    """The measured values after the transient, in the order of :func:`averages`."""
+    """The measured values after the transient, in the order of :func:`reported`."""
     mean, spread, *others = found.averages
     lost, _, *reversals = found.events.T
     largest = np.maximum(np.abs(found.low), np.abs(found.high))

@@ -111,14 +111,7 @@ class Sweep(Result):
         }  # fmt: skip
         results = {name: (dims, values) for name, values in self._results().items()}
         results["reason"] = (dims, self.reason.astype(object))
-        dataset = storage.xarray().Dataset(results, coords=inputs, attrs=self._attributes())
-        for name in dataset.variables:
-            dataset[name].attrs = storage.attributes(name, self.model.quantities)
-        dataset["regime"].attrs |= {
-            "flag_values": np.array(list(Regime), dtype=np.int8),
-            "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
-        }
-        return dataset
+        return storage.dataset(results, inputs, self._attributes(), self.model.quantities, self.table_codes)
 
     def _save_columns(self, path: Path) -> None:
         """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""

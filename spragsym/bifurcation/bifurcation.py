@@ -19,7 +19,7 @@ from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
 from ..statics.mechanics.balance import Balance
 from ..statics.regions import by_hand
-from ..statics.remarks import of_boxes, of_ranges
+from ..statics.remarks import kinds_of, of_ranges, summed
 from .bifurcation_conditions import FOLD
 from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
@@ -175,7 +175,7 @@ def on_lines(
     boxes = np.moveaxis(undecided, 0, -1)
     boxes = np.stack([-boxes[:, 0], boxes[:, 1]])
     varied = dict(zip(vary, Intervals(boxes[:, balance.n :]), strict=True))
-    remarks = of_boxes(balance, np.repeat(given, boxes.shape[2], axis=1), boxes, varied)
+    remarks = summed(kinds_of(balance, np.repeat(given, boxes.shape[2], axis=1), boxes, varied))
     reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
     scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))

@@ -29,7 +29,8 @@ from .fold_extrema import extrema
 from .folds import folds
 from .paths import ModelEnd, first_end
 from .points import OVER_BORDER, endless, given_column, isolated, ranges
-from .tubes.tubes import carried
+from .tubes.tube_regions import Parts
+from .tubes.tubes import Tubes
 
 #: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
 ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
@@ -259,6 +260,20 @@ def critical_value(
     return value_at(lowest, (rising, level), vary, bracket, p.ranges[vary])
 
 
+def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArray) -> FloatArray:
+    """The state at values of a parameter that go one way, shape (n, values), of the one that is ``q`` at the first."""
+    tubes, nothing = Tubes(balance, name), np.zeros((0, 1))
+    parts = Parts(given_column(p, balance.parameters, (name,)), nothing, nothing)
+    here = tubes.place(parts, np.append(q, values[0])[:, None], tubes.n)
+    states = [q]
+    for value in values[1:].tolist():
+        here = tubes.followed(parts, here, np.array([value]))
+        if not here.sure[0] or here.z[tubes.n, 0] != value:
+            raise ConvergenceError(f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}")
+        states.append(here.z[: tubes.n, 0])
+    return np.stack(states, axis=1)
+
+
 class _Search:
     """Candidates, and what becomes of the state at each of them."""
 
@@ -341,16 +356,8 @@ class _Search:
             )
         slot = reference_state(self.p.model, eq, self.p.followed)
         first = np.array([eq.coordinates[name][slot] for name in self.balance.coordinates])
-        way = self.carried(here, self.over, np.array(places), first)
+        way = carried(self.balance, here, self.over, np.array(places), first)
         self.beginning = dict(zip(places, way.T, strict=True))
-
-    def carried(self, p: Any, name: str, values: Any, q: Any) -> Any:
-        """The state at values of a parameter, from that at the first one."""
-        given = given_column(p, self.balance.parameters, (name,))
-        way = carried(self.balance, given, self.balance.parameters.index(name), values, q)
-        if way is None:
-            raise ConvergenceError(f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}")
-        return way
 
     def end_at(self, place: float, one: _Candidate, limit: float) -> ModelEnd | None:
         """Where the state ends there below a limit, from a little below a candidate; None if it does not."""
@@ -358,7 +365,7 @@ class _Search:
         below = max(self.low, one.value - BEYOND * max(1.0, abs(one.value)))
         state = self.beginning[place]
         if below > self.low:
-            state = self.carried(here, self.vary, np.array([self.low, below]), state)[:, -1]
+            state = carried(self.balance, here, self.vary, np.array([self.low, below]), state)[:, -1]
         eq = equilibria(here.replace(**{self.vary: below}))
         states = np.array([eq.coordinates[name][: int(eq.count)] for name in self.balance.coordinates])
         slot = int(np.linalg.norm(states - state[:, None], axis=0).argmin())

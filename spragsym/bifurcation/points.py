@@ -25,7 +25,7 @@ from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.forces import Model
 from ..statics.mechanics.periodic_coordinates import once_around
 from ..statics.regions import by_hand, region
-from ..statics.remarks import of_boxes, of_ranges, of_region
+from ..statics.remarks import kinds_of, of_ranges, of_region, summed
 from ..statics.tie_breaking import in_order
 from . import near_zero
 from .defining_systems import Augmented, Condition
@@ -218,9 +218,8 @@ def arranged(
     values |= {name: middle[i, order] for i, name in enumerate(balance.coordinates)}
     values |= {name: column[order] for name, column in (more or {}).items()}
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
-    remarks += of_boxes(
-        balance, np.repeat(given, left.shape[2], axis=1), left, dict(zip(vary, Intervals(left[:, n:]), strict=True))
-    )
+    varied = dict(zip(vary, Intervals(left[:, n:]), strict=True))
+    remarks += summed(kinds_of(balance, np.repeat(given, left.shape[2], axis=1), left, varied))
     remarks += of_region(balance, found.region[:, :n], found.whole)
     remarks += of_ranges(endless, box[[n + list(vary).index(name) for name in endless]])
     left = _merged(left) if len(vary) == 1 else left

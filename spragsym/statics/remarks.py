@@ -27,11 +27,6 @@ FREE = "along which no force acts on one of the coordinates at these parameters:
 WIDE = "left from a search that ended before it was small enough to be decided: a smaller range or a smaller box helps"
 
 
-def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> tuple[str, ...]:
-    """One sentence for each kind of box; arguments as for :func:`kinds_of`."""
-    return summed(kinds_of(balance, given, left, varied))
-
-
 def summed(kinds: Sequence[str]) -> tuple[str, ...]:
     """How many boxes are of each kind."""
     sentences = []

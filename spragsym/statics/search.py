@@ -142,7 +142,7 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
     ends, alone = (boxes_around[:, :, order] for boxes_around in (found.ends, found.alone))
     given = columns(p, balance.parameters)
-    types = _stability.classified(balance, states, given[:, point], ends, alone)
+    codes, proved, eigenvalues = _stability.classified(balance, states, given[:, point], ends, alone)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
         out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
@@ -163,8 +163,8 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     )
     searched = np.moveaxis(np.stack([-around[0], around[1]], axis=-1), 0, 1)
     made = {
-        "stability": placed(types.stability, 0), "marginal": placed(~types.proved, False),
-        "eigenvalues": placed(types.eigenvalues, np.nan), "error": placed(errors, np.nan),
+        "stability": placed(codes, 0), "marginal": placed(~proved, False),
+        "eigenvalues": placed(eigenvalues, np.nan), "error": placed(errors, np.nan),
         "region": searched.reshape(*shape, balance.n, 2), "whole": whole.reshape(shape),
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
     }  # fmt: skip

@@ -23,15 +23,6 @@ TOGETHER = 1 << 14
 
 
 @dataclass(frozen=True)
-class Types:
-    """Stability of N states: codes, whether each is proved, and the 2 n roots without damping."""
-
-    stability: NDArray[np.int8]
-    proved: NDArray[np.bool_]
-    eigenvalues: NDArray[np.complex128]
-
-
-@dataclass(frozen=True)
 class Linearized:
     """N states by the full linearization, with dampers and the slope of the friction law."""
 
@@ -101,20 +92,21 @@ def _damped(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[
     return out
 
 
-def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:
-    """States of shape (n, N), parameters of shape (P, N), and boxes of shape (2, n, N): around the states, and around each alone.
+def classified(
+    balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray
+) -> tuple[NDArray[np.int8], NDArray[np.bool_], NDArray[np.complex128]]:
+    """Codes of N states, whether each is proved, see :mod:`spragsym.statics.spectrum`, and the 2 n roots without damping, floats.
 
-    Codes are by signs that are proved, see :mod:`spragsym.statics.spectrum`; roots are floats.
+    States have the shape (n, N), parameters (P, N), boxes around the states, and around each alone, (2, n, N).
     """
     n, count = states.shape
     if not count:
-        return Types(np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex))
+        return np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex)
     M, _, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
     squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
     roots = np.sqrt(squares)
-    code, proved = spectrum.classified(balance, given, ends, alone)
-    return Types(code, proved, np.concatenate([roots, -roots], axis=1))
+    return *spectrum.classified(balance, given, ends, alone), np.concatenate([roots, -roots], axis=1)
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:

@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation.critical import carried
 from spragsym.bifurcation.paths import first_end
-from spragsym.bifurcation.points import given_column
-from spragsym.bifurcation.tubes.tubes import carried
 from spragsym.statics.mechanics.balance import Balance
 
 SEARCH = ss.load("kang_nam").search
@@ -72,14 +71,13 @@ def test_a_tube_holds_one_state() -> None:
     """It arrives where the equilibrium is, and never goes through a fold."""
     p = SEARCH.Parameters(theta0=math.radians(49.0))
     balance = Balance(SEARCH, contact=True)
-    given, row = given_column(p, balance.parameters, ("mu0",)), balance.parameters.index("mu0")
     eq = ss.equilibria(ss.Parameters.article(theta0=math.radians(49.0), mu0=np.array([0.0, 0.3])))
     start, there = (np.array([eq.x[k, 0], eq.y[k, 0]]) for k in (0, 1))
-    way = carried(balance, given, row, np.array([0.0, 0.3]), start)
-    assert way is not None
+    way = carried(balance, p, "mu0", np.array([0.0, 0.3]), start)
     assert way[:, 1] == pytest.approx(there, abs=1e-12)
     fold = float(ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0))))
-    assert carried(balance, given, row, np.array([0.0, fold + 0.01]), start) is None
+    with pytest.raises(ss.ConvergenceError, match="followed"):
+        carried(balance, p, "mu0", np.array([0.0, fold + 0.01]), start)
 
 
 @pytest.mark.thorough

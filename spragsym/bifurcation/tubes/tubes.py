@@ -385,20 +385,3 @@ class Tubes:
             top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
             open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
         return safe, top, moves
-
-
-def carried(balance: Balance, given: FloatArray, row: int, values: FloatArray, q: FloatArray) -> FloatArray | None:
-    """The state at each value, shape (n, values), of the one that is ``q`` at the first; None where a step can't be proved.
-
-    ``given`` are the parameters, shape (parameters, 1), ``row`` is the number of the one that takes the values, which go one way.
-    """
-    tubes = Tubes(balance, balance.parameters[row])
-    parts = Parts(given, np.zeros((0, 1)), np.zeros((0, 1)))
-    here = tubes.place(parts, np.append(q, values[0])[:, None], tubes.n)
-    states = [q]
-    for value in values[1:].tolist():
-        here = tubes.followed(parts, here, np.array([value]))
-        if not here.sure[0] or here.z[tubes.n, 0] != value:
-            return None
-        states.append(here.z[: tubes.n, 0])
-    return np.stack(states, axis=1)

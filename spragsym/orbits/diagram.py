@@ -175,7 +175,10 @@ def diagram(
     motion, remarks = model.field, list[str]()
     for start in starts:
         if isinstance(start, Cycle):
-            _require(start, motion, p, vary)
+            start.require(motion, "starts")
+            for name, value in start.parameters.items():
+                if name != vary and value != (own := float(getattr(p, name))):
+                    raise ParameterError(f"starts: a cycle at {name} = {value:.10g}, the diagram at {own:.10g}; give cycles at p")
     for bound in (low, high):
         motion.check(vary, bound)
     rests = _equilibria(model, motion, p, vary, (low, high))
@@ -192,16 +195,6 @@ def diagram(
     labels = [*_of_equilibria(motion, p, vary, rests), *_of_cycles(branches)]
     remarks += _left_alone(vary, labels, onsets)
     return Diagram(vary, (low, high), tuple(rests), tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0], model)
-
-
-def _require(cycle: Cycle, motion: Field, p: ParameterSet, vary: str) -> None:
-    """Raise unless a cycle is one of the model at the parameters of the diagram, but for the one that varies."""
-    cycle.require(motion, "starts")
-    for name, value in cycle.parameters.items():
-        if name != vary and value != float(getattr(p, name)):
-            raise ParameterError(
-                f"starts: a cycle at {name} = {value:.10g}, the diagram at {float(getattr(p, name)):.10g}; give cycles at p"
-            )
 
 
 def _onsets(model: Model, p: ParameterSet, vary: str, to: tuple[float, float], remarks: list[str]) -> Any:

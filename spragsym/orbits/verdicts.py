@@ -121,17 +121,13 @@ def fate(
     227000.0
     """
     model, values = model_of(p), p.given(V=V, d=d).scalars(*p.ranges)
-    return fate_of(model.field, values, state_of(model, start), as_number("t_end", t_end, POSITIVE), backend)
-
-
-def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None = None) -> Fate:
-    """:func:`fate` of any field; a motion that can't be followed is undecided, with the reason."""
+    field, state, t_end = model.field, state_of(model, start), as_number("t_end", t_end, POSITIVE)
     try:
-        return _followed(field, values, start, t_end, backend)
+        return _followed(field, values, state, t_end, backend)
     except ConvergenceError as failed:
         none = np.full(field.size, np.nan)
         return Fate(
-            "undecided", f"{UNFOLLOWED}: {failed}", 0.0, Outcome(names=field.components), none, none, -1, float("inf"), "", start
+            "undecided", f"{UNFOLLOWED}: {failed}", 0.0, Outcome(names=field.components), none, none, -1, float("inf"), "", state
         )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -28,6 +29,13 @@ def lobatto() -> tuple[FloatArray, FloatArray]:
 def unit_points() -> FloatArray:
     """The Lobatto points in [0, 1]."""
     return (lobatto()[0] + 1) / 2
+
+
+def sample_times(begin: Any, end: Any) -> FloatArray:
+    """The Lobatto points of a step, or of each of many."""
+    t: FloatArray = np.multiply.outer(end - begin, unit_points()) + np.expand_dims(begin, -1)
+    t[..., -1] = end
+    return t
 
 
 def _barycentric() -> FloatArray:
@@ -78,8 +86,7 @@ class PiecewisePolynomial:
         """The part after a given time; the step that contains this time is shortened."""
         step = int(self.step_of(np.array(begin)))
         end = (step + 1) * DEGREE
-        t = begin + unit_points() * (self.t[end] - begin)
-        t[-1] = self.t[end]
+        t = sample_times(begin, self.t[end])
         states = np.concatenate([self.at(np.full(t.shape, step), t)[:, :-1], self.states[:, end:]], axis=1)
         return PiecewisePolynomial(np.concatenate([t[:-1], self.t[end:]]), states)
 

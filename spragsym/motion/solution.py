@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..models.parameters import FloatArray
-from .lobatto import PiecewisePolynomial, unit_points
+from .lobatto import PiecewisePolynomial
 from .problem import Problem
 from .segment import Crossing
 
@@ -43,13 +43,6 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
                 chatter.add(id(crossing))
             before = after or before
     return replace(solution, crossings=tuple(each for each in solution.crossings if id(each) not in chatter))
-
-
-def sample_times(begin: float, end: float) -> FloatArray:
-    """The Lobatto points of a step."""
-    t = begin + unit_points() * (end - begin)
-    t[-1] = end
-    return t
 
 
 def assembled(t: FloatArray, states: FloatArray, crossings: Sequence[Crossing], t_record: float = 0.0) -> Solution:

@@ -14,7 +14,7 @@ from ..errors import ConvergenceError
 from ..models.field import GAP, JUMPED, Border, Field, Mode
 from ..models.heyoka_library import XP, Functions, library
 from ..models.parameters import FloatArray
-from .lobatto import unit_points
+from .lobatto import sample_times, unit_points
 from .problem import Problem, StiffError, check_stiffness, out_of_range, too_many_steps
 from .segment import Crossing, Passage, Turn
 from .solution import Solution, assembled
@@ -310,13 +310,9 @@ def watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:
 
 def _sampled(output: Any) -> Samples:
     """Times and values of a heyoka continuous output at the Lobatto points of its steps."""
-    coefficients, begin, step = output.tcs, output.times[:-1, None], np.diff(output.times)[:, None]
-    unit = unit_points()
-    order = np.arange(coefficients.shape[2])
-    states = (coefficients * step[:, :, None] ** order) @ unit ** order[:, None]
-    t = begin + step * unit
-    t[:, -1] = output.times[1:]
-    return t, states
+    step, order = np.diff(output.times)[:, None, None], np.arange(output.tcs.shape[2])
+    states = (output.tcs * step**order) @ unit_points() ** order[:, None]
+    return sample_times(output.times[:-1], output.times[1:]), states
 
 
 _CACHE = threading.local()

@@ -14,9 +14,10 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import GAP, JUMPED, Field, Mode
 from ..models.parameters import FloatArray
+from .lobatto import sample_times
 from .problem import MOST, Problem, StiffError, check_stiffness, out_of_range, too_many_steps
 from .segment import Crossing, Passage, Turn
-from .solution import Solution, assembled, sample_times
+from .solution import Solution, assembled
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.

@@ -103,24 +103,16 @@ def rms_sweep(
     model, p = model_of(p), p.given(V=V, d=d)
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
-    settings = settings_of(t_end, transient, rtol, backend, max_steps, integrators.offered_for(model))
-    work, together = partial(measured, model, settings), partial(_together, settings)
-    made, key = partial(made_of, model, inputs, settings), partial(fingerprint, model, inputs, settings)
-    columns = (*reported(model.coordinates, model.rates), "regime")
-    return made_or_loaded(inputs, work, made, columns, "reason", key, Sweep.save, workers, progress, store, together)
-
-
-def settings_of(
-    t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int,
-    offered: tuple[str, ...],
-) -> Settings:  # fmt: skip
-    """What all motions of a sweep share, each of it checked."""
     t_end = as_number("t_end", t_end, POSITIVE)
     transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
     tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_count("max_steps", max_steps)
-    return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
+    settings = Settings(t_end, transient, tolerance, integrators.choose(backend, integrators.offered_for(model)), steps)
+    work, together = partial(measured, model, settings), partial(_together, settings)
+    made, key = partial(made_of, model, inputs, settings), partial(fingerprint, model, inputs, settings)
+    columns = (*reported(model.coordinates, model.rates), "regime")
+    return made_or_loaded(inputs, work, made, columns, "reason", key, Sweep.save, workers, progress, store, together)
 
 
 def _together(settings: Settings, count: int, workers: int) -> int:

@@ -109,8 +109,8 @@ class Sweep(Result):
             else (dims, np.broadcast_to(values, self.rms.shape).copy())
             for name, values in self._inputs().items()
         }  # fmt: skip
-        results = {name: (dims, values) for name, values in self._results().items()}
-        results["reason"] = (dims, self.reason.astype(object))
+        columns = {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason.astype(object)}
+        results = {name: (dims, values) for name, values in columns.items()}
         return storage.dataset(results, inputs, self._attributes(), self.model.quantities, self.table_codes)
 
     def _save_columns(self, path: Path) -> None:
@@ -119,10 +119,7 @@ class Sweep(Result):
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
-        return inputs | self._results() | {"reason": self.reason}
-
-    def _results(self) -> dict[str, NDArray[Any]]:
-        return {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium}
+        return inputs | self.measured | {"regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
 
     def _inputs(self) -> dict[str, FloatArray]:
         """The inputs, every angle in degrees beside it in radians."""

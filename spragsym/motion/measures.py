@@ -35,11 +35,6 @@ class Course:
     events: NDArray[np.intp]
     reach: tuple[float, float]
 
-    @property
-    def since(self) -> float:
-        """The time from which on all maxima are kept."""
-        return self.begin if len(self.maxima_t) < KEPT else float(self.maxima_t[0])
-
     def moments(self, row: int = -1) -> tuple[float, float]:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
         end = self.end if row == -1 else self.maxima_t[row]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError
 from ..models.field import Field, Mode, in_one_turn
 from ..models.parameters import FloatArray
-from .measures import Course
+from .measures import KEPT, Course
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
 
@@ -133,8 +133,9 @@ def _decays(course: Course, rest: Rest) -> bool:
     The squares of the two halves are compared under Hann windows, which hide unfinished beats.
     """
     modes = np.abs(np.linalg.pinv(rest.vectors) @ (course.maxima - rest.state).T) ** 2
-    window = course.end - course.since
-    share = (course.maxima_t - course.since) / window
+    since = course.begin if len(course.maxima_t) < KEPT else float(course.maxima_t[0])
+    window = course.end - since
+    share = (course.maxima_t - since) / window
     if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
         return False
     hann = np.sin(2 * np.pi * share) ** 2

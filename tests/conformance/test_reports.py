@@ -79,10 +79,6 @@ def test_every_model_has_a_file_to_begin_with(name: str, tmp_path: Path) -> None
     assert list(study.quantities) == [one["name"] for one in model.about["units"]] + [
         one["quantity"] for one in model.about["parameters"]
     ]
-    if name != "kang_nam":  # its file is the guide's brake; those of the others have three digits
-        _, p = model.cases()[0]
-        for key in model.parameters:
-            assert float(getattr(study.dimensionless, key)) == pytest.approx(float(getattr(p, key)), rel=2e-3)
     out = tmp_path / "page.html"
     done = CliRunner().invoke(explore, ["--data", str(file), "--trust", "--out", str(out), "--no-open"])
     assert done.exit_code == 0, done.exception

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-import spragsym as ss
 from spragsym.design.nearest import nearest
 
 #: Centres and radii of discs; the nearest point of each lies on the line to its centre.
@@ -61,15 +59,3 @@ def test_a_border_that_nothing_improves_is_come_to_along_a_ray() -> None:
     assert found is not None
     assert np.linalg.norm(found) == pytest.approx(8**0.5 - 1.0, rel=3e-3)
     assert nearest(lambda z: np.zeros(z.shape[:-1], dtype=bool), LIMITS, lambda _: None) is None
-
-
-@pytest.mark.validate
-def test_a_report_has_the_nearest_jump_of_every_model(tmp_path: Path) -> None:
-    """A cubic contact without its cubic part is the article's, by search where that one has closed forms."""
-    found = []
-    for name, more in (("kang_nam", ""), ("cubic_contact", 'k_3 = "0 N/m^3"\n')):
-        file = tmp_path / f"{name}.toml"
-        file.write_text(BRAKE.replace("MODEL", name) + more, encoding="utf-8")
-        found.append(ss.Study.from_file(file).report(probability=False, redesign=False, oscillation=False).distance)
-    assert found[1] == pytest.approx(found[0], rel=1e-9)
-    assert 0 < found[0] < 10

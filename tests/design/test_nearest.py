@@ -1,4 +1,4 @@
-"""The nearest design that jumps: of several sheets the nearest one, whatever was found first, and the same for every model."""
+"""The nearest design that jumps: of several sheets the nearest one, whatever was found first."""
 
 from __future__ import annotations
 
@@ -13,20 +13,6 @@ from spragsym.design.nearest import nearest
 #: Centres and radii of discs; the nearest point of each lies on the line to its centre.
 DISCS = ((np.array([5.0, 0.0, 0.0]), 1.0), (np.array([0.0, -2.0, 2.0]), 1.0), (np.array([-1.5, 3.0, 3.0]), 0.8))
 LIMITS = (np.full(3, -10.0), np.full(3, 10.0))
-BRAKE = """[brake]
-model = "MODEL"
-m = "0.35 kg"
-k = "180 N/mm ± 15 %"
-L_0 = "38 mm"
-theta0 = "52 deg ± 1 deg"
-k_x = "9 N/mm ± 15 %"
-k_y = "0 N/mm"
-k_c = "1500 N/mm ± 15 %"
-F_L = "420 N"
-mu0 = "0.3 ± 5 %"
-V = "1.2 m/s"
-d = "10 s/m"
-"""
 
 
 def in_a_disc(z: Any) -> Any:

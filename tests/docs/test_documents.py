@@ -207,19 +207,6 @@ def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
-# --------------------------------------------------------------------------------------------------- the benchmarks
-
-
-def test_every_benchmark_can_be_imported() -> None:
-    """None stands on a name that is gone; those that need an extra are left out without it."""
-    for path in (ROOT / "benchmarks").glob("[a-z]*.py"):
-        try:
-            importlib.import_module(f"benchmarks.{path.stem}")
-        except ModuleNotFoundError as error:
-            if (error.name or "").partition(".")[0] in ("spragsym", "benchmarks", "derive"):
-                raise
-
-
 def test_what_the_glossary_names_is_there() -> None:
     """Each term leads to a function or class of the package."""
     named = re.findall(r"`([a-z_]+(?:\.[a-z_]+)*\.\w+)`", (DOCS / "glossary.md").read_text(encoding="utf-8"))

@@ -34,7 +34,7 @@ _work: ContextVar[_Work | None] = ContextVar("spragsym.progress", default=None)
 
 @contextmanager
 def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
-    """Say what long work is at, within a ``with`` block.
+    """Report the progress of long computations within a ``with`` block.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Bifurcation conditions beside the balance: of folds, of cusps, of states on the contact's border, of onsets of flutter."""
+"""Bifurcation conditions appended to the balance: of folds, of cusps, of states on the contact's border, of onsets of flutter."""
 
 from __future__ import annotations
 

@@ -137,7 +137,7 @@ def cusp_friction(
     between: Mapping[str, tuple[float, float]] | None = None,
     method: Method = "auto",
 ) -> float | FloatArray:
-    """The friction of the lowest cusp, or the least ``vary`` at one, where folds are born over ``over``; infinite without one.
+    """The least friction at a cusp over friction and inclination, or over ``vary`` and ``over``; infinite without a cusp.
 
     What decides whether a state can end is :func:`critical_friction`: folds may lie below their cusps.
 
@@ -205,7 +205,7 @@ def critical_value(
     between: Mapping[str, tuple[float, float]] | None = None,
     method: Method = "auto",
 ) -> float:
-    """The value of a parameter at which the least friction at which the followed state ends is that of p.
+    """The value of a parameter at which :func:`critical_friction` equals the friction of p.
 
     On one side of it the state jumps at no inclination.
 
@@ -216,7 +216,7 @@ def critical_value(
     vary : str
         The parameter that is changed.
     bracket : (float, float)
-        Two values of it with the lowest end on different sides.
+        Two values of it, one with :func:`critical_friction` above the friction of p and one below.
     along, over : str, optional
         As ``vary`` and ``over`` of :func:`critical_friction`.
     between, method

@@ -1,4 +1,4 @@
-"""A box around each cusp of a model in the plane of two parameters, and what is left."""
+"""A box around each cusp of a model in the plane of two parameters, and the boxes left undecided."""
 
 from __future__ import annotations
 

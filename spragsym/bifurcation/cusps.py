@@ -1,4 +1,4 @@
-"""Cusps of any model in the plane of two parameters: the question."""
+"""Cusps of any model in the plane of two parameters: the public function."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fold that ends a followed state as the design moves, and a point on it brought to the nearest one of its sheet.
+"""The fold that ends a followed state as the design moves, and the nearest point of its sheet to a design.
 
 In floats: predictions for searches that verify what they find.
 """

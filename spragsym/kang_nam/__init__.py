@@ -1,4 +1,4 @@
-"""The article's model: what only it has, and where its closed forms stand, each under the name of its question."""
+"""The article's model: what only it has, and its closed forms, each by the name of the public function that it answers."""
 
 from __future__ import annotations
 

@@ -98,7 +98,7 @@ def load(name: str | os.PathLike[str]) -> Model:
     else:
         known = shipped()
         raise ParameterError(
-            f"{text!r} is no shipped model, and no folder, as spragsym derive PAGE.py --out DIR writes one"
+            f"{text!r} is neither a shipped model nor a folder that spragsym derive PAGE.py --out DIR wrote"
             f"{hint(text, known) or '; the models are ' + ', '.join(known)}"
         )
     with _LOCK:

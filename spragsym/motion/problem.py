@@ -37,7 +37,7 @@ MOST, STABLE = 1e6, 0.5
 
 
 class Event(IntEnum):
-    """What happens at an event."""
+    """Which border of the piecewise smooth field the motion crosses at an event."""
 
     CONTACT_LOST = 0
     CONTACT_REGAINED = 1

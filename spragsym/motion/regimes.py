@@ -46,7 +46,7 @@ ATTRACTOR = {
 
 @dataclass(frozen=True)
 class Outcome(Result):
-    """What a motion comes to.
+    """The attractor that a motion reaches or approaches, and how fast.
 
     A number of ``rest`` or ``cycle`` is an attribute of its name too, as ``rest_x``, ``rest_y`` and ``cycle_vy``; NaN for none.
 

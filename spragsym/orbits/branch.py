@@ -64,7 +64,7 @@ MERGES = "it meets the cycle of half its period, which doubles there"
 
 @dataclass(frozen=True, eq=False)
 class CycleEvent(Result):
-    """Something that happens on a branch.
+    """A bifurcation, a grazing or an end on a branch of cycles.
 
     Attributes
     ----------

@@ -35,7 +35,7 @@ UNFOLLOWED = "the motion can't be followed"
 
 @dataclass(frozen=True, eq=False)
 class Fate(Result):
-    r"""What a motion comes to.
+    r"""The attractor or lift-off that a motion ends in, or why that is undecided.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Facts about a brake, computed once: sentences, rows and pages say these, and decide nothing themselves."""
+"""Facts about a brake, computed once: sentences, rows and pages only state them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The friction that works at the speed of the belt, by the model's law, within the tolerances; and the speed for a friction."""
+"""The effective friction at the speed of the belt, by the model's law, within the tolerances; and the speed for a friction."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A brake: its data with units and tolerances, the loading parameter, and the friction that works."""
+"""A brake: its data with units and tolerances, the loading parameter, and the effective friction."""
 
 from __future__ import annotations
 

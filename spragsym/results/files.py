@@ -45,7 +45,7 @@ def save(result: Any, path: str | os.PathLike[str]) -> None:
 
 
 def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
-    """The result in a file that its ``save`` wrote.
+    """Read a result from the file that its ``save`` wrote.
 
     Parameters
     ----------

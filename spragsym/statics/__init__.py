@@ -1,1 +1,1 @@
-"""Equilibria of any model: all of them by search, each proved, and their types."""
+"""Equilibria of any model: all of them by search, each proved, with its type of stability."""

@@ -1,4 +1,4 @@
-"""All equilibria of any model, and how many there are: the questions."""
+"""All equilibria of any model, and how many there are: the public functions."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def equilibria(
 
 @question
 def count(p: ParameterSet, *, method: Method = "auto") -> NDArray[np.int8]:
-    """The number of equilibria in contact of every point; of the article's model without the states.
+    """The number of equilibria in contact of every point; for the article's model without solving for the states.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Equilibria of columns that are there already, and what is changed in them."""
+"""Sources of equilibria from columns already computed, and equilibria with single points decided."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ def set_backend(name: str, threads: int = 1) -> None:
 
 
 def get_backend() -> str:
-    """The name that was set last, ``"auto"`` to begin with; :func:`set_backend` sets it.
+    """The name of the backend that :func:`set_backend` has set; ``"auto"`` by default.
 
     Returns
     -------

@@ -141,7 +141,7 @@ def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
         (["export", "--out="], USAGE, ["--out", "empty"]),
         (["report", ""], USAGE, ["FILE", "empty"]),
         (["fates", "--theta0", "30", "--backend", "compiled", "-o", "a.csv"], USAGE, ["heyoka", "scipy"]),
-        (["equilibria", "--theta0", "30", "--model", ""], USAGE, ["no shipped model"]),
+        (["equilibria", "--theta0", "30", "--model", ""], USAGE, ["neither a shipped model"]),
         (["equilibria", "--theta0", "0"], USAGE, ["--theta0 = 0", "(0, 180)"]),
         (["equilibria", "--theta0", "nan"], USAGE, ["--theta0 = nan"]),
         (["equilibria", "--theta0", "49", "--sigma", "0"], USAGE, ["sigma = 0", "(0, inf)"]),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import shlex
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -19,7 +20,7 @@ MOST, NAMED = 5, 4
 def next_steps(report: Report) -> Iterator[tuple[str, str]]:
     """Verb and object of each step, the most useful first, the command to go on with last."""
     study, steps = report.study, [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)]
-    command = f"spragsym explore --data {study.source}, to walk over the folds and let it move"
+    command = f"spragsym explore --data {shlex.quote(study.source)}, to walk over the folds and let it move"
     run = [("run", command)] if study.source else []
     yield from (*steps[: MOST - len(run)], *run)
 
@@ -34,7 +35,10 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
         then = "it does not jump" if math.isnan(one.jump_at) else f"it jumps at {study.amount(one.jump_at)}"
         yield "change", f"{values}: then {then}{', proved for all tolerances' if one.outcome == 'proved' else ''}"
     if report.needed and not report.redesign:
-        yield "allow", "wider ranges in may_change, or smaller tolerances: no change within them keeps it from jumping"
+        yield (
+            "allow",
+            "wider ranges in may_change, or smaller tolerances: no change within them was found that keeps it from jumping",
+        )
 
 
 def _ranges(report: Report) -> Iterator[tuple[str, str]]:
@@ -62,7 +66,7 @@ def _measurements(report: Report) -> Iterator[tuple[str, str]]:
         at = " and ".join(f"{frequency:.4g} Hz" for frequency in here.frequencies_hz)
         yield "measure", f"the damping of the real brake{f' at {at}' if at else ''}: the model has next to none"
     elif here is not None and not here.settles and study.belt and study.source:
-        command = f"spragsym bifurcation --data {study.source} --vary {study.belt}"
+        command = f"spragsym bifurcation --data {shlex.quote(study.source)} --vary {study.belt}"
         yield "find", f"the {study.belt} at which sliding becomes stable: {command}"
     exact = [name for name in deciding(study) if not study.quantities[name].varies and study.values[name]]
     if exact:

@@ -75,7 +75,7 @@ class Trajectory(Result):
         return (*self.model.coordinates, *self.model.rates)
 
     @property
-    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+    def offered(self) -> tuple[str, ...]:
         return self.components
 
     def data(self) -> dict[str, Any]:

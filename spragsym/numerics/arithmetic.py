@@ -6,7 +6,11 @@ from typing import Any, Self
 
 
 class Arithmetic:
-    """A base of number types: operations with what stands on the left, and differences."""
+    """A base of number types: operations with what stands on the left, and differences.
+
+    Each type says the first three itself. It is no abstract class: ``isinstance`` of one takes three times as long, and stands
+    in every operation.
+    """
 
     __slots__ = ()
 

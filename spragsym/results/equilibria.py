@@ -210,7 +210,7 @@ class Equilibria(Named):
         return int(self.count.sum()) <= WHOLE
 
     @property
-    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+    def offered(self) -> tuple[str, ...]:
         return tuple(dict.fromkeys([*self.columns, *self._made, *_KNOWN, *_LINEARIZED]))
 
     def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:

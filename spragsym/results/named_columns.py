@@ -11,7 +11,7 @@ class Named(Result):
     """A result whose columns are attributes under their names, each made when it is first asked for."""
 
     def _asked(self, name: str) -> Any:
-        """A column; None if there is none of this name."""
+        """A column; None if there is none of this name. Every result says it itself."""
         raise NotImplementedError
 
     def __getattr__(self, name: str) -> Any:
@@ -43,7 +43,7 @@ class Columns(Named):
         cls.held_in = held_in
 
     @property
-    def offered(self) -> tuple[str, ...]:  # type: ignore[override]  # of each result its own
+    def offered(self) -> tuple[str, ...]:
         return tuple(self.__dict__.get(self.held_in, ()))
 
     def _asked(self, name: str) -> Any:

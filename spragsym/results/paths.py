@@ -64,7 +64,7 @@ class Path(Columns, Rows, held_in="places"):
         return {name: self.places[name] for name in self.parameters.model.coordinates}
 
     @property
-    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+    def offered(self) -> tuple[str, ...]:
         return (*self.places, *_OF_STATES)
 
     def _asked(self, name: str) -> Any:

@@ -117,7 +117,7 @@ class Points(Named, Rows):
         return {name: getattr(self, name) for name in self.parameters.model.coordinates}
 
     @property
-    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+    def offered(self) -> tuple[str, ...]:
         return tuple(dict.fromkeys([*self.vary, *self.columns, *self._values, "ends", "when", "after", *self.parameters.ranges]))
 
     @property

@@ -28,8 +28,10 @@ class Result(Shown):
             # In the class itself, so that the dataclass of it makes no other.
             cls.__repr__ = _short  # type: ignore[method-assign]
 
-    #: Names of further attributes, made when they are asked for.
-    offered: tuple[str, ...] = ()
+    @property
+    def offered(self) -> tuple[str, ...]:
+        """Names of further attributes, made when they are asked for."""
+        return ()
 
     def __str__(self) -> str:
         return "\n\n".join(text(table) for table in tables(self))

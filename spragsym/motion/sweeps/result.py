@@ -80,7 +80,7 @@ class Sweep(Result):
         return measured[name]
 
     @property
-    def offered(self) -> tuple[str, ...]:  # type: ignore[override]
+    def offered(self) -> tuple[str, ...]:
         return tuple(self.measured)
 
     def outcome(self, index: Any) -> Outcome:

@@ -34,6 +34,12 @@ def commands(path: Path) -> list[tuple[str, str]]:
     return found
 
 
+def programs(path: Path, language: str) -> list[tuple[str, str]]:
+    """Programs of one language, each with the output that is shown below it."""
+    shown = rf"^```{language}\n((?:(?!```)[^\n]*\n)*)```\n+```text\n(.*?)^```$"
+    return re.findall(shown, path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
 def run(command: str, folder: Path, *, bare: bool = False) -> str:
     """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path.
 

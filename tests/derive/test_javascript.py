@@ -1,8 +1,7 @@
-"""The JavaScript module: the bits of C over all families, Python's folds and motion, errors that say what is wrong."""
+"""The JavaScript module: Python's folds, flutter onsets and motion."""
 
 from __future__ import annotations
 
-import ctypes
 import math
 from collections.abc import Sequence
 from typing import Any
@@ -12,7 +11,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.models.parameters import NAMES
-from tests.oracles import languages
 from tests.oracles.languages import NODE, values
 from tests.support import few, lowest_sets
 
@@ -25,23 +23,6 @@ SETS: tuple[dict[str, float], ...] = (
 )  # fmt: skip
 
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is not on this machine")
-
-
-# -------------------------------------------------------------------------------------------------- equilibria
-
-
-@pytest.fixture(scope="module")
-def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
-    """Points of all families and what the module says about them, in contact and in lift-off."""
-    p = languages.adversarial(120)
-    return {contact: (p, languages.in_node(p, contact)) for contact in (True, False)}
-
-
-@pytest.mark.thorough
-def test_every_bit_is_that_of_c(everything: Any, c_library: ctypes.CDLL) -> None:
-    """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
-    for contact, (p, found) in everything.items():
-        assert not languages.unlike_c(found, c_library, p, contact).any()
 
 
 # --------------------------------------------------------------------------------------- surface, folds and cusps

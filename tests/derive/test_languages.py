@@ -1,18 +1,24 @@
-"""The house as CONTRIBUTING draws it, and a language added by its words alone."""
+"""Languages: the bits of C, what their page shows, and one added by the words of CONTRIBUTING alone."""
 
 from __future__ import annotations
 
+import ctypes
 import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from spragsym.derive.emit import targets
 from spragsym.derive.kang_nam import library
+from tests.oracles import languages
+from tests.oracles.languages import NODE, OCTAVE
+from tests.shown import DOCS, programs
 from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
@@ -21,6 +27,48 @@ PAGE = ROOT / "CONTRIBUTING.md"
 def section(title: str) -> str:
     """One section of CONTRIBUTING."""
     return PAGE.read_text(encoding="utf-8").split(f"\n## {title}\n")[1].split("\n## ")[0]
+
+
+# ---------------------------------------------------------------------------------------- languages that are there
+
+
+@pytest.mark.parametrize("contact", [True, False])
+@pytest.mark.parametrize(
+    ("there", "solved"),
+    [pytest.param(NODE, languages.in_node, marks=pytest.mark.thorough), (OCTAVE, languages.in_octave)],
+    ids=["node", "Octave"],
+)
+def test_every_bit_is_that_of_c(there: str | None, solved: Callable[..., Any], contact: bool, c_library: ctypes.CDLL) -> None:
+    """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
+    if there is None:
+        pytest.skip("it is not on this machine")
+    p = languages.adversarial(120)
+    found = solved(p, contact)
+    assert not languages.unlike_c(found, c_library, p, contact).any()
+    filled = np.arange(4) < found.count[:, None]
+    assert all(np.array_equal(np.isfinite(found.columns[name]), filled) for name in ("theta", "L", "x", "y"))
+
+
+def in_node(program: str) -> str:
+    command, folder = [str(NODE), "--input-type=module"], languages.library("javascript")
+    return subprocess.run(command, cwd=folder, input=program, capture_output=True, text=True, timeout=60, check=True).stdout
+
+
+def in_octave(program: str) -> str:
+    return languages.octave(languages.library("matlab"), f"set(0, 'defaultfigurevisible', 'off');\n{program}")
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize(("language", "there", "run"), [("javascript", NODE, in_node), ("matlab", OCTAVE, in_octave)])
+def test_programs_of_the_page_print_what_it_shows(language: str, there: str | None, run: Callable[[str], str]) -> None:
+    if there is None:
+        pytest.skip("it is not on this machine")
+    shown = programs(DOCS / "howto_languages.md", language)
+    assert len(shown) > 2
+    for example in languages.library(language).glob("example_*.m"):
+        assert example.read_text(encoding="utf-8") in dict(shown)
+    for program, output in shown:
+        assert run(program).startswith(output)
 
 
 # ------------------------------------------------------------------------------------------------- a new language

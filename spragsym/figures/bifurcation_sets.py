@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,12 +13,9 @@ from ..assumed import MU0_RANGE
 from ..models.parameters import Parameters, ParameterSet
 from ..questions import has_closed_form
 from ..results.equilibria import Stability
-from . import surfaces
 from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import passages
-from .hidden import Cover
 from .planes import draw_bifurcation_set, draw_regions
-from .space import draw_line, draw_surface, space_axes
 from .style import (
     BLACK,
     DOUBLE,
@@ -36,6 +32,7 @@ from .style import (
     styled,
     write_along,
 )
+from .surfaces import draw_surface, on_surface, space_axes
 from .trajectories import both_ways, table_of_path
 
 _VIOLET = "#5b2a86"
@@ -47,26 +44,20 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
     figure = Sheet(figsize=(4.6, 3.5))
     ax = space_axes(figure, (0.0, 0.02, 0.97, 0.98), 1.02)
     p = Parameters.article()
-    cover, folded = draw_surface(ax, p, detail)
-    tables = {"a": folded}
+    tables: dict[str, Table] = {}
+    lines = []
     for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, _VIOLET), strict=True):
         up, _ = both_ways(p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201))
         pieces = passages(up)
-        for mu0, x in pieces:
-            draw_line(ax, cover, np.full(mu0.size, angle), mu0, x, color=color, linewidth=1.5, zorder=4)
+        lines += [(on_surface(mu0, np.full(mu0.size, np.radians(angle)), x), color) for mu0, x in pieces]
         for (mu0, x), (_, landed) in itertools.pairwise(pieces):
-            ends = np.array([angle, angle]), np.array([mu0[-1], mu0[-1]]), np.array([x[-1], landed[0]])
-            draw_line(ax, cover, *ends, color=color, linewidth=1.2, linestyle=":", zorder=4)
+            ends = [angle, angle], [mu0[-1], mu0[-1]], [x[-1], landed[0]]
+            ax.plot(*ends, color=color, linewidth=1.2, linestyle=":", zorder=4)
         for (mu0, x), mark, at in ((pieces[0], "", 0), (pieces[-1], "′", -1)):
-            ax.text(
-                angle,
-                mu0[at] + (-0.06 if at == 0 else 0.05),
-                x[at] + 0.12,
-                f"$\\mathit{{{name}}}${mark}",
-                color=color,
-                zorder=6,
-            )
+            place = angle, mu0[at] + (-0.06 if at == 0 else 0.05), x[at] + 0.12
+            ax.text(*place, f"$\\mathit{{{name}}}${mark}", color=color, zorder=6)
         tables[f"a_path_{name}"] = table_of_path(up, "mu0")
+    tables["a"] = draw_surface(ax, p, lines, detail)
     return figure.describe(
         f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}. Blue
         sheets are stable, orange ones divergent; orange lines are the folds, the dot is the cusp. Lines with a
@@ -102,10 +93,16 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     space, plane = space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95), figure.add_axes((0.64, 0.16, 0.345, 0.74))
     p = Parameters.article(sigma=1.0)
     onsets = ss.flutter_boundary(p)
-    cover, folded = draw_surface(space, p, detail)
-    tables = {"a": folded, "a_flutter": draw_flutter(space, onsets, MU0_RANGE, cover)}
-    tables["b"] = draw_plane(plane, p)
-    tables["b_flutter"] = draw_flutter(plane, onsets, MU0_RANGE)
+    flutter = [
+        on_surface(*(column[onsets.curve == number] for column in (onsets.mu0, onsets.theta0, onsets.x)))
+        for number in np.unique(onsets.curve)
+    ]
+    names = ("theta0_deg", "mu0", "x")
+    shown = stacked([dict(zip(names, line[np.isfinite(line[:, 1])].T, strict=True)) for line in flutter], "curve", names)
+    tables = {"a": draw_surface(space, p, [(line, GREEN) for line in flutter], detail), "b": draw_plane(plane, p)}
+    tables |= {"a_flutter": shown, "b_flutter": shown}
+    for line in flutter:
+        plane.plot(line[:, 0], line[:, 1], color=GREEN, linewidth=1.2, linestyle=LINES[Stability.FLUTTER], zorder=3)
     label_regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75))
     for x in (6, 157):
         write_along(plane, "flutter", x, 0.85, color=GREEN)
@@ -143,20 +140,3 @@ def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one
     cusp = ss.bifurcation_set(p).cusps
     theta0, mu0 = float(np.degrees(cusp.theta0[0])), float(cusp.mu0[0])
     write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
-
-
-def draw_flutter(ax: Any, found: Any, mu0: tuple[float, float], cover: Cover | None = None) -> Table:
-    """Onsets of flutter over (θ₀, μ₀), or with a cover on the surface."""
-    style: dict[str, Any] = {"color": GREEN, "linewidth": 1.2, "linestyle": LINES[Stability.FLUTTER], "zorder": 3}
-    for number in np.unique(found.curve):
-        part = found.curve == number
-        friction, angle, x = surfaces.inside(found.mu0[part], *mu0, np.degrees(found.theta0[part]), found.x[part])
-        if cover is None:
-            ax.plot(angle, friction, **style)
-        else:
-            draw_line(ax, cover, angle, friction, x, **style)
-    shown = (found.mu0 >= mu0[0]) & (found.mu0 <= mu0[1])
-    return {
-        "curve": found.curve[shown], "theta0_deg": np.degrees(found.theta0[shown]), "mu0": found.mu0[shown],
-        "x": found.x[shown],
-    }  # fmt: skip

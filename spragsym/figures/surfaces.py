@@ -1,56 +1,51 @@
-"""The equilibrium surface in three dimensions: a mesh cut exactly where a sheet ends."""
+"""The equilibrium surface in three dimensions, and lines on it: polygons of one collection, which matplotlib sorts by depth."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
-from matplotlib.colors import to_rgb
+from matplotlib.colors import to_rgba_array
 from numpy.typing import NDArray
 
 import spragsym as ss
 
-from ..generated import equilibrium as _equilibrium
-from ..generated import stability as _stability
+from ..assumed import MU0_RANGE
 from ..models.parameters import FloatArray, Parameters
 from ..results.equilibria import Stability
+from .curves import LABELS
+from .style import BLACK, VERMILION, Sheet, Table, stacked
 
-#: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant
-#: of (27) (flutter where negative).
-_THETA0, _MU0, _X, _SLOPE, _DISCRIMINANT = range(5)
+_SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
+#: Proportions of the box, what its sides go over in θ₀ in degrees, μ₀ and x, and the angles under which it is seen.
+_ASPECT, _RANGE, _ELEVATION, _AZIMUTH = (1.25, 1.1, 0.9), (180.0, 1.0, 4.0), 24.0, -118.0
+#: How far lines stand before the surface, and half of their width, in the units of the proportions.
+_LIFT, _HALF = 0.08, 0.0036
 
 
-def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int) -> dict[Stability, list[FloatArray]]:
-    """Polygons of (θ₀ in degrees, μ₀, x): the surface between two frictions, cut along folds and flutter onsets.
+def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int) -> tuple[FloatArray, NDArray[np.int8]]:
+    """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface between two frictions; and their stability.
 
-    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite. So
-    the mesh has no hole; polygons are cut by straight lines where they leave a sheet.
+    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite: the mesh has no hole.
     """
-    mesh = _mesh(p, np.radians(theta0_deg), n, mu0)
-    polygons = _quadrilaterals(mesh)
-    polygons = _clip(_clip(polygons, _MU0, mu0[0]), _MU0, mu0[1], keep_above=False)
-    standing = _clip(polygons, _SLOPE, 0.0)
-    parts = {
-        Stability.STABLE: _clip(standing, _DISCRIMINANT, 0.0),
-        Stability.DIVERGENT: _clip(polygons, _SLOPE, 0.0, keep_above=False),
-        Stability.FLUTTER: _clip(standing, _DISCRIMINANT, 0.0, keep_above=False),
-    }
-    return {kind: [polygon[:, :3] for polygon in part] for kind, part in parts.items()}
-
-
-def _mesh(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:
-    """Vertices, of shape (θ₀, θ, columns)."""
-    kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
-    theta = _directions(p, theta0, n, mu0)
-    found = ss.surface(p, theta, theta0[:, None])
-    c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(theta0)[:, None], np.sin(theta0)[:, None]
-    f = _equilibrium.f_coefficients(c0, s0, found.mu0, kappa, alpha, sigma, beta, 1)
-    slope = _equilibrium.f_slope(c, s, *f)
-    K = _stability.stiffness(c, s, found.L, found.mu0, alpha, sigma, beta, 1)
-    discriminant = _stability.invariants(*K[0], *K[1])[2]
-    columns = (np.degrees(found.theta0), found.mu0, found.x, slope, discriminant)
-    return np.stack(np.broadcast_arrays(*columns), axis=-1)
+    theta0 = np.radians(theta0_deg)
+    found = ss.surface(p, _directions(p, theta0, n, mu0), theta0[:, None])
+    friction, x, within = found.mu0, found.x, np.clip(found.mu0, *mu0)
+    kept = friction == within
+    for side in (1, -1) * 4:  # vertices beyond an end of the range come back to it, on the line to a neighbour within
+        beside, there = np.roll(friction, side, axis=1), np.roll(x, side, axis=1)
+        moves = (friction != within) & (beside == np.clip(beside, *mu0))
+        share = (within - friction) / np.where(moves, beside - friction, np.inf)
+        friction, x = np.where(moves, within, friction), x + share * (there - x)
+    vertices = np.stack(
+        [np.broadcast_to(theta0_deg[:, None], x.shape), np.where(friction == within, friction, np.nan), x], axis=-1
+    )
+    cells, inside = (
+        np.stack([columns[:-1, :-1], columns[1:, :-1], columns[1:, 1:], columns[:-1, 1:]], axis=2) for columns in (vertices, kept)
+    )
+    whole = np.isfinite(cells).all(axis=(2, 3)) & inside.any(axis=2)
+    return cells[whole], found.stability[:-1, :-1][whole]
 
 
 def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:
@@ -71,60 +66,59 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
     return np.array([np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)])
 
 
-def _quadrilaterals(mesh: FloatArray) -> list[FloatArray]:
-    corners = np.stack([mesh[:-1, :-1], mesh[1:, :-1], mesh[1:, 1:], mesh[:-1, 1:]], axis=-2)
-    return list(corners.reshape(-1, 4, mesh.shape[-1]))
+def space_axes(figure: Sheet, place: Any, zoom: float) -> Any:
+    """Axes in three dimensions, for print."""
+    ax: Any = figure.add_axes(place, projection="3d", computed_zorder=False)
+    for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
+        axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
+        axis._axinfo["grid"].update(linewidth=0.3, color="#cccccc")  # there is no public way to thin the grid
+    ax.tick_params(pad=-2)
+    ax.zaxis.set_rotate_label(False)
+    ax.set_proj_type("ortho")
+    ax.set_box_aspect(_ASPECT, zoom=zoom)
+    ax.view_init(elev=_ELEVATION, azim=_AZIMUTH)
+    ax.set(xlabel=r"$\theta_0$ (deg)", ylabel=r"$\mu_0$", xlim=(0, 180), ylim=MU0_RANGE, zlim=(-2, 2))
+    ax.set_zlabel(LABELS["x"], rotation=90)
+    ax.set_xticks(np.arange(0, 181, 45))
+    ax.set_zticks(np.arange(-2, 3, 1))
+    return ax
 
 
-def _clip(polygons: Sequence[FloatArray], column: int, level: float, keep_above: bool = True) -> list[FloatArray]:
-    """Sutherland and Hodgman: the part of each polygon where a column is above a level, or below it."""
-    sign = 1.0 if keep_above else -1.0
-    kept = []
-    for polygon in polygons:
-        height = sign * (polygon[:, column] - level)
-        if height.min() >= 0:
-            kept.append(polygon)
-        elif height.max() > 0:
-            kept.append(_cut(polygon, height))
-    return kept
+def draw_surface(ax: Any, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float = 1.0) -> Table:
+    """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a sheet thin dashes."""
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    cells, kinds = sheets(p, MU0_RANGE, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
+    size, (up, turn) = np.divide(_RANGE, _ASPECT), np.radians((_ELEVATION, _AZIMUTH))
+    towards = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
+    first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
+    normal = np.cross(first, second)
+    upright = np.abs(normal[:, 2]) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
+    colors = to_rgba_array([_SHEET_COLORS[Stability(kind)] for kind in kinds])
+    colors[:, :3] *= 0.72 + 0.28 * upright[:, None]  # darker the steeper
+    found, tables = ss.bifurcation_set(p), []
+    for curve in found.curves:
+        points = on_surface(curve.mu0, curve.theta0, curve.x)
+        lines = [*lines, (points, VERMILION)]
+        tables.append(dict(zip(("theta0_deg", "mu0", "x"), points[np.isfinite(points[:, 1])].T, strict=True)))
+    polygons, faces = [cells], [colors]
+    for points, color in lines:
+        ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
+        across = np.cross(np.diff(points, axis=0) / size, towards)
+        across *= size * _HALF / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
+        begin, end = (part + _LIFT * towards * size for part in (points[:-1], points[1:]))
+        ribbon = np.stack([begin - across, end - across, end + across, begin + across], axis=1)
+        ribbon = ribbon[np.isfinite(ribbon).all(axis=(1, 2))]
+        polygons.append(ribbon)
+        faces.append(np.repeat(to_rgba_array(color), len(ribbon), axis=0))
+    every = np.concatenate(faces)
+    ax.add_collection3d(Poly3DCollection(np.concatenate(polygons), facecolors=every, edgecolors=every, linewidths=0.3,
+                                         rasterized=True, zorder=1))  # fmt: skip
+    cusps = np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x
+    ax.plot(*cusps, linestyle="none", marker="o", markersize=4, color=BLACK, zorder=5)
+    return stacked(tables, "curve", ("theta0_deg", "mu0", "x"))
 
 
-def _cut(polygon: FloatArray, height: FloatArray) -> FloatArray:
-    points = []
-    for here, there, low, high in zip(polygon, np.roll(polygon, -1, axis=0), height, np.roll(height, -1), strict=True):
-        if low >= 0:
-            points.append(here)
-        if low * high < 0:
-            points.append(here + (there - here) * low / (low - high))
-    return np.array(points)
-
-
-def of_equal_length(polygons: Sequence[FloatArray]) -> FloatArray:
-    """The polygons as one array, of shape (n, corners, 3), last corners repeated.
-
-    matplotlib pads polygons of unequal lengths with uninitialised memory, and measures the axes with it.
-    """
-    most = max((len(polygon) for polygon in polygons), default=3)
-    padded = [np.concatenate([polygon, np.repeat(polygon[-1:], most - len(polygon), axis=0)]) for polygon in polygons]
-    return np.array(padded).reshape(-1, most, 3)
-
-
-def shaded(color: str, polygon: FloatArray) -> tuple[float, float, float]:
-    """The colour, darker the steeper a polygon stands, in the proportions in which the axes show it."""
-    x, y, z = (polygon * np.array([1 / 180, 1.0, 0.25])).T
-    following = [np.roll(values, -1) for values in (x, y, z)]
-    # Newell's normal, twice the area of the three shadows.
-    normal = np.array([
-        ((y - following[1]) * (z + following[2])).sum(),
-        ((z - following[2]) * (x + following[0])).sum(),
-        ((x - following[0]) * (y + following[1])).sum(),
-    ])  # fmt: skip
-    upright = abs(normal[2]) / max(float(np.linalg.norm(normal)), 1e-300)
-    red, green, blue = (0.72 + 0.28 * upright) * np.array(to_rgb(color))
-    return float(red), float(green), float(blue)
-
-
-def inside(mu0: FloatArray, low: float, high: float, *others: FloatArray) -> list[NDArray[Any]]:
-    """Columns with NaN where ``mu0`` leaves its range, so that a line breaks there."""
-    good = (mu0 >= low) & (mu0 <= high)
-    return [np.where(good, values, np.nan) for values in (mu0, *others)]
+def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray:
+    """Points of a line on the surface, θ₀ in radians; NaN where ``mu0`` leaves its range, so that the line breaks there."""
+    return np.stack([np.degrees(theta0), np.where((mu0 >= MU0_RANGE[0]) & (mu0 <= MU0_RANGE[1]), mu0, np.nan), x], axis=-1)

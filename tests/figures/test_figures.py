@@ -96,17 +96,16 @@ def test_branches_end_at_the_exact_folds() -> None:
 def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: float) -> None:
     p = P.replace(sigma=sigma)
     angles = np.linspace(0.5, 179.5, 120)
-    found = surfaces.sheets(p, (0.0, 1.0), angles, 120)
+    cells, kinds = surfaces.sheets(p, (0.0, 1.0), angles, 120)
+    assert 0.0 <= cells[..., 1].min() <= cells[..., 1].max() <= 1.0
     rng = np.random.default_rng(2)
     places = np.stack([rng.uniform(3, 177, 60), rng.uniform(0.03, 0.97, 60)], axis=-1)
     covered: list[list[tuple[int, float]]] = [[] for _ in places]
-    for stability, sheet in found.items():
-        for polygon in sheet:
-            assert -1e-9 <= polygon[:, 1].min() <= polygon[:, 1].max() <= 1 + 1e-9
-            box = (places >= polygon[:, :2].min(axis=0)).all(axis=-1) & (places <= polygon[:, :2].max(axis=0)).all(axis=-1)
-            for i in np.flatnonzero(box):
-                if Outline(polygon[:, :2]).contains_point(places[i]):
-                    covered[i].append((int(stability), float(polygon[:, 2].mean())))
+    for i, place in enumerate(places):
+        box = (place >= cells[..., :2].min(axis=1)).all(axis=-1) & (place <= cells[..., :2].max(axis=1)).all(axis=-1)
+        for cell, kind in zip(cells[box], kinds[box], strict=True):
+            if Outline(cell[:, :2]).contains_point(place):
+                covered[i].append((int(kind), float(cell[:, 2].mean())))
     wrong = 0
     for place, states in zip(places, covered, strict=True):
         eq = ss.equilibria(p.replace(theta0=np.radians(place[0]), mu0=place[1]))

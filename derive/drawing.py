@@ -9,14 +9,12 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import sympy as sp
 
 from . import pages
-from .model import Coordinate, Page, Point
+from .model import Coordinate, Element, Page, Point
 from .shapes import Axis, Place, Sheet, arrow, damper, spring, wall
 
 #: Where the documentation has them.
@@ -29,17 +27,6 @@ _LENGTH = 190.0  #: of an inclined spring of undeformed length 1
 _WALL = -190.0
 _CEILING = -118.0
 _INCLINATION = math.radians(55.0)
-
-
-@dataclass(frozen=True)
-class _Part:
-    """A spring or a damper with the letter beside it."""
-
-    letter: str
-    viscous: bool
-
-    def draw(self, sheet: Sheet, axis: Axis) -> None:
-        (damper if self.viscous else spring)(sheet, axis)
 
 
 def render(page: Page, docstring: str = "") -> str:
@@ -76,8 +63,8 @@ def is_drawn(page: Page) -> bool:
         return False
     symbols = [it.symbol for it in page.coordinates]
     x, mass = symbols[0], tuple(symbols[:2])
-    ends = [it.ends for it in (*page.springs, *page.torsions, *page.dampers) if it.ends is not None]
-    points = [end for both in ends for end in both] + [force.at for force in page.forces if force.at is not None]
+    ends = [it.ends for it in page.elements if it.ends is not None]
+    points = [end for both in ends for end in both] + [force.place for force in page.forces]
     gap = None if page.normal is None else page.normal.gap
     uncoupled = all(_ratio(page, energy) in (0, sp.oo, None) for energy, _ in page.energies)
     across = len(symbols) < 2 or gap == symbols[1] or (gap is None and (mass in points or uncoupled))
@@ -88,8 +75,8 @@ def is_drawn(page: Page) -> bool:
         and (page.sliding is None or page.sliding.along == x)
         and set(symbols[2:]) == cars
         and all(mass in both and _is_anchor(both[both[0] == mass], symbols) for both in ends)
-        and all(it.along is None or it.along in symbols for it in (*page.springs, *page.dampers))
-        and all(force.at == mass or (force.at is not None and len(symbols) == 1 and force.at[0] == x) for force in page.forces)
+        and all(it.along is None or it.along in symbols for it in page.elements)
+        and all(len(force.place) == 2 and mass in (force.place, force.place[:1]) for force in page.forces)
         and all(_weight(page, energy) or _ratio(page, energy) is not None for energy, _ in page.energies)
         and _has_one_mass(page)
     )
@@ -126,12 +113,13 @@ def _letter(expression: sp.Expr) -> str:
     return " ".join(sorted(map(str, expression.free_symbols), key=lambda name: (name != "m", name)))
 
 
-def _members(page: Page) -> Iterator[tuple[_Part, tuple[tuple[sp.Expr, sp.Expr], ...] | None, sp.Expr | None]]:
-    """Every spring and damper with its ends, or with what it is along."""
-    for it in page.springs:
-        yield _Part(_letter(it.stiffness), False), it.ends, it.along
-    for damping in page.dampers:
-        yield _Part(_letter(damping.coefficient), True), damping.ends, damping.along
+def _along(page: Page, coordinate: Coordinate) -> list[Element]:
+    """What ties a coordinate to the ground."""
+    return [it for it in page.elements if it.along == coordinate.symbol]
+
+
+def _draw(sheet: Sheet, part: Element, axis: Axis) -> None:
+    (damper if part.what == "damper" else spring)(sheet, axis)
 
 
 # ------------------------------------------------------------------------------------------------- mass and belt
@@ -185,25 +173,25 @@ def _belt(sheet: Sheet, page: Page) -> None:
 
 def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
     """What is along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn with the trolley."""
-    parts = [part for part, _, along in _members(page) if along == coordinate.symbol]
-    place = [it.symbol for it in page.coordinates].index(coordinate.symbol)
+    parts = _along(page, coordinate)
+    place = page.coordinates.index(coordinate)
     if not parts or place > 1:
         return
     width, _ = _half(page)
     if place == 0:
         rows = _rows(len(parts), 46.0)
         for part, y in zip(parts, rows, strict=True):
-            part.draw(sheet, Axis((_WALL, y), (-width, y)))
-            sheet.name(part.letter, (0.5 * (_WALL - width), y - 17))
+            _draw(sheet, part, Axis((_WALL, y), (-width, y)))
+            sheet.name(_letter(part.strength), (0.5 * (_WALL - width), y - 17))
         wall(sheet, (_WALL, 0.0), 18.0 + 0.5 * (rows[-1] - rows[0]), (-1.0, 0.0))
         return
     rows = _rows(len(parts), 40.0)
     arm = width + 78.0 + rows[-1]
     sheet.line((width, 0.0), (arm + rows[-1], 0.0))
     for part, x in zip(parts, rows, strict=True):
-        part.draw(sheet, Axis((arm + x, 0.0), (arm + x, _CEILING)))
+        _draw(sheet, part, Axis((arm + x, 0.0), (arm + x, _CEILING)))
         side = -1.0 if x < 0 else 1.0
-        sheet.name(part.letter, (arm + x + 14 * side, 0.5 * _CEILING + 6), anchor="end" if x < 0 else "start")
+        sheet.name(_letter(part.strength), (arm + x + 14 * side, 0.5 * _CEILING + 6), anchor="end" if x < 0 else "start")
     wall(sheet, (arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), (0.0, -1.0))
 
 
@@ -214,39 +202,34 @@ def _rows(count: int, apart: float) -> list[float]:
 def _between_ends(sheet: Sheet, page: Page) -> None:
     """Springs and dampers from the mass to an anchor; those with the same anchor side by side."""
     values = _values(page)
-    shared: dict[Place, list[_Part]] = {}
+    shared: dict[Place, list[Element]] = {}
     movable: dict[Place, Coordinate] = {}
-    turned: dict[Place, list[str]] = {}
-
-    def placed(ends: tuple[tuple[sp.Expr, sp.Expr], ...]) -> tuple[tuple[sp.Expr, sp.Expr], Place]:
-        anchor = next(end for end in ends if set(end) != {it.symbol for it in page.coordinates[:2]})
-        x, y = (float(sp.sympify(component).subs(values)) for component in anchor)
-        return anchor, (_LENGTH * x, -_LENGTH * y - _half(page)[1])
-
-    for it in page.torsions:
-        turned.setdefault(placed(it.ends)[1], []).append(_letter(it.stiffness))
-    for part, ends, _ in _members(page):
-        if ends is None:
-            continue
-        anchor, place = placed(ends)
+    for part in (it for it in page.elements if it.ends is not None):
+        anchor = next(end for end in part.ends or () if set(end) != {it.symbol for it in page.coordinates[:2]})
+        x, y = (float(component.subs(values)) for component in anchor)
+        place = _LENGTH * x, -_LENGTH * y - _half(page)[1]
         shared.setdefault(place, []).append(part)
         for coordinate in page.coordinates[2:]:
             if coordinate.symbol in anchor[0].free_symbols | anchor[1].free_symbols:
                 movable[place] = coordinate
-    first = True
-    for place, parts in shared.items():
+    shared = {place: parts for place, parts in shared.items() if any(it.what != "torsion spring" for it in parts)}
+    for count, (place, parts) in enumerate(shared.items()):
         axis = Axis((0.0, -_half(page)[1]), place)
-        _side_by_side(sheet, axis, parts)
+        _side_by_side(sheet, axis, [it for it in parts if it.what != "torsion spring"])
         if place in movable:
             _trolley(sheet, page, place, movable[place])
         else:
-            sheet.circle(place, 5.0)
-            wall(sheet, (place[0], place[1] - 8), 16.0, (0.0, -1.0))
-        for letter in turned.get(place, ()):
-            _turning(sheet, place, letter)
-        if first:
+            _anchor(sheet, place)
+        for part in parts:
+            if part.what == "torsion spring":
+                _turning(sheet, place, _letter(part.strength))
+        if count == 0:
             _angle(sheet, axis)
-        first = False
+
+
+def _anchor(sheet: Sheet, place: Place) -> None:
+    sheet.circle(place, 5.0)
+    wall(sheet, (place[0], place[1] - 8), 16.0, (0.0, -1.0))
 
 
 def _turning(sheet: Sheet, place: Place, letter: str) -> None:
@@ -257,7 +240,7 @@ def _turning(sheet: Sheet, place: Place, letter: str) -> None:
     sheet.name(letter, (place[0] + 24, place[1] + 12), anchor="start")
 
 
-def _side_by_side(sheet: Sheet, axis: Axis, parts: list[_Part]) -> None:
+def _side_by_side(sheet: Sheet, axis: Axis, parts: list[Element]) -> None:
     """Parts between the same two ends, joined by bars if there are several."""
     rows = _rows(len(parts), 28.0)
     inner = axis
@@ -267,9 +250,9 @@ def _side_by_side(sheet: Sheet, axis: Axis, parts: list[_Part]) -> None:
             sheet.line(outer, inner.at(bar))
             sheet.line(inner.at(bar, rows[0]), inner.at(bar, rows[-1]))
     for part, aside in zip(parts, rows, strict=True):
-        part.draw(sheet, inner.shifted(aside))
+        _draw(sheet, part, inner.shifted(aside))
         x, y = inner.at(0.6 * inner.length, aside - 18 if aside <= 0 else aside + 18)
-        sheet.name(part.letter, (x, y + 6), anchor="end" if aside <= 0 else "start")
+        sheet.name(_letter(part.strength), (x, y + 6), anchor="end" if aside <= 0 else "start")
 
 
 def _angle(sheet: Sheet, axis: Axis) -> None:
@@ -289,26 +272,31 @@ def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> 
     sheet.line((x - 60, y - 23), (x + 70, y - 23))
     arrow(sheet, (x + 34, y - 4), (x + 70, y - 4))
     sheet.name(str(coordinate.symbol), (x + 76, y + 2), anchor="start")
-    for part, _, along in _members(page):
-        if along == coordinate.symbol:
-            end = x - 150.0
-            part.draw(sheet, Axis((end, y - 4), (x - 24, y - 4)))
-            sheet.name(part.letter, (0.5 * (end + x - 24), y + 24))
-            wall(sheet, (end, y - 4), 18.0, (-1.0, 0.0))
+    for part in _along(page, coordinate):
+        end = x - 150.0
+        _draw(sheet, part, Axis((end, y - 4), (x - 24, y - 4)))
+        sheet.name(_letter(part.strength), (0.5 * (end + x - 24), y + 24))
+        wall(sheet, (end, y - 4), 18.0, (-1.0, 0.0))
+
+
+def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
+    """Of a potential along the coordinates; none where it does not act on a mass in the plane."""
+    slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
+    return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 
 
 def _weight(page: Page, energy: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no spring, but an arrow."""
-    slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
-    if len(slopes) < 2 or slopes[:2] == [0, 0] or any(slope.has(it.symbol) for slope in slopes for it in page.coordinates):
+    slopes = _slopes(page, energy)
+    if not slopes or any(slope.has(it.symbol) for slope in slopes for it in page.coordinates):
         return None
     return -slopes[0], -slopes[1]
 
 
 def _ratio(page: Page, energy: sp.Expr) -> sp.Expr | None:
     """∂/∂y over ∂/∂x of a potential that depends on one combination of x and y."""
-    slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
-    if len(slopes) < 2 or slopes[:2] == [0, 0] or any(slopes[2:]):
+    slopes = _slopes(page, energy)
+    if not slopes or any(slopes[2:]):
         return None
     ratio = sp.simplify(slopes[1] / slopes[0]) if slopes[0] != 0 else sp.oo  # across the belt alone
     return ratio if ratio.is_number else None
@@ -329,8 +317,7 @@ def _leaning(sheet: Sheet, page: Page) -> None:
         x, y = axis.at(0.5 * axis.length, -26.0)
         letter = _letter(energy.subs({symbol: index + 1 for index, symbol in enumerate(symbols)}))
         sheet.name(letter, (x, y), anchor="end")
-        sheet.circle(axis.end, 5.0)
-        wall(sheet, (axis.end[0], axis.end[1] - 8), 16.0, (0.0, -1.0))
+        _anchor(sheet, axis.end)
 
 
 # ------------------------------------------------------------------------------------------------ forces and axes
@@ -340,7 +327,7 @@ def _forces(sheet: Sheet, page: Page) -> None:
     """Applied forces as arrows towards the mass or away from it, each with its symbols but those of its direction."""
     values = _values(page)
     width, height = _half(page)
-    given = [force.components for force in page.forces if force.at is not None]
+    given = [force.components for force in page.forces if len(force.place) == 2]
     given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
         given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))

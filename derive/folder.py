@@ -196,7 +196,7 @@ def _ties(it: Mechanics, place: int) -> list[str]:
     """Stiffnesses of the springs that tie a coordinate to the ground: parameters, or ``"1"`` for what is a unit of the model."""
     names = {str(datum.symbol): datum.becomes for datum in it.parameters}
     ties = (spring for spring in it.page.springs if str(spring.along) == str(it.coordinates[place]))
-    return [names.get(name, "1") for spring in ties for name in sorted(map(str, spring.stiffness.free_symbols))]
+    return [names.get(name, "1") for spring in ties for name in sorted(map(str, spring.strength.free_symbols))]
 
 
 def _of_law(sliding: Friction) -> list[str]:

@@ -21,7 +21,7 @@ from functools import cached_property
 import sympy as sp
 
 from .algebra import expanded, fewest_terms
-from .model import Datum, Page, PageError, Point, Torsion, expression_of
+from .model import Datum, Element, Page, PageError, Point, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
 PUSHING = sp.Symbol("pushing", real=True)
@@ -389,20 +389,21 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr
         return found[-1]
 
     for spring in page.springs:
-        stiffness = scaled(spring.stiffness)
+        stiffness = scaled(spring.strength)
         if spring.ends is None:
-            energy += stiffness * (scaled(spring.along) - scaled(spring.length)) ** 2 / 2
+            energy += stiffness * (scaled(spring.along) - scaled(spring.rest)) ** 2 / 2
         else:
-            line = line_of(spring.ends, scaled(spring.length), spring.line)
+            line = line_of(spring.ends, scaled(spring.rest), spring.line)
             energy += elastic(line, stiffness)
             along[line] = along.get(line, sp.S.Zero) + stiffness
     torsions = tuple(
         _turning(torsion, line_of(torsion.ends, None, torsion.line), count, scaled)
         for count, torsion in enumerate(page.torsions, 1)
+        if torsion.ends is not None
     )
     energy += sum((torsion.energy for torsion in torsions), sp.S.Zero)
     for damper in page.dampers:
-        coefficient = scaled(damper.coefficient)
+        coefficient = scaled(damper.strength)
         if damper.ends is None:
             speed = page.rate(scaled(damper.along))
         else:
@@ -412,7 +413,7 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr
     return tuple(found), tuple(along.get(line, sp.S.Zero) for line in found), torsions, energy, dissipation
 
 
-def _turning(torsion: Torsion, line: Line, count: int, scaled: _Scaled) -> Turning:
+def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turning:
     cosine, sine = (scaled(function(torsion.rest)) for function in (sp.cos, sp.sin))
     roots = any(not power.exp.is_Integer for power in (cosine + sp.I * sine).atoms(sp.Pow))
     if roots or cosine.has(sp.cos, sp.sin) or sine.has(sp.cos, sp.sin):
@@ -422,15 +423,14 @@ def _turning(torsion: Torsion, line: Line, count: int, scaled: _Scaled) -> Turni
             "another number a parameter in rad, with a base value",
         )
     phi, way = sp.symbols(f"phi{count} way{count}", real=True)
-    return Turning(line, scaled(torsion.stiffness), torsion.rest.subs(scaled.numbers), cosine, sine, phi, way)
+    return Turning(line, scaled(torsion.strength), torsion.rest.subs(scaled.numbers), cosine, sine, phi, way)
 
 
 def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
     """Generalized forces by virtual work."""
     forces = [sp.S.Zero] * len(coordinates)
     for force in page.forces:
-        place = force.at if force.at is not None else (force.along,)
-        for component, where in zip(force.components, place, strict=True):
+        for component, where in zip(force.components, force.place, strict=True):
             for row, symbol in enumerate(coordinates):
                 forces[row] += scaled(component) * sp.diff(scaled(where), symbol)
     return tuple(map(expanded, forces))

@@ -92,43 +92,28 @@ def acceleration_of(coordinate: sp.Symbol) -> str:
 
 
 @dataclass(frozen=True)
-class Spring:
-    """A straight spring between two points, or along a coordinate where ``ends`` is None."""
+class Element:
+    """A straight spring or a viscous damper, or a spring that resists turning: between two points, or along a coordinate."""
 
-    stiffness: sp.Expr
-    ends: tuple[Point, Point] | None
-    length: sp.Expr
-    along: sp.Expr | None
-    line: int
-
-
-@dataclass(frozen=True)
-class Torsion:
-    """A spring that resists the turning of the line between two points from the inclination ``rest``."""
-
-    stiffness: sp.Expr
-    ends: tuple[Point, Point]
-    rest: sp.Expr
-    line: int
-
-
-@dataclass(frozen=True)
-class Damper:
-    """A viscous damper between two points, or along a coordinate where ``ends`` is None."""
-
-    coefficient: sp.Expr
+    what: str  #: spring, torsion spring or damper
+    strength: sp.Expr  #: stiffness or coefficient
     ends: tuple[Point, Point] | None
     along: sp.Expr | None
+    rest: sp.Expr  #: undeformed length of a spring, inclination at rest of a torsion spring
     line: int
+
+    @property
+    def quality(self) -> str:
+        """What its strength is called."""
+        return "coefficient" if self.what == "damper" else "stiffness"
 
 
 @dataclass(frozen=True)
 class Force:
-    """A force at a point, or along a coordinate where ``at`` is None."""
+    """A force at a point, of two components, or one along a coordinate."""
 
-    at: Point | None
     components: tuple[sp.Expr, ...]
-    along: sp.Expr | None
+    place: tuple[sp.Expr, ...]
     line: int
 
 
@@ -160,12 +145,12 @@ def expression_of(value: object) -> sp.Expr:
     """A number or an expression, as an expression; decimals in it as the fractions that are written."""
     if value is None or isinstance(value, str):
         said = "nothing" if value is None else f"{value!r}, a text"
-        raise PageError(_line(), f"here is {said}; give a quantity of the page, without quotation marks, or a number")
+        raise _refused(f"here is {said}; give a quantity of the page, without quotation marks, or a number")
     try:
         expression = sp.sympify(value)
     except sp.SympifyError as error:
         said = "a function" if callable(value) else repr(value)
-        raise PageError(_line(), f"here is {said}; give an expression of parameters and coordinates, or a number") from error
+        raise _refused(f"here is {said}; give an expression of parameters and coordinates, or a number") from error
     if expression.has(sinh, cosh):
         for function in (sinh, cosh):
             expression = expression.replace(function, lambda u, whole=function: whole(u).rewrite(exp))
@@ -191,9 +176,9 @@ class Page:
     units: list[Datum] = field(default_factory=list)
     parameters: list[Datum] = field(default_factory=list)
     coordinates: list[Coordinate] = field(default_factory=list)
-    springs: list[Spring] = field(default_factory=list)
-    torsions: list[Torsion] = field(default_factory=list)
-    dampers: list[Damper] = field(default_factory=list)
+    springs: list[Element] = field(default_factory=list)
+    torsions: list[Element] = field(default_factory=list)
+    dampers: list[Element] = field(default_factory=list)
     forces: list[Force] = field(default_factory=list)
     energies: list[tuple[sp.Expr, int]] = field(default_factory=list)
     inertia: tuple[sp.Expr, int] | None = None
@@ -202,6 +187,11 @@ class Page:
 
     def __post_init__(self) -> None:
         _check_texts(summary=self.summary)
+
+    @property
+    def elements(self) -> tuple[Element, ...]:
+        """Springs, torsion springs and dampers."""
+        return (*self.springs, *self.torsions, *self.dampers)
 
     # ------------------------------------------------------------------------------------------------ quantities
 
@@ -224,27 +214,24 @@ class Page:
         latex: str = "",
     ) -> sp.Symbol:
         """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless value unless changed."""
-        line = _line()
         _check_texts(name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex)
-        symbol = sp.Symbol(name, **_assumptions(domain, line))
+        symbol = sp.Symbol(name, **_assumptions(domain))
         if base is not None and (
             isinstance(base, bool) or not isinstance(base, int | float | sp.Expr) or not sp.sympify(base).is_number
         ):
-            raise PageError(line, f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
+            raise _refused(f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
         number = None if base is None else float(base)
         if number is not None and not _within(domain, number):
             turn = "; angles are in radians: 45 degrees are pi/4" if unit == "rad" else ""
-            raise PageError(line, f"the base value {base} of {name} is not in its domain {domain}{turn}")
+            raise _refused(f"the base value {base} of {name} is not in its domain {domain}{turn}")
         if unit == "rad" and _beyond_a_turn(domain):
-            raise PageError(
-                line, f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)"
-            )
+            raise _refused(f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)")
         for other in self.parameters:
             if other.becomes == (becomes or name):
-                raise PageError(
-                    line, f"{other.symbol} and {name} both become {other.becomes}; give one of them another name with becomes"
+                raise _refused(
+                    f"{other.symbol} and {name} both become {other.becomes}; give one of them another name with becomes"
                 )
-        self.parameters.append(Datum(symbol, unit, meaning, domain, latex or sp.latex(symbol), line, becomes or name, number))
+        self.parameters.append(Datum(symbol, unit, meaning, domain, latex or sp.latex(symbol), _line(), becomes or name, number))
         self._once(name)
         return symbol
 
@@ -273,12 +260,10 @@ class Page:
 
     def spring(self, stiffness: sp.Expr, *ends: Point, length: sp.Expr | int = 0, along: sp.Expr | None = None) -> None:
         """A spring: straight between two ``ends``, of undeformed ``length``; or along a coordinate."""
-        line = _line()
         for what, value in (("stiffness", stiffness), ("undeformed length", length)):
             if moving := self._moving(expression_of(value)):
-                raise PageError(line, f"the {what} of this spring depends on {moving}; say its energy with page.potential")
-        way, both = _along(along, line), _ends(ends, along, line)
-        self.springs.append(Spring(expression_of(stiffness), both, expression_of(length), way, line))
+                raise _refused(f"the {what} of this spring depends on {moving}; say its energy with page.potential")
+        self.springs.append(_element("spring", stiffness, ends, along, length))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
         """A torsion spring: it resists the turning φ of the line from the first end to the second, from the inclination ``rest``.
@@ -286,45 +271,37 @@ class Page:
         Its energy is k φ²/2, with φ in (−π, π]: the least turning. On the ray φ = ±π the torque jumps from k π to −k π, away from
         the ray on either side; the energy is continuous there.
         """
-        line = _line()
-        both = _ends(ends, None, line)
-        assert both is not None
-        self.torsions.append(Torsion(expression_of(stiffness), both, expression_of(rest), line))
+        self.torsions.append(_element("torsion spring", stiffness, ends, None, rest))
 
     def damper(self, coefficient: sp.Expr, *ends: Point, along: sp.Expr | None = None) -> None:
         """A viscous damper: straight between two ``ends``, or along a coordinate."""
-        line = _line()
-        strength, way = expression_of(coefficient), _along(along, line)
-        self._check_speeds(strength, "the coefficient", line, limits.NONLINEAR_DAMPER)
-        self.dampers.append(Damper(strength, _ends(ends, along, line), way, line))
+        self._check_speeds(expression_of(coefficient), "the coefficient", limits.NONLINEAR_DAMPER)
+        self.dampers.append(_element("damper", coefficient, ends, along, 0))
 
     def force(self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None) -> None:
         """An applied force: two components at a point, or one along a coordinate."""
-        line = _line()
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
-            raise PageError(line, "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
-        way = _along(along, line)
+            raise _refused("a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
         if at is not None and (not isinstance(at, tuple | list) or len(at) != 2):
-            raise PageError(line, f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
-        point = None if at is None else (expression_of(at[0]), expression_of(at[1]))
-        self.forces.append(Force(point, tuple(map(expression_of, components)), way, line))
+            raise _refused(f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
+        place = (_along(along),) if at is None else tuple(map(expression_of, at))
+        self.forces.append(Force(tuple(map(expression_of, components)), place, _line()))
 
     # ------------------------------------------------------------------------------------------------ laws
 
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
         """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
-        line = _line()
         self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
-        self._check_law(law, "contact", "penetration", line)
+        self._check_law(law, "contact", "penetration")
         distance = expression_of(gap)
-        self._check_speeds(distance, "the gap", line)
-        self.normal = Contact(distance, law, unilateral, line)
+        self._check_speeds(distance, "the gap")
+        self.normal = Contact(distance, law, unilateral, _line())
 
     def normal_force(self, force: sp.Expr) -> None:
         """A given normal force, in the place of a contact law."""
         given = expression_of(force)
         self._first(self.normal, "contact", str(limits.SECOND_CONTACT))
-        self._check_speeds(given, "the normal force", _line())
+        self._check_speeds(given, "the normal force")
         self.normal = Contact(None, lambda depth: given, False, _line())
 
     def friction(self, along: sp.Expr, belt: sp.Expr, law: Law, at_rest: sp.Expr | None = None) -> None:
@@ -333,59 +310,40 @@ class Page:
         ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out, statics takes the law at the belt's
         speed.
         """
-        line = _line()
         self._first(self.sliding, "friction", str(limits.SECOND_CONTACT))
-        self._check_law(law, "friction", "sliding speed", line)
+        self._check_law(law, "friction", "sliding speed")
         limit = None if at_rest is None else expression_of(at_rest)
-        self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, line)
+        self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, _line())
 
-    def _check_law(self, law: Law, kind: str, of: str, line: int) -> None:
+    def _check_law(self, law: Law, kind: str, of: str) -> None:
         """A law is one of expressions, and of its own variable alone."""
-        self._check_arguments(law, kind, of, line)
+        limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
+        if len(needed := _needed(law, kind, of)) > 1:
+            raise _refused(f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}")
         try:
             moving = self._moving(expression_of(law(sp.Dummy(positive=True))))
         except PageError:
             raise
         except Exception as error:  # whatever the page's own code raises
-            raise PageError(
-                line,
+            raise _refused(
                 f"the {kind} law can't be taken of an expression: {type(error).__name__}: {error}; give a function of one argument, "
-                f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model",
+                f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model"
             ) from error
         if moving:
-            limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
             rates = kind == "friction" or any(str(entry.rate) in moving.split(", ") for entry in self.coordinates)
-            raise PageError(
-                line, f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}"
-            )
+            raise _refused(f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}")
 
-    def _check_arguments(self, law: Law, kind: str, of: str, line: int) -> None:
-        """A law is a function of one argument."""
-        if not callable(law):
-            raise PageError(line, f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …")
-        try:
-            needed = [
-                it.name
-                for it in inspect.signature(law).parameters.values()
-                if it.default is it.empty and it.kind in (it.POSITIONAL_ONLY, it.POSITIONAL_OR_KEYWORD)
-            ]
-        except ValueError:  # a function of a library that does not say what it takes
-            return
-        if len(needed) > 1:
-            limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
-            raise PageError(line, f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}")
-
-    def _check_speeds(self, expression: sp.Expr, what: str, line: int, limit: object = limits.CONTACT_DAMPING) -> None:
+    def _check_speeds(self, expression: sp.Expr, what: str, limit: object = limits.CONTACT_DAMPING) -> None:
         """The normal force follows from the place; the coefficient of a damper holds no speed either."""
         held = [str(entry.rate) for entry in self.coordinates if expression.has(entry.rate)]
         if held:
-            raise PageError(line, f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
+            raise _refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
     def _first(self, said: Contact | Friction | tuple[sp.Expr, int] | None, what: str, remedy: str) -> None:
         """A statement that a page has once."""
         if said is not None:
             line = said[1] if isinstance(said, tuple) else said.line
-            raise PageError(_line(), f"line {line} says the {what} already, and this would replace it; {remedy}")
+            raise _refused(f"line {line} says the {what} already, and this would replace it; {remedy}")
 
     def _moving(self, expression: sp.Expr) -> str:
         """The coordinates and rates that an expression holds."""
@@ -395,7 +353,7 @@ class Page:
     def _once(self, name: str) -> None:
         names = [str(entry.symbol) for entry in (*self.units, *self.parameters, *self.coordinates)]
         if names.count(name) > 1:
-            raise PageError(_line(), f"{name} is defined twice; give the second quantity another name")
+            raise _refused(f"{name} is defined twice; give the second quantity another name")
 
 
 def _line() -> int:
@@ -406,34 +364,42 @@ def _line() -> int:
     return frame.f_lineno if frame else 0
 
 
-def _along(along: sp.Expr | None, line: int) -> sp.Expr | None:
-    if along is None:
-        return None
+def _refused(message: str) -> PageError:
+    return PageError(_line(), message)
+
+
+def _needed(law: Law, kind: str, of: str) -> list[str]:
+    """The arguments that a law has to be given."""
+    if not callable(law):
+        raise _refused(f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …")
+    try:
+        arguments = inspect.signature(law).parameters.values()
+    except ValueError:  # a function of a library that does not say what it takes
+        return []
+    return [it.name for it in arguments if it.default is it.empty and it.kind in (it.POSITIONAL_ONLY, it.POSITIONAL_OR_KEYWORD)]
+
+
+def _along(along: sp.Expr | None) -> sp.Expr:
     if not isinstance(along, sp.Expr):
-        raise PageError(
-            line, f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks"
-        )
+        raise _refused(f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks")
     return expression_of(along)
 
 
-def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Point, Point] | None:
+def _element(what: str, strength: sp.Expr, ends: tuple[Point, ...], along: sp.Expr | None, rest: sp.Expr | int) -> Element:
+    way = None if along is None else _along(along)
     if (len(ends), along is None) not in ((2, True), (0, False)):
-        raise PageError(line, "a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
-    if not ends:
-        return None
+        raise _refused("a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
     if any(not isinstance(end, tuple | list) or len(end) != 2 for end in ends):
-        raise PageError(line, f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}")
-    (ax, ay), (bx, by) = ends
-    return (expression_of(ax), expression_of(ay)), (expression_of(bx), expression_of(by))
+        raise _refused(f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}")
+    both = tuple((expression_of(x), expression_of(y)) for x, y in ends)
+    return Element(what, expression_of(strength), (both[0], both[1]) if both else None, way, expression_of(rest), _line())
 
 
 def _check_texts(**texts: object) -> None:
     """What describes a quantity is text."""
     for what, text in texts.items():
         if not isinstance(text, str):
-            raise PageError(
-                _line(), f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments"
-            )
+            raise _refused(f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments")
         check_characters(what, text, _line())
 
 
@@ -446,13 +412,13 @@ def check_characters(what: str, text: str, line: int, allowed: str = "") -> None
         raise PageError(line, f"{what} = {text!a} holds the character U+{ord(wrong):04X}, which is not printed; take it out")
 
 
-def _assumptions(domain: str, line: int) -> dict[str, bool]:
+def _assumptions(domain: str) -> dict[str, bool]:
     try:
         allowed = interval(domain)
     except ValueError as error:
-        raise PageError(line, str(error)) from error
+        raise _refused(str(error)) from error
     if not allowed.low < allowed.high:
-        raise PageError(line, f"the domain {domain} holds no number; give its lower end first")
+        raise _refused(f"the domain {domain} holds no number; give its lower end first")
     if allowed.low > 0 or (allowed.low == 0 and allowed.low_open):
         return {"positive": True}
     return {"nonnegative": True} if allowed.low == 0 else {"real": True}

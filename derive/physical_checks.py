@@ -5,21 +5,16 @@ Each error names the line of the page, what was expected there, and what still w
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
-from typing import TypeAlias
 
 import sympy as sp
 
 from . import laws, limits, units
 from .mechanics import DEPTH, Mechanics, number
-from .model import Damper, Datum, Page, PageError, Spring, expression_of
+from .model import Datum, Page, PageError, expression_of
+from .statement_checks import Statement, statements
 from .units import Dimension, UnitsError, spelled
-
-#: Raises unless an expression has a dimension, or any where that is None: what it is in words, and its line. Gives the dimension.
-Expect: TypeAlias = Callable[[object, Dimension | None, str, int], Dimension]
-
-_SPEED = laws.SLIP
 
 #: Penetrations and speeds at which a law that can't be decided by its form is looked at.
 _PLACES = tuple(sp.Rational(10) ** power for power in range(-6, 3))
@@ -31,84 +26,36 @@ MOST_POWER = 20
 
 def check_units(page: Page) -> None:
     """Every sum of the page adds like to like, and every statement is what it says: an energy, a force, a length, a number."""
-    known = _dimensions(page)
-
-    def expect(expression: object, dimension: Dimension | None, what: str, line: int) -> Dimension:
-        value = expression_of(expression)
-        unknown = sorted(str(symbol) for symbol in value.free_symbols if symbol not in known)
-        if unknown:
-            time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""
-            raise PageError(line, f"{what} holds {', '.join(unknown)}, which the page does not define; define it above{time}")
-        power = max((abs(part.exp) for part in value.atoms(sp.Pow) if part.exp.is_number), default=0)
-        if power > MOST_POWER:
-            raise PageError(
-                line, f"{what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp"
-            )
-        try:
-            found = units.of(value, known)
-        except UnitsError as error:
-            raise PageError(line, f"{what}: {error}") from error
-        if dimension is not None and found not in (None, dimension):
-            raise PageError(line, f"{what} = {value} is in {spelled(found)}; expected is {spelled(dimension)}")
-        return dimension or found or units.NONE
-
-    for spring in page.springs:
-        square = _square(spring, expect)
-        expect(spring.stiffness, units.times(units.ENERGY, square, -1), "the stiffness of this spring", spring.line)
+    known = _dimensions(page) | {DEPTH: units.LENGTH, laws.SLIP: units.SPEED}
+    for it in statements(page):
+        _check_dimension(it, known)
+    angles = {datum.symbol for datum in page.parameters if datum.unit == "rad"}
     for torsion in page.torsions:
-        expect(torsion.stiffness, units.ENERGY, "the stiffness of this torsion spring", torsion.line)
-        for part in (*torsion.ends[0], *torsion.ends[1]):
-            expect(part, units.LENGTH, "the end of this line", torsion.line)
-        if not torsion.rest.free_symbols <= {datum.symbol for datum in page.parameters if datum.unit == "rad"}:
+        if not torsion.rest.free_symbols <= angles:
             raise PageError(
                 torsion.line, "the inclination at rest of a torsion spring is made of angles of the page; give rest=theta0"
             )
-    for damper in page.dampers:
-        square = _square(damper, expect)
-        power = units.times(units.times(units.ENERGY, square, -1), units.TIME)
-        expect(damper.coefficient, power, "the coefficient of this damper", damper.line)
-    for energy, line in page.energies:
-        expect(energy, units.ENERGY, "this potential energy", line)
-    if page.inertia is not None:
-        expect(page.inertia[0], units.ENERGY, "the kinetic energy", page.inertia[1])
-    for force in page.forces:
-        place = force.at if force.at is not None else (force.along,)
-        for component, where in zip(force.components, place, strict=True):
-            length = expect(where, None if force.at is None else units.LENGTH, "the place of this force", force.line)
-            expect(component, units.times(units.ENERGY, length, -1), "this force", force.line)
-    _laws(page, known, expect)
 
 
-def _laws(page: Page, known: dict[sp.Symbol, Dimension], expect: Expect) -> None:
-    if page.normal is not None:
-        expect(page.normal.gap or sp.S.Zero, units.LENGTH, "the gap", page.normal.line)
-        known[DEPTH] = units.LENGTH
-        expect(page.normal.law(DEPTH), units.FORCE, "the contact law", page.normal.line)
-    if page.sliding is not None:
-        speed = units.times(units.LENGTH, units.TIME, -1)
-        expect(page.sliding.along, units.LENGTH, "the displacement that friction opposes", page.sliding.line)
-        expect(page.sliding.belt, speed, "the belt's speed", page.sliding.line)
-        known[_SPEED] = speed
-        expect(page.sliding.law(_SPEED), units.NONE, "the friction law", page.sliding.line)
-        if page.sliding.at_rest is not None:
-            expect(page.sliding.at_rest, units.NONE, "at_rest", page.sliding.line)
-
-
-def _square(element: Spring | Damper, expect: Expect) -> Dimension:
-    """The dimension of the square that a stiffness multiplies, after a look at both ends."""
-    if element.ends is None:
-        along = expect(
-            element.along, None, f"along of this {'spring' if isinstance(element, Spring) else 'damper'}", element.line
+def _check_dimension(it: Statement, known: dict[sp.Symbol, Dimension]) -> None:
+    unknown = sorted(str(symbol) for symbol in it.value.free_symbols if symbol not in known)
+    if unknown:
+        time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""
+        raise PageError(it.line, f"{it.what} holds {', '.join(unknown)}, which the page does not define; define it above{time}")
+    power = max((abs(part.exp) for part in it.value.atoms(sp.Pow) if part.exp.is_number), default=0)
+    if power > MOST_POWER:
+        raise PageError(
+            it.line, f"{it.what} holds a power of {str(power)[:40]}; write one of at most {MOST_POWER}, or a function such as exp"
         )
-        if isinstance(element, Spring):
-            expect(element.length, along, "the undeformed length of this spring", element.line)
-        return units.times(units.NONE, along, 2)
-    for end in element.ends:
-        for part in end:
-            expect(part, units.LENGTH, "the end of this line", element.line)
-    if isinstance(element, Spring):
-        expect(element.length, units.LENGTH, "the undeformed length of this spring", element.line)
-    return units.times(units.NONE, units.LENGTH, 2)
+    try:
+        found = units.of(it.value, known)
+    except UnitsError as error:
+        raise PageError(it.line, f"{it.what}: {error}") from error
+    if it.dimension is None or found is None:
+        return
+    expected = units.times(it.dimension, units.of(it.per, known) or units.NONE, -1)
+    if found != expected:
+        raise PageError(it.line, f"{it.what} = {it.value} is in {spelled(found)}; expected is {spelled(expected)}")
 
 
 def _dimensions(page: Page) -> dict[sp.Symbol, Dimension]:
@@ -245,15 +192,15 @@ def _check_friction(model: Mechanics) -> None:
     sliding = model.page.sliding
     if sliding is None:
         return
-    ahead, behind = (model.scaled(expression_of(sliding.law(sign * _SPEED))) for sign in (1, -1))
+    ahead, behind = (model.scaled(expression_of(sliding.law(sign * laws.SLIP))) for sign in (1, -1))
     for side, value in (("ahead", ahead), ("behind", -behind)):
-        at_zero = laws.limit(model, value, _SPEED, sp.S.Zero)
+        at_zero = laws.limit(model, value, laws.SLIP, sp.S.Zero)
         if at_zero != 0:
             raise PageError(
                 sliding.line,
                 f"the friction law drives at rest: where the belt is just {side} of the mass it is {at_zero}, not 0: {limits.STICKING}",
             )
-        witness = _negative(model, value, _SPEED)
+        witness = _negative(model, value, laws.SLIP)
         if witness:
             raise PageError(
                 sliding.line, f"the friction law drives where the belt is {side}: {witness}; friction opposes sliding"

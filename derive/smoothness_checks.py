@@ -25,8 +25,8 @@ def check(model: Mechanics) -> None:
     """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
     moving = {*model.coordinates, *model.rates, DEPTH, laws.SLIP}
     angles = {angle.symbol for angle in model.angles}
-    for written, what, line in statements(model.page):
-        value = model.scaled(written)
+    for it in statements(model.page):
+        value, what, line = model.scaled(it.value), it.what, it.line
         _check_angles(value, what, line, moving | angles)
         _check_kinks(value, what, line, moving)
         _check_known(value, what, line)

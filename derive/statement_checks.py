@@ -9,14 +9,16 @@ import itertools
 import keyword
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import sympy as sp
 
-from . import limits, reserved
+from . import limits, reserved, units
 from .emit.quantities import interval
 from .laws import SLIP, near
 from .mechanics import DEPTH
-from .model import Damper, Datum, Page, PageError, Spring, Torsion, acceleration_of, expression_of
+from .model import Datum, Page, PageError, acceleration_of, expression_of
+from .units import Dimension
 
 #: What a coordinate is called in errors.
 COORDINATE = "this coordinate"
@@ -88,7 +90,7 @@ def _check_names(page: Page) -> None:
 
 def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     """Every name that code will bear, what it is, and its line."""
-    lines = {str(element.ends) for element in (*page.springs, *page.torsions, *page.dampers) if element.ends is not None}
+    lines = {str(element.ends) for element in page.elements if element.ends is not None}
     for count in range(1, len(lines) + 1):
         for part in "csl":
             yield f"{part}{count}", f"the direction or length of spring {count}", 0
@@ -125,26 +127,23 @@ def _check_elements(page: Page) -> None:
     seen: dict[object, int] = {}
     moving = {entry.symbol for entry in page.coordinates}
     rates = {entry.rate for entry in page.coordinates}
-    for element in (*page.springs, *page.torsions, *page.dampers):
-        what = "damper" if isinstance(element, Damper) else "spring"
-        strength = element.coefficient if isinstance(element, Damper) else element.stiffness
-        name = "coefficient" if isinstance(element, Damper) else "stiffness"
+    for element in page.elements:
+        what, strength = element.what, element.strength
         if _is_negative(page, strength):
             does = "drives the motion" if what == "damper" else "pushes away from where it is at rest"
-            raise PageError(element.line, f"the {name} of this {what}, {strength}, is negative: it {does}; give a positive one")
-        if isinstance(element, Damper) and (place := _negative_place(page, strength)):
+            raise PageError(
+                element.line, f"the {element.quality} of this {what}, {strength}, is negative: it {does}; give a positive one"
+            )
+        if what == "damper" and (place := _negative_place(page, strength)):
             raise PageError(
                 element.line,
                 f"the coefficient of this damper, {strength}, is negative {place}, where it drives the motion; give its quantities "
                 'domains in which it is not, as ">= 0", or write it so',
             )
-        if isinstance(element, Spring) and _is_negative(page, element.length):
-            raise PageError(
-                element.line, f"the undeformed length {element.length} of this spring is negative; give a positive one"
-            )
-        along = None if isinstance(element, Torsion) else element.along
-        if along is not None:
-            _check_along(along, f"along of this {what}", element.line, moving, rates)
+        if what == "spring" and _is_negative(page, element.rest):
+            raise PageError(element.line, f"the undeformed length {element.rest} of this spring is negative; give a positive one")
+        if element.along is not None:
+            _check_along(element.along, f"along of this {what}", element.line, moving, rates)
         elif element.ends is not None:
             one, two = element.ends
             vector = [sp.expand(end - begin) for begin, end in zip(one, two, strict=True)]
@@ -153,7 +152,7 @@ def _check_elements(page: Page) -> None:
                 raise PageError(
                     element.line, f"the two ends of this {what} {apart}: it does nothing; give the mass's end and the anchor's"
                 )
-        key = type(element), strength, str(element.ends), along, getattr(element, "length", getattr(element, "rest", None))
+        key = what, strength, str(element.ends), element.along, element.rest
         if key in seen:
             raise PageError(
                 element.line,
@@ -247,40 +246,56 @@ def _check_places(page: Page) -> None:
 
 def check_used(page: Page) -> None:
     """Every parameter stands in a statement."""
-    used = {symbol for value, _, _ in statements(page) for symbol in value.free_symbols}
+    used = {symbol for it in statements(page) for symbol in it.value.free_symbols}
     for datum in page.parameters:
         if datum.symbol not in used:
             raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
 
 
-def statements(page: Page) -> Iterator[tuple[sp.Expr, str, int]]:
-    """Every expression of the page, what it is, and its line."""
-    for element in (*page.springs, *page.torsions, *page.dampers):
-        kind = "damper" if isinstance(element, Damper) else "spring"
-        strength = element.coefficient if isinstance(element, Damper) else element.stiffness
-        yield strength, f"the strength of this {kind}", element.line
-        for part in (part for end in element.ends or () for part in end):
-            yield part, f"the end of this {kind}", element.line
-        if isinstance(element, Spring):
-            yield element.length, "the undeformed length of this spring", element.line
-        along = getattr(element, "along", None)
+@dataclass(frozen=True)
+class Statement:
+    """An expression of the page and what it is; times ``per`` it has the ``dimension``, which is any where that is None."""
+
+    value: sp.Expr
+    what: str
+    line: int
+    dimension: Dimension | None
+    per: sp.Expr = sp.S.One
+
+
+def statements(page: Page) -> Iterator[Statement]:
+    """Every expression of the page."""
+    for element in page.elements:
+        kind, along, line = element.what, element.along, element.line
         if along is not None:
-            yield along, f"along of this {kind}", element.line
-    for torsion in page.torsions:
-        for function in (sp.cos, sp.sin):
-            yield function(torsion.rest), "the inclination at rest of this spring", torsion.line
+            yield Statement(along, f"along of this {kind}", line, None)
+        for part in (part for end in element.ends or () for part in end):
+            yield Statement(part, "the end of this line", line, units.LENGTH)
+        if kind == "spring":
+            dimension = units.LENGTH if along is None else units.NONE
+            yield Statement(element.rest, "the undeformed length of this spring", line, dimension, 1 / (along or sp.S.One))
+        for function in (sp.cos, sp.sin) if kind == "torsion spring" else ():
+            yield Statement(function(element.rest), "the inclination at rest of this spring", line, units.NONE)
+        dimension = units.STIFFNESS if along is None and kind != "torsion spring" else units.ENERGY
+        if kind == "damper":
+            dimension = units.times(dimension, units.TIME)
+        yield Statement(element.strength, f"the {element.quality} of this {kind}", line, dimension, (along or sp.S.One) ** 2)
     for energy, line in page.energies:
-        yield energy, "this potential energy", line
+        yield Statement(energy, "this potential energy", line, units.ENERGY)
     if page.inertia is not None:
-        yield page.inertia[0], "the kinetic energy", page.inertia[1]
+        yield Statement(page.inertia[0], "the kinetic energy", page.inertia[1], units.ENERGY)
     for force in page.forces:
-        for part in (*force.components, *(force.at or ())):
-            yield part, "this force", force.line
+        alone = len(force.place) == 1
+        for component, place in zip(force.components, force.place, strict=True):
+            yield Statement(place, "the place of this force", force.line, None if alone else units.LENGTH)
+            work = (units.ENERGY, place) if alone else (units.FORCE, sp.S.One)
+            yield Statement(component, "this force", force.line, *work)
     if page.normal is not None:
-        yield page.normal.gap or sp.S.Zero, "the gap", page.normal.line
-        yield expression_of(page.normal.law(DEPTH)), "the contact law", page.normal.line
-    if page.sliding is not None:
+        yield Statement(page.normal.gap or sp.S.Zero, "the gap", page.normal.line, units.LENGTH)
+        yield Statement(expression_of(page.normal.law(DEPTH)), "the contact law", page.normal.line, units.FORCE)
+    if (it := page.sliding) is not None:
+        yield Statement(it.along, "the displacement that friction opposes", it.line, units.LENGTH)
+        yield Statement(it.belt, "the belt's speed", it.line, units.SPEED)
         for sign in (1, -1):
-            yield expression_of(page.sliding.law(sign * SLIP)), "the friction law", page.sliding.line
-        for part in (page.sliding.along, page.sliding.belt, page.sliding.at_rest or sp.S.Zero):
-            yield part, "the friction", page.sliding.line
+            yield Statement(expression_of(it.law(sign * SLIP)), "the friction law", it.line, units.NONE)
+        yield Statement(it.at_rest or sp.S.Zero, "at_rest", it.line, units.NONE)

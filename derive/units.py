@@ -22,7 +22,8 @@ def _of(kilograms: int, metres: int, seconds: int) -> Dimension:
     return Fraction(kilograms), Fraction(metres), Fraction(seconds)
 
 
-NONE, LENGTH, TIME, FORCE, ENERGY = _of(0, 0, 0), _of(0, 1, 0), _of(0, 0, 1), _of(1, 1, -2), _of(1, 2, -2)
+NONE, LENGTH, TIME, SPEED = _of(0, 0, 0), _of(0, 1, 0), _of(0, 0, 1), _of(0, 1, -1)
+FORCE, ENERGY, STIFFNESS = _of(1, 1, -2), _of(1, 2, -2), _of(1, 0, -2)
 _NAMED: dict[str, Dimension] = {
     "1": NONE, "rad": NONE, "kg": _of(1, 0, 0), "m": LENGTH, "s": TIME, "N": FORCE, "J": ENERGY, "Hz": _of(0, 0, -1),
 }  # fmt: skip

@@ -9,6 +9,7 @@ import sympy as sp
 from . import unit_circles, elimination, stability
 from . import nomenclature as nm
 from .elimination import f_form
+from .equilibrium import POLES
 
 #: f′, f″ and f‴ with respect to θ.
 slope = sp.expand(unit_circles.rotate_derivative(f_form))
@@ -19,36 +20,28 @@ third = sp.expand(unit_circles.rotate_derivative(curvature))
 @cache
 def surface() -> sp.Expr:
     """M(θ, θ₀) = μ₀ n̄ on the equilibrium surface: f is linear in M."""
-    f = elimination.f_in_parameters()
+    f, surface = elimination.f_in_parameters(), surface_in_coefficients().subs(elimination.f_coefficients())
     (friction,) = sp.solve(f, nm.M)
-    without, along = sp.collect(sp.expand(f), nm.M, evaluate=False)[sp.S.One], sp.diff(f, nm.M)
-    arranged = (nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.q * nm.alpha * nm.c0 * nm.s) / (
-        nm.s * (nm.kappa - nm.sigma * (nm.s0 - nm.s))
+    unit_circles.require(
+        not sp.diff(f, nm.M).has(nm.M) and sp.simplify(friction - surface) == 0, "f, linear in M, and the surface"
     )
-    if sp.simplify(friction - arranged.subs(elimination.f_coefficients())) != 0 or without.has(nm.M) or along.has(nm.M):
-        raise ArithmeticError("f is not linear in M, or the surface is not what catastrophe.py arranges")
-    return arranged.subs(elimination.f_coefficients())
+    return surface
 
 
-@cache
 def surface_in_coefficients() -> sp.Expr:
     """The same, with a and b kept as symbols."""
     arranged = nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.q * nm.alpha * nm.c0 * nm.s
-    arranged /= nm.s * (nm.kappa - nm.sigma * (nm.s0 - nm.s))
-    if sp.simplify(arranged.subs(elimination.f_coefficients()) - surface()) != 0:
-        raise ArithmeticError("the surface is not what catastrophe.py arranges")
-    return arranged
+    return arranged / (nm.s * (nm.kappa - nm.sigma * (nm.s0 - nm.s)))
 
 
 @cache
 def slope_identity() -> bool:
     """L det K = ∂f/∂θ wherever f = 0: with the friction for which f = 0 put in, the two sides are the same function."""
-    parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
     on_surface = {nm.M: surface()}
     determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))
     left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
     right = unit_circles.rotate_derivative(elimination.f_in_parameters())
-    return unit_circles.equal(left.subs(on_surface).subs(parameters), right.subs(on_surface).subs(parameters))
+    return unit_circles.equal(left.subs(on_surface).subs(POLES), right.subs(on_surface).subs(POLES))
 
 
 # ------------------------------------------------------------------------------------------------------ folds
@@ -62,8 +55,9 @@ def fold_relations() -> dict[sp.Symbol, sp.Expr]:
         nm.fb: -(nm.s**2) * (nm.fa * nm.s + nm.fm * nm.c),
         nm.fd: -nm.fa * nm.c**3 + nm.fm * nm.s * (1 + nm.c**2),
     }
-    if not all(unit_circles.equal(solution[symbol], value) for symbol, value in arranged.items()):
-        raise ArithmeticError("b and d on a fold are not what catastrophe.py arranges")
+    unit_circles.require(
+        all(unit_circles.equal(solution[symbol], value) for symbol, value in arranged.items()), "b and d on a fold"
+    )
     return arranged
 
 
@@ -105,9 +99,8 @@ def fold_quadratic() -> tuple[sp.Expr, ...]:
 
 def _coefficients_in_M(condition: sp.Expr) -> tuple[sp.Expr, ...]:
     numerator, denominator = sp.fraction(sp.together(condition))
-    if denominator.free_symbols:
-        raise ArithmeticError("the fold condition is not a polynomial in M")
-    return tuple(value / denominator for value in reversed(sp.Poly(numerator, nm.M).all_coeffs()))
+    unit_circles.require(not denominator.free_symbols, "the fold condition, a polynomial in M")
+    return tuple(value / denominator for value in unit_circles.ascending(numerator, nm.M))
 
 
 @cache
@@ -118,8 +111,9 @@ def fold_conic() -> tuple[sp.Expr, ...]:
     conic = sp.Poly(sp.expand(u1 * w2 - u2 * w1), nm.s0, nm.c0)
     powers = (sp.S.One, nm.s0, nm.s0**2, nm.c0)
     coefficients = tuple(conic.coeff_monomial(power) for power in powers)
-    if sp.expand(conic.as_expr() - sum(map(sp.Mul, powers, coefficients))) != 0:
-        raise ArithmeticError("the folds at a given direction are not a conic of this form")
+    unit_circles.require(
+        sp.expand(conic.as_expr() - sum(map(sp.Mul, powers, coefficients))) == 0, "the conic of folds at a direction"
+    )
     return coefficients
 
 
@@ -142,7 +136,7 @@ def fold_events(conic: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 
 #: Coefficients of ∂f/∂v, of the form of f: f is linear in every parameter v but θ₀.
-_CHANGE = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
+CHANGE = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
 
 
 @cache
@@ -151,22 +145,17 @@ def fold_sextic() -> tuple[sp.Expr, ...]:
 
     With f = f₀ + v f_v the surface is v(θ) = −f₀/f_v, and v′ is minus this over f_v²; f for any value of v gives the same.
     """
-    change, t = f_form.subs(_CHANGE), nm.tt
+    change = f_form.subs(CHANGE)
     condition = unit_circles.reduce_circles(sp.expand(slope * change - f_form * unit_circles.rotate_derivative(change)))
-    half_angle = {nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)}
-    polynomial = sp.Poly(sp.cancel(sp.together((1 + t**2) ** 3 * condition.subs(half_angle))), t)
-    return tuple(reversed(polynomial.all_coeffs()))
+    return unit_circles.in_half_angle(condition, 3)
 
 
 def fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     """Coefficients, lowest power first, of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀ on the fold through t at friction M."""
-    t, rows = nm.tt, []
-    half_angle = {nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)}
     s0, c0 = fold_angles()
-    for value in (nm.p * nm.B * s0, nm.p * nm.B * nm.q * nm.alpha * c0.subs(nm.s0, s0)):
-        polynomial = sp.Poly(sp.cancel(sp.together((1 + t**2) ** 3 * sp.cancel(value).subs(half_angle))), t)
-        rows.append(tuple(map(sp.factor_terms, reversed(polynomial.all_coeffs()))))
-    return rows[0], rows[1]
+    values = nm.p * nm.B * s0, nm.p * nm.B * nm.q * nm.alpha * c0.subs(nm.s0, s0)
+    sine, cosine = (tuple(map(sp.factor_terms, unit_circles.in_half_angle(sp.cancel(value), 3))) for value in values)
+    return sine, cosine
 
 
 # ------------------------------------------------------------------------------------------------------ cusps
@@ -178,8 +167,7 @@ def cusp_friction() -> sp.Expr:
     condition = unit_circles.reduce_circles(curvature.subs(fold_relations()))
     (friction,) = sp.solve(condition, nm.fm)
     arranged = 3 * nm.fa * nm.s * nm.c / (3 * nm.s**2 - 2)
-    if not unit_circles.equal(friction, arranged):
-        raise ArithmeticError("m on a cusp is not what catastrophe.py arranges")
+    unit_circles.require(unit_circles.equal(friction, arranged), "m on a cusp")
     return arranged
 
 
@@ -205,8 +193,7 @@ def cusp_polynomial() -> tuple[sp.Expr, ...]:
     s0, ratio = cusp_angles()
     scale = nm.B * nm.p * nm.alpha * nm.q * (3 * nm.s**2 - 2) ** 2
     condition = sp.cancel(scale * s0) ** 2 + (1 - nm.s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
-    polynomial = sp.Poly(sp.expand(condition.subs(_POLES)), nm.s)
-    return tuple(reversed(polynomial.all_coeffs()))
+    return unit_circles.ascending(sp.expand(condition.subs(POLES)), nm.s)
 
 
 @cache
@@ -217,11 +204,7 @@ def cusp_cubic() -> tuple[sp.Expr, ...]:
     """
     _, ratio = cusp_angles()
     numerator = sp.cancel(ratio * nm.B * nm.alpha * nm.p * nm.q * (3 * nm.s**2 - 2) ** 2 / (nm.B - nm.alpha))
-    polynomial = sp.Poly(sp.expand(numerator.subs(_POLES).subs(nm.alpha, 0) / nm.sigma), nm.s)
-    return tuple(reversed(polynomial.all_coeffs()))
-
-
-_POLES = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+    return unit_circles.ascending(sp.expand(numerator.subs(POLES).subs(nm.alpha, 0) / nm.sigma), nm.s)
 
 
 def identities() -> dict[str, bool]:

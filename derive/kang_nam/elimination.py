@@ -12,7 +12,7 @@ import sympy as sp
 
 from . import unit_circles, equilibrium
 from . import nomenclature as nm
-from .equilibrium import spell_out
+from .equilibrium import POLES, spell_out
 
 # ---------------------------------------------------------------------------------- the published quartic in L
 
@@ -32,8 +32,7 @@ def quartic_in_L() -> tuple[sp.Expr, ...]:
     """
     D, b = equilibrium.matrix_form()
     scaled = D.adjugate() * b
-    polynomial = sp.Poly(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
-    return tuple(reversed(polynomial.all_coeffs()))
+    return unit_circles.ascending(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
 
 
 @cache
@@ -41,8 +40,8 @@ def quartic_in_L_shorthand() -> tuple[sp.Expr, ...]:
     """The same coefficients in terms of b₁, b₂, p, q and M, as (A1)–(A9) write them."""
     D = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
     scaled = D.adjugate() * sp.Matrix([nm.b1, nm.b2])
-    polynomial = sp.Poly(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
-    return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in reversed(polynomial.all_coeffs()))
+    coefficients = unit_circles.ascending(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
+    return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in coefficients)
 
 
 @cache
@@ -61,9 +60,9 @@ def state() -> dict[sp.Symbol, sp.Expr]:
     _, across = equilibrium.balance()
     (length,) = sp.solve(across, nm.L)
     shorthand = (nm.sigma * nm.s + nm.B * nm.s0 + nm.kappa) / (nm.q * nm.s)
-    _require(sp.simplify(length - spell_out(shorthand)) == 0, "L(θ) from F_y = 0")
+    unit_circles.require(sp.simplify(length - spell_out(shorthand)) == 0, "L(θ) from F_y = 0")
     y = (nm.sigma * (nm.s0 - nm.s) - nm.kappa) / nm.q
-    _require(sp.simplify(spell_out(y - (nm.s0 - shorthand * nm.s))) == 0, "y(θ) = s₀ − L s")
+    unit_circles.require(sp.simplify(spell_out(y - (nm.s0 - shorthand * nm.s))) == 0, "y(θ) = s₀ − L s")
     return {nm.L: shorthand, nm.y: y, nm.x: nm.c0 - nm.L * nm.c}
 
 
@@ -77,7 +76,7 @@ def f_coefficients() -> dict[sp.Symbol, sp.Expr]:
     along, _ = equilibrium.balance()
     f = sp.expand(sp.simplify(spell_out(nm.q * nm.s * along.subs(nm.L, state()[nm.L]))))
     derived = sp.Poly(f, nm.c, nm.s).as_dict()
-    _require(set(derived) <= {(1, 1), (1, 0), (0, 1), (0, 2)}, "f has the four terms s c, c, s and s²")
+    unit_circles.require(set(derived) <= {(1, 1), (1, 0), (0, 1), (0, 2)}, "f has the four terms s c, c, s and s²")
     arranged = {
         nm.fa: nm.sigma * (nm.B - nm.alpha),
         nm.fb: -nm.p * (nm.B * nm.s0 + nm.kappa),
@@ -87,7 +86,7 @@ def f_coefficients() -> dict[sp.Symbol, sp.Expr]:
     for powers, value in {(1, 1): nm.fa, (1, 0): nm.fb, (0, 1): nm.fd, (0, 2): -nm.fm}.items():
         # n̄² = n̄ for n̄ in {0, 1}.
         gap = sp.rem(sp.expand(derived.get(powers, 0) - spell_out(value.subs(arranged))), nm.nbar**2 - nm.nbar, nm.nbar)
-        _require(gap == 0, f"coefficient of c^{powers[0]} s^{powers[1]} in f")
+        unit_circles.require(gap == 0, f"coefficient of c^{powers[0]} s^{powers[1]} in f")
     return arranged
 
 
@@ -100,10 +99,7 @@ def f_in_parameters() -> sp.Expr:
 @cache
 def quartic_in_t() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of (1 + t²)² f with t = tan(θ/2), in a, b, d, m."""
-    t = nm.tt
-    half_angle = {nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)}
-    polynomial = sp.Poly(sp.cancel((1 + t**2) ** 2 * f_form.subs(half_angle)), t)
-    return tuple(sp.factor_terms(value) for value in reversed(polynomial.all_coeffs()))
+    return tuple(map(sp.factor_terms, unit_circles.in_half_angle(f_form, 2)))
 
 
 @cache
@@ -120,8 +116,8 @@ def resolvent_cubic() -> tuple[sp.Expr, ...]:
         sp.cancel(homogeneous**2 * conic.subs({nm.c: nm.c / homogeneous, nm.s: nm.s / homogeneous}, simultaneous=True))
     )
     determinant = sp.hessian(form, (nm.c, nm.s, homogeneous)).det()
-    polynomial = sp.Poly(sp.expand(determinant), ell)
-    return tuple(sp.expand(value / polynomial.LC()) for value in reversed(polynomial.all_coeffs()))
+    *lower, leading = unit_circles.ascending(sp.expand(determinant), ell)
+    return tuple(sp.expand(value / leading) for value in (*lower, leading))
 
 
 # ------------------------------------------------------------------------------------------------- identities
@@ -137,7 +133,6 @@ def identities() -> dict[str, bool]:
     # In contact; lift-off is the same with β − 1 for β and μ₀ = 0. M, B and κ stay symbols.
     in_L = sum(value * nm.L**power for power, value in enumerate(quartic_in_L_shorthand()))
     right_side = {nm.b1: -nm.alpha * nm.c0 - nm.M * nm.s0, nm.b2: -nm.B * nm.s0 - nm.kappa}
-    shorthand = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
     published = (nm.q * nm.s) ** 2 * in_L.subs(right_side).subs(nm.L, length)
     factored = (nm.sigma - nm.q * length) ** 2 * f * f.subs(nm.c, -nm.c)
 
@@ -147,7 +142,7 @@ def identities() -> dict[str, bool]:
     return {
         "the roots in t multiply to −1": quartic_in_t()[0] == -quartic_in_t()[4],
         "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": unit_circles.equal(
-            published.subs(shorthand), factored.subs(shorthand)
+            published.subs(POLES), factored.subs(POLES)
         ),
         "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(
             false_root - singular_lengths()[0]
@@ -158,8 +153,3 @@ def identities() -> dict[str, bool]:
         "the resolvent cubic has the discriminant of the t-quartic": sp.expand(in_t.discriminant() - 4096 * cubic.discriminant())
         == 0,
     }
-
-
-def _require(holds: bool, what: str) -> None:
-    if not holds:
-        raise ArithmeticError(f"the derivation does not give what elimination.py arranges: {what}")

@@ -24,6 +24,8 @@ SHORTHANDS: dict[sp.Symbol, sp.Expr] = {
     nm.p: nm.alpha + nm.sigma,
     nm.q: nm.B + nm.sigma,
 }
+#: Those without another shorthand than B in them.
+POLES = {symbol: SHORTHANDS[symbol] for symbol in (nm.p, nm.q)}
 
 
 def spell_out(expression: sp.Expr) -> sp.Expr:

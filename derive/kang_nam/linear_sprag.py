@@ -48,7 +48,7 @@ def pole_friction() -> sp.Expr:
 def pole_quadratic() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of the quadratic in tan θ₀ whose roots are the poles."""
     numerator = sp.fraction(sp.cancel(pole_friction() - nm.mu0))[0]
-    return tuple(sp.factor(value) for value in reversed(sp.Poly(numerator, nm.T).all_coeffs()))
+    return tuple(map(sp.factor, unit_circles.ascending(numerator, nm.T)))
 
 
 @cache

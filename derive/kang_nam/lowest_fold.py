@@ -12,12 +12,9 @@ import sympy as sp
 from . import catastrophe, unit_circles, elimination, equilibrium, theorem
 from . import nomenclature as nm
 from ..algebra import manifestly_positive
-from .theorem import Step
-
-
-def by_inclination(expression: sp.Expr) -> sp.Expr:
-    """d/dθ₀ of an expression in ``c0`` and ``s0``."""
-    return sp.diff(expression, nm.s0) * nm.c0 - sp.diff(expression, nm.c0) * nm.s0
+from .equilibrium import POLES
+from .theorem import Step, alpha, beta, in_contact, kappa, s0, sigma
+from .unit_circles import by_inclination
 
 
 # -------------------------------------------------------------------------------------- where the curve of folds turns back
@@ -31,8 +28,7 @@ def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     derived = without * by_inclination(along) - along * by_inclination(without)
     line = nm.kappa * nm.p + nm.alpha * nm.sigma * nm.s, nm.alpha * nm.sigma * nm.s, -nm.alpha * nm.s * _threshold()
     arranged = nm.q * nm.s * (line[1] + line[2] * nm.s0 - line[0] * nm.c * nm.c0)
-    if not unit_circles.equal(derived.subs(_POLES), arranged.subs(_POLES)):
-        raise ArithmeticError("f = f_θ₀ = 0 is not the line that lowest_fold.py arranges")
+    unit_circles.require(unit_circles.equal(derived.subs(POLES), arranged.subs(POLES)), "the line f = f_θ₀ = 0")
     return line
 
 
@@ -57,9 +53,8 @@ def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     arranged = sum(value * nm.s0**power for power, value in enumerate(slope)) * nm.alpha / (weight * nm.c**2)
     in_parameters = {nm.fa: elimination.f_coefficients()[nm.fa]}
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
-    gap = sp.numer(sp.together((derived - arranged).subs(in_parameters).subs(_POLES)))
-    if sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) != 0:
-        raise ArithmeticError("f_θ₀ on a fold is not what lowest_fold.py arranges")
+    gap = sp.numer(sp.together((derived - arranged).subs(in_parameters).subs(POLES)))
+    unit_circles.require(sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold")
     circle = (
         constant**2 - square * weight**2,
         2 * constant * along,
@@ -86,22 +81,18 @@ def turning_polynomial() -> tuple[sp.Expr, ...]:
     The resultant of :func:`turning_quadratics` is −κ (s² − 1) w² times it. Contact only, and α > 0.
     """
     spelled = {nm.fa: elimination.f_coefficients()[nm.fa]}
-    one, two = (tuple(sp.expand(value.subs(spelled).subs(_POLES)) for value in row) for row in turning_quadratics())
+    one, two = (tuple(sp.expand(value.subs(spelled).subs(POLES)) for value in row) for row in turning_quadratics())
     outer, upper, lower = (sp.expand(_minor(one, two, *places)) for places in ((2, 0), (2, 1), (1, 0)))
-    weight = turning_line()[0].subs(_POLES)
+    weight = turning_line()[0].subs(POLES)
     factor = sp.Poly(sp.expand(-nm.kappa * (nm.s**2 - 1) * weight**2), nm.s)
     quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), nm.s), factor)
-    if not rest.is_zero:
-        raise ArithmeticError("the resultant has not the factors that lowest_fold.py divides by")
+    unit_circles.require(rest.is_zero, "the factors of the resultant")
     return tuple(sp.factor(value) for value in reversed(quotient.all_coeffs()))
 
 
 def _threshold() -> sp.Expr:
     """σ sin θ + κ, which in contact exceeds σ sin θ₀."""
     return nm.sigma * nm.s + nm.kappa
-
-
-_POLES = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
 
 
 def identities() -> dict[str, bool]:
@@ -128,23 +119,14 @@ def steps() -> tuple[Step, ...]:
     return (*_start(), *_inclined_backward(), *_follow())
 
 
-_kappa, _sigma, _s0 = sp.symbols("kappa sigma s_0", positive=True)
-_alpha, _beta = sp.symbols("alpha beta", nonnegative=True)
-_POSITIVE = {nm.kappa: _kappa, nm.sigma: _sigma, nm.s0: _s0, nm.alpha: _alpha, nm.beta: _beta, nm.nbar: 1}
-
-
-def _in_contact(expression: sp.Expr) -> sp.Expr:
-    return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(_POSITIVE)
-
-
 def _start() -> tuple[Step, ...]:
     """Without friction."""
     along, _ = equilibrium.balance()
     state = elimination.state()
     L, y = sp.symbols("L y", positive=True)
     at_rest = equilibrium.spell_out(along).subs(nm.M, 0).subs(nm.mu0, 0).subs(nm.L, L)
-    stretch = _in_contact(sp.together((state[nm.L] - 1) * nm.q * nm.s))
-    lift = _kappa - (_beta + 1) * (nm.s - _s0)
+    stretch = in_contact(sp.together((state[nm.L] - 1) * nm.q * nm.s))
+    lift = kappa - (beta + 1) * (nm.s - s0)
     return (
         *theorem.smallest_without_friction(),
         Step("without friction α x = σ (L − 1) cos θ", sp.expand(at_rest - (nm.alpha * (nm.c0 - L * nm.c) + nm.sigma * (1 - L) * nm.c)) == 0),
@@ -165,8 +147,8 @@ def _inclined_backward() -> tuple[Step, ...]:
     pull = relations[nm.fd] - elimination.f_coefficients()[nm.fd].subs(nm.c0, 0)  # q α cos θ₀ on a fold
     parts = -nm.fa * nm.c**3 + nm.fm * nm.s * nm.c**2, -nm.M * nm.q * elimination.state()[nm.y]
     turned = parts[0].subs({nm.fa: a, nm.c: -lean, nm.s: sine, nm.fm: friction}) + push
-    upright = _in_contact(nm.fa * nm.s + nm.fb).subs({_s0: 1, nm.s: sine})
-    bound = _alpha * (_beta + 1) + (_alpha + _sigma) * _kappa + _sigma * _alpha * sine
+    upright = in_contact(nm.fa * nm.s + nm.fb).subs({s0: 1, nm.s: sine})
+    bound = alpha * (beta + 1) + (alpha + sigma) * kappa + sigma * alpha * sine
     return (
         Step(
             "on a fold b = −s² (a s + m cos θ), and b < 0: where cos θ ≤ 0, a is positive",
@@ -182,9 +164,9 @@ def _inclined_backward() -> tuple[Step, ...]:
             "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference state has cos θ ≤ 0, friction moves "
             "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f = cos θ (a s + b) has the sign of −cos θ",
             sp.expand((f - nm.c * (nm.fa * nm.s + nm.fb)).subs(elimination.f_coefficients()).subs({nm.M: 0, nm.c0: 0})) == 0
-            and sp.expand(upright + bound + _sigma * (_beta + 1) * (1 - sine)) == 0
+            and sp.expand(upright + bound + sigma * (beta + 1) * (1 - sine)) == 0
             and manifestly_positive(
-                bound + _sigma * (_beta + 1) * rise, (_kappa, _sigma, _alpha, _beta, sine, rise), strict_symbols=(_kappa, _sigma)
+                bound + sigma * (beta + 1) * rise, (kappa, sigma, alpha, beta, sine, rise), strict_symbols=(kappa, sigma)
             ),
         ),
     )  # fmt: skip
@@ -214,7 +196,7 @@ def _follow() -> tuple[Step, ...]:
         Step(
             "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on a fold with μ₀ > 0: the least is at a cusp or at "
             "θ₀ = 0",
-            sp.expand((turning_line()[0] - nm.kappa * nm.sigma).subs(_POLES).subs(nm.alpha, 0)) == 0
+            sp.expand((turning_line()[0] - nm.kappa * nm.sigma).subs(POLES).subs(nm.alpha, 0)) == 0
             and all(value.subs(nm.alpha, 0) == 0 for value in turning_line()[1:]),
         ),
     )  # fmt: skip

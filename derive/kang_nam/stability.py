@@ -65,8 +65,7 @@ def trace_identity() -> bool:
     _, across = equilibrium.balance()
     (preload,) = sp.solve(in_contact(across), nm.kappa)
     positive = nm.p + (nm.B * nm.s0 + preload) / (nm.L * nm.s)
-    parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
-    return unit_circles.equal(trace(in_shorthand(stiffness())).subs(parameters), positive.subs(parameters))
+    return unit_circles.equal(trace(in_shorthand(stiffness())).subs(equilibrium.POLES), positive.subs(equilibrium.POLES))
 
 
 @cache
@@ -78,8 +77,9 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
     lines = []
     for value in (s0, cosine):
         line = sp.Poly(sp.expand(value), nm.L)
-        if line.degree() != 1 or value.has(nm.c0):
-            raise ArithmeticError("the balance at a given direction is not linear in the spring length")
+        unit_circles.require(
+            line.degree() == 1 and not value.has(nm.c0), "the balance at a direction, linear in the spring length"
+        )
         lines += [sp.factor(line.coeff_monomial(power)) for power in (1, nm.L)]
     return tuple(lines)
 
@@ -88,15 +88,14 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
 def flutter_quadratic() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring length L in direction θ."""
     discriminant = sp.expand(nm.L**2 * flutter_discriminant(in_shorthand(stiffness())))
-    coefficients = [unit_circles.reduce_circles(value) for value in reversed(sp.Poly(discriminant, nm.L).all_coeffs())]
+    coefficients = map(unit_circles.reduce_circles, unit_circles.ascending(discriminant, nm.L))
     difference = nm.alpha - nm.B
     arranged = (
         nm.sigma**2,
         2 * nm.sigma * (difference * (nm.c**2 - nm.s**2) + 2 * nm.M * nm.s * nm.c),
         difference**2,
     )
-    if not all(unit_circles.equal(ours, derived) for ours, derived in zip(arranged, coefficients, strict=True)):
-        raise ArithmeticError("the discriminant is not what stability.py arranges")
+    unit_circles.require(all(map(unit_circles.equal, arranged, coefficients)), "the discriminant of (27)")
     return arranged
 
 
@@ -114,8 +113,7 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     g2 = w2**2 + nm.alpha**2 * w1**2
     X, Y, Z = e0 * g2 - e2 * g0, e2 * g1 - e1 * g2, e1 * g0 - e0 * g1
     resultant = sp.resultant(e0 + e1 * nm.L + e2 * nm.L**2, g0 + g1 * nm.L + g2 * nm.L**2, nm.L)
-    if sp.expand(X**2 - Y * Z - resultant) != 0:
-        raise ArithmeticError("X² − Y Z is not the resultant")
+    unit_circles.require(sp.expand(X**2 - Y * Z - resultant) == 0, "X² − Y Z, the resultant")
     return X, Y, Z
 
 
@@ -126,8 +124,7 @@ def flutter_without_alpha() -> sp.Expr:
     e0, e1, e2 = QUADRATIC
     condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2
     X, Y, Z = flutter_elimination()
-    if sp.expand((X**2 - Y * Z).subs(nm.alpha, 0) - condition**2) != 0:
-        raise ArithmeticError("the resultant at α = 0 is no square")
+    unit_circles.require(sp.expand((X**2 - Y * Z).subs(nm.alpha, 0) - condition**2) == 0, "the resultant at α = 0, a square")
     return condition
 
 
@@ -145,7 +142,7 @@ def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
     balances = [in_contact(force) for force in equilibrium.balance()]
     by_direction = [unit_circles.rotate_derivative(force) for force in balances]
     by_length = [sp.diff(force, nm.L) for force in balances]
-    by_reference = [nm.c0 * sp.diff(force, nm.s0) - nm.s0 * sp.diff(force, nm.c0) for force in balances]
+    by_reference = [unit_circles.by_inclination(force) for force in balances]
     jacobian = by_direction[1] * by_length[0] - by_direction[0] * by_length[1]
     direction = by_reference[0] * by_length[1] - by_reference[1] * by_length[0]
     length = by_direction[0] * by_reference[1] - by_direction[1] * by_reference[0]
@@ -163,8 +160,7 @@ def flutter_friction() -> sp.Expr:
     arranged = -(e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2) / (
         4 * nm.sigma * nm.s * nm.c * nm.L
     )
-    if not unit_circles.equal(friction, arranged):
-        raise ArithmeticError("the friction at an onset is not what stability.py arranges")
+    unit_circles.require(unit_circles.equal(friction, arranged), "the friction at an onset")
     return arranged
 
 
@@ -181,9 +177,7 @@ def flutter_cubic() -> tuple[sp.Expr, ...]:
     cosine = sp.expand(condition).coeff(nm.c0, 1)
     rest = sp.expand(cosine * nm.c0 - condition)
     length = elimination.state()[nm.L]
-    linear = sp.Poly(sp.expand(cosine.subs(nm.L, length)), nm.s0).all_coeffs()
-    cubic = sp.Poly(sp.expand(rest.subs(nm.L, length)), nm.s0).all_coeffs()
-    return (*reversed(linear), *reversed(cubic))
+    return tuple(value for part in (cosine, rest) for value in unit_circles.ascending(sp.expand(part.subs(nm.L, length)), nm.s0))
 
 
 def in_contact(force: sp.Expr) -> sp.Expr:

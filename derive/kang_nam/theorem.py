@@ -33,13 +33,13 @@ def one_or_three() -> tuple[Step, ...]:
 
 
 # What the steps know to be positive (κ, σ, s₀ and L − 1 where it occurs) or not negative (α, β).
-_kappa, _sigma, _s0 = sp.symbols("kappa sigma s_0", positive=True)
-_alpha, _beta = sp.symbols("alpha beta", nonnegative=True)
-_POSITIVE = {nm.kappa: _kappa, nm.sigma: _sigma, nm.s0: _s0, nm.alpha: _alpha, nm.beta: _beta, nm.nbar: 1}
+kappa, sigma, s0 = sp.symbols("kappa sigma s_0", positive=True)
+alpha, beta = sp.symbols("alpha beta", nonnegative=True)
+POSITIVE = {nm.kappa: kappa, nm.sigma: sigma, nm.s0: s0, nm.alpha: alpha, nm.beta: beta, nm.nbar: 1}
 
 
-def _in_contact(expression: sp.Expr) -> sp.Expr:
-    return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(_POSITIVE)
+def in_contact(expression: sp.Expr) -> sp.Expr:
+    return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(POSITIVE)
 
 
 def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
@@ -66,7 +66,7 @@ def _quartic() -> tuple[Step, ...]:
     return (
         Step(
             "−b is positive: a polynomial with positive coefficients in κ, σ, s₀ > 0 and α, β ≥ 0",
-            manifestly_positive(_in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)),
+            manifestly_positive(in_contact(-nm.fb), (kappa, sigma, s0, alpha, beta), strict_symbols=(kappa, sigma, s0)),
         ),
         Step(
             "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive at ±∞, so that it has an "
@@ -78,9 +78,7 @@ def _quartic() -> tuple[Step, ...]:
             "the first positive the coefficients change sign once, which by Descartes' rule leaves one positive root",
             sp.expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
             and quartic[2] == -4 * nm.fm
-            and manifestly_positive(
-                _in_contact(nm.fm).subs(nm.mu0, friction), (_sigma, friction), strict_symbols=(_sigma, friction)
-            )
+            and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction), (sigma, friction), strict_symbols=(sigma, friction))
             and all(_changes((-1, e1, e2, e3, 1)) == 1 for e1 in (-1, 0) for e2 in (-1, 0) for e3 in (-1, 0, 1)),
         ),
         Step(
@@ -89,7 +87,7 @@ def _quartic() -> tuple[Step, ...]:
         ),
         Step(
             "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is then B s₀ + κ > 0",
-            manifestly_positive(_in_contact(across.subs(nm.s, 0)), (_kappa, _s0, _beta), strict_symbols=(_kappa,)),
+            manifestly_positive(in_contact(across.subs(nm.s, 0)), (kappa, s0, beta), strict_symbols=(kappa,)),
         ),
         Step("t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0),
     )
@@ -99,29 +97,29 @@ def _threshold_below_zero() -> tuple[Step, ...]:
     """s* ≤ 0: the equilibria in contact are exactly the roots with t > 0."""
     s, u = sp.symbols("s u", positive=True)
     depth = sp.Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
-    numerator, denominator = (_in_contact(part) for part in _length_fraction())
-    every = (_kappa, _sigma, _s0, _alpha, _beta)
-    penetration = _in_contact(_penetration())
+    numerator, denominator = (in_contact(part) for part in _length_fraction())
+    every = (kappa, sigma, s0, alpha, beta)
+    penetration = in_contact(_penetration())
     # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the second.
     conflict = (numerator - penetration).subs(nm.s, -u)
     return (
         Step(
             "s > 0 gives L > 0",
-            manifestly_positive(numerator.subs(nm.s, s), (s, *every), strict_symbols=(s, _sigma))
-            and manifestly_positive(denominator.subs(nm.s, s), (s, *every), strict_symbols=(s, _sigma)),
+            manifestly_positive(numerator.subs(nm.s, s), (s, *every), strict_symbols=(s, sigma))
+            and manifestly_positive(denominator.subs(nm.s, s), (s, *every), strict_symbols=(s, sigma)),
         ),
         Step(
             "s > 0 ≥ s* gives y < 0",
             manifestly_positive(
-                penetration.subs(nm.s, s).subs(_kappa, _sigma * (_s0 + depth)),
-                (s, depth, _sigma, _s0),
-                strict_symbols=(s, _sigma),
+                penetration.subs(nm.s, s).subs(kappa, sigma * (s0 + depth)),
+                (s, depth, sigma, s0),
+                strict_symbols=(s, sigma),
             ),
         ),
         Step(
             "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ (s − s₀) + κ positive, "
             "but the first is larger than the second by (B + σ) s₀",
-            manifestly_positive(conflict, (_sigma, _s0, _beta), strict_symbols=(_sigma, _s0)),
+            manifestly_positive(conflict, (sigma, s0, beta), strict_symbols=(sigma, s0)),
         ),
     )
 
@@ -130,8 +128,8 @@ def _threshold_above_zero() -> tuple[Step, ...]:
     """s* > 0: f has opposite signs at the two ends of the arc s > s*, where y = 0."""
     threshold, excess, stretch, surplus = sp.symbols("s_star excess stretch surplus", positive=True)
     level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
-    on_arc = {_s0: threshold + excess, _kappa: _sigma * excess}  # s₀ − s* = κ/σ
-    numerator, denominator = (_in_contact(part).subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
+    on_arc = {s0: threshold + excess, kappa: sigma * excess}  # s₀ − s* = κ/σ
+    numerator, denominator = (in_contact(part).subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
 
     along, _ = equilibrium.balance()
     P = nm.sigma - nm.p * nm.L
@@ -145,17 +143,17 @@ def _threshold_above_zero() -> tuple[Step, ...]:
         Step(
             "−P > α, since −P − α = p (L − 1)",
             manifestly_positive(
-                _in_contact(-P).subs(nm.L, 1 + stretch) - _alpha,
-                (stretch, _sigma, _alpha),
-                strict_symbols=(stretch, _sigma),
+                in_contact(-P).subs(nm.L, 1 + stretch) - alpha,
+                (stretch, sigma, alpha),
+                strict_symbols=(stretch, sigma),
             ),
         ),
         Step(
             "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² − s*²: F_x has the sign of "
             "−cos θ at either end, so that there is an odd number of roots between, all with t > 0 and L > 0: one or three",
             manifestly_positive(
-                (_alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2) - _alpha**2 * level,
-                (_alpha, surplus, level, threshold, excess),
+                (alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2) - alpha**2 * level,
+                (alpha, surplus, level, threshold, excess),
                 strict_symbols=(surplus, threshold, excess),
             ),
         ),
@@ -176,9 +174,7 @@ def _middle() -> tuple[Step, ...]:
             "θ = 0 and −b at θ = π",
             f.subs({nm.s: 0, nm.c: 1}) == nm.fb
             and f.subs({nm.s: 0, nm.c: -1}) == -nm.fb
-            and manifestly_positive(
-                _in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)
-            ),
+            and manifestly_positive(in_contact(-nm.fb), (kappa, sigma, s0, alpha, beta), strict_symbols=(kappa, sigma, s0)),
         ),
         Step(
             "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and positive after the last: at the "
@@ -206,30 +202,30 @@ def smallest_without_friction() -> tuple[Step, ...]:
     """
     f = elimination.f_form.subs(nm.fm, 0)
     cosine, sine, cosine0 = sp.symbols("c s c_0", positive=True)
-    at_rest = equilibrium.spell_out(elimination.f_form.subs(elimination.f_coefficients())).subs(_POSITIVE).subs(nm.mu0, 0)
+    at_rest = equilibrium.spell_out(elimination.f_form.subs(elimination.f_coefficients())).subs(POSITIVE).subs(nm.mu0, 0)
     ratio = unit_circles.rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
     slope = ratio.subs(elimination.f_coefficients()).subs(nm.M, 0)
     slope = sp.expand(
-        equilibrium.spell_out(slope).subs(_POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0}) * (cosine * sine) ** 2
+        equilibrium.spell_out(slope).subs(POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0}) * (cosine * sine) ** 2
     )
-    every = (_kappa, _sigma, _s0, _alpha, _beta, cosine, sine, cosine0)
+    every = (kappa, sigma, s0, alpha, beta, cosine, sine, cosine0)
     x = elimination.state()[nm.x].subs(nm.c, -cosine)
-    length = sp.together(_in_contact(elimination.state()[nm.L]).subs(nm.s, sine))
+    length = sp.together(in_contact(elimination.state()[nm.L]).subs(nm.s, sine))
     return (
         Step("f = s c (a + b/s + d/c) at μ₀ = 0", sp.simplify(f - nm.s * nm.c * (nm.fa + nm.fb / nm.s + nm.fd / nm.c)) == 0),
         Step(
             "the bracket rises with θ where sin θ, cos θ > 0: times s² c² its slope is a polynomial with positive coefficients",
-            manifestly_positive(slope, every, strict_symbols=(_kappa, _sigma, _s0, cosine, sine)),
+            manifestly_positive(slope, every, strict_symbols=(kappa, sigma, s0, cosine, sine)),
         ),
         Step(
             "at cos θ = 0 f is q α cos θ₀ sin θ, and x is cos θ₀",
-            sp.expand(at_rest.subs({nm.c: 0, nm.s: 1}) - equilibrium.spell_out(nm.q).subs(_POSITIVE) * _alpha * nm.c0) == 0
+            sp.expand(at_rest.subs({nm.c: 0, nm.s: 1}) - equilibrium.spell_out(nm.q).subs(POSITIVE) * alpha * nm.c0) == 0
             and elimination.state()[nm.x].subs(nm.c, 0) == nm.c0,
         ),
         Step(
             "where cos θ < 0, x exceeds cos θ₀ by L |cos θ|, and L > 0",
             sp.expand(x - nm.c0 - nm.L * cosine) == 0
-            and all(manifestly_positive(part, every, strict_symbols=(_sigma, sine)) for part in sp.fraction(length)),
+            and all(manifestly_positive(part, every, strict_symbols=(sigma, sine)) for part in sp.fraction(length)),
         ),
     )
 
@@ -238,12 +234,12 @@ def _signs_at_the_ends(f: sp.Expr) -> bool:
     """Whether f has the sign of −cos θ where sin θ = s* > 0."""
     threshold, excess = sp.symbols("s_star excess", positive=True)
     level = sp.Symbol("level", nonnegative=True)
-    on_arc = {_s0: threshold + excess, _kappa: _sigma * excess}  # s₀ − s* = κ/σ
-    every, strict = (_sigma, _alpha, _beta, threshold, excess, level), (_sigma, threshold, excess)
-    P = _sigma - (_sigma + _alpha) * (threshold + excess) / threshold  # L = s₀/s*
-    force, mirrored = (P * nm.c + sign * _alpha * nm.c0 for sign in (1, -1))
-    factor = _in_contact(nm.q) * threshold
-    at_end = _in_contact(f).subs(nm.s, threshold).subs(on_arc)
+    on_arc = {s0: threshold + excess, kappa: sigma * excess}  # s₀ − s* = κ/σ
+    every, strict = (sigma, alpha, beta, threshold, excess, level), (sigma, threshold, excess)
+    P = sigma - (sigma + alpha) * (threshold + excess) / threshold  # L = s₀/s*
+    force, mirrored = (P * nm.c + sign * alpha * nm.c0 for sign in (1, -1))
+    factor = in_contact(nm.q) * threshold
+    at_end = in_contact(f).subs(nm.s, threshold).subs(on_arc)
     # cos² θ₀ = level, and cos² θ = level + s₀² − s*² at the ends.
     squares = {nm.c**2: level + (threshold + excess) ** 2 - threshold**2, nm.c0**2: level}
     product = sp.expand(force * mirrored).subs(squares)

@@ -26,3 +26,26 @@ def equal(left: sp.Expr, right: sp.Expr) -> bool:
 def rotate_derivative(expression: sp.Expr) -> sp.Expr:
     """d/dθ of an expression in ``c`` and ``s``: dc = −s dθ, ds = c dθ."""
     return sp.diff(expression, nm.s) * nm.c - sp.diff(expression, nm.c) * nm.s
+
+
+def by_inclination(expression: sp.Expr) -> sp.Expr:
+    """d/dθ₀ of an expression in ``c0`` and ``s0``."""
+    return sp.diff(expression, nm.s0) * nm.c0 - sp.diff(expression, nm.c0) * nm.s0
+
+
+def ascending(polynomial: sp.Expr, variable: sp.Symbol) -> tuple[sp.Expr, ...]:
+    """Coefficients of a polynomial, lowest power first."""
+    return tuple(reversed(sp.Poly(polynomial, variable).all_coeffs()))
+
+
+def in_half_angle(expression: sp.Expr, power: int) -> tuple[sp.Expr, ...]:
+    """Coefficients in t = tan(θ/2), lowest power first, of (1 + t²)^power times an expression in ``c`` and ``s``."""
+    t = nm.tt
+    turned = expression.subs({nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)})
+    return ascending(sp.cancel(sp.together((1 + t**2) ** power * turned)), t)
+
+
+def require(holds: object, what: str) -> None:
+    """Raise where what is arranged by hand is not what is derived."""
+    if not holds:
+        raise ArithmeticError(f"the derivation does not give what is arranged: {what}")

@@ -17,14 +17,13 @@ from ..questions import Method, question
 from ..remarks import Remark
 from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
-from ..statics.mechanics.balance import Balance
-from ..statics.regions import by_hand
 from ..statics.remarks import kinds_of, of_ranges, summed
 from .bifurcation_conditions import FOLD
 from .defining_systems import Augmented, Condition
+from .families import Family
 from .fold_curves import FoldCurves
 from .fold_extrema import extrema
-from .points import Found, endless, given_column, ranges, search
+from .points import Found, search
 
 #: Rounds in which points are joined to those next to them.
 ROUNDS = 4
@@ -98,23 +97,19 @@ def bifurcation_set(
     >>> len(found), round(float(found.cusps.mu0[0]), 12)
     (2, 0.200931781805)
     """
-    model, n = p.model, 60 if n is None else n
-    vary = model.two(vary)
+    n = 60 if n is None else n
+    vary = p.model.two(vary)
     as_count("n", n, 2)
-    spans, unsaid = ranges(model, vary, between or {}), endless(model, vary, between or {})
+    family = Family.of(p, vary, between, within)
     known = list(extrema(p, vary, between or {}, within))
-    balance = Balance(model, contact=True)
-    given = given_column(p, balance.parameters, vary)
-    more = np.concatenate([rows_of(balance, vary, points) for _, points in known], axis=1)
-    asked = by_hand(balance.coordinates, within)
-    found = on_lines(balance, vary, FOLD, given, spans, n, more, asked, more[-1])
-    curves = [
-        Curve(dict(zip((*vary, *balance.coordinates), [*chain[balance.n :], *chain[: balance.n]], strict=True)))
-        for chain in found.chains
-    ]
+    more = np.concatenate([rows_of(family, points) for _, points in known], axis=1)
+    found = on_lines(family, FOLD, n, more, more[-1])
+    names, states = (*vary, *family.balance.coordinates), family.balance.n
+    curves = [Curve(dict(zip(names, [*chain[states:], *chain[:states]], strict=True))) for chain in found.chains]
     complete = found.whole and not found.undecided.shape[0] and all(points.complete for _, points in known)
-    remarks = (*found.remarks, *_said(known, of_ranges(unsaid, spans[[list(vary).index(name) for name in unsaid]])))
-    return BifurcationSet(tuple(vary), tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
+    cut = of_ranges(family.endless, family.spans[[family.vary.index(name) for name in family.endless]])
+    remarks = (*found.remarks, *_said(known, cut))
+    return BifurcationSet(family.vary, tuple(curves), known[0][1], complete, found.lines, found.undecided, remarks)
 
 
 def _said(known: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
@@ -140,31 +135,24 @@ class OnLines:
 
 
 def on_lines(
-    balance: Balance,
-    vary: Sequence[str],
-    condition: Condition,
-    given: FloatArray,
-    spans: FloatArray,
-    n: int,
-    more: FloatArray,
-    asked: FloatArray | None = None,
-    apart: FloatArray | None = None,
-) -> OnLines:
+    family: Family, condition: Condition, n: int, more: FloatArray, apart: FloatArray | None = None
+) -> OnLines:  # fmt: skip
     """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well.
 
     Between any two of the values ``apart`` of the second parameter there is a line of the first one.
     """
     rows, left, lines, decided, whole = [], [], {}, {}, True
+    balance, vary, spans = family.balance, family.vary, family.spans
     for along, across in ((0, 1), (1, 0)):
         # Inside of the range: its ends are often degenerate.
         values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
         if across == 1 and apart is not None:
             values = np.sort(np.append(values, _between(apart, spans[across], values)))
         lines[vary[across]] = values
-        column = np.repeat(given, values.size, axis=1)
+        column = np.repeat(family.given, values.size, axis=1)
         column[balance.parameters.index(vary[across])] = values
         with doing("{} lines along {}", values.size, vary[along]):
-            found = _on_each(balance, vary[along], condition, column, spans[along : along + 1], asked)
+            found = _on_each(replace(family, vary=(vary[along],), given=column, spans=spans[along : along + 1]), condition)
         whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
         rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
@@ -175,31 +163,28 @@ def on_lines(
     boxes = np.moveaxis(undecided, 0, -1)
     boxes = np.stack([-boxes[:, 0], boxes[:, 1]])
     varied = dict(zip(vary, Intervals(boxes[:, balance.n :]), strict=True))
-    remarks = summed(kinds_of(balance, np.repeat(given, boxes.shape[2], axis=1), boxes, varied))
+    remarks = summed(kinds_of(balance, np.repeat(family.given, boxes.shape[2], axis=1), boxes, varied))
     reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
-    scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
+    curves = FoldCurves(Augmented(family, condition), np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]]))
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
-    curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
     joined = curves.joined([states[:, places] for places in _chains(curves, states, near)], [lines[name] for name in vary])
     chains = [curves.smooth(chain) for chain in joined]
     return OnLines(curves, chains, lines, undecided, whole, tuple(Remark("on lines: {}", text) for text in remarks))
 
 
-def _on_each(
-    balance: Balance, vary: str, condition: Condition, columns: FloatArray, span: FloatArray, asked: FloatArray | None
-) -> Found:
+def _on_each(lines: Family, condition: Condition) -> Found:
     """All points on lines, searched at once; each line of which boxes are left again alone, with all that decides one line."""
-    found = search(balance, (vary,), condition, columns, span, budget=BUDGET, asked=asked)
+    found = search(lines, condition, BUDGET)
     open_ = np.unique(found.roots.left_point)
     parts, undecided = [], 0
     for line in open_:
         if undecided == ENOUGH:
             break
-        alone = search(balance, (vary,), condition, columns[:, [line]], span, budget=BUDGET, asked=asked).roots
+        alone = search(replace(lines, given=lines.given[:, [line]]), condition, BUDGET).roots
         undecided = undecided + 1 if alone.left_point.size else 0
         parts.append(replace(alone, point=np.full_like(alone.point, line), left_point=np.full_like(alone.left_point, line)))
     again = open_[: len(parts)]
-    return replace(found, roots=concatenated([found.roots.of(again, others=True), *parts], balance.n + 1))
+    return replace(found, roots=concatenated([found.roots.of(again, others=True), *parts], lines.balance.n + 1))
 
 
 def _between(values: FloatArray, span: FloatArray, lines: FloatArray) -> FloatArray:
@@ -216,9 +201,10 @@ def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
     return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
 
 
-def rows_of(balance: Balance, vary: Sequence[str], found: Points) -> FloatArray:
+def rows_of(family: Family, found: Points) -> FloatArray:
     """Coordinates and both parameters of points, shape (n + 2, points)."""
-    return np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)
+    names = (*family.balance.coordinates, *family.vary)
+    return np.array([getattr(found, name) for name in names]).reshape(len(names), -1)
 
 
 # ------------------------------------------------------------------------------------------------------- order of points

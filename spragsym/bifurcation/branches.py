@@ -27,7 +27,7 @@ from ..statics.search import columns
 from ..statics.stability import linearization
 from . import symmetry
 from .escapes import INFINITY
-from .points import given_column
+from .families import Family, given_column
 from .tubes.tube_regions import Parts
 from .tubes.tubes import Tubes
 
@@ -104,8 +104,9 @@ def _turned(along: Along, stops: FloatArray) -> list[int]:
     """Coordinates that the mirror turns, if the model is its own image all along."""
     if not stops.size:
         return []
-    span = np.array([stops.min(), stops.max()])
-    return symmetry.turned(along.balance, given_column(along.p, along.balance.parameters, (along.vary,)), span)
+    columns_of = given_column(along.p, along.balance.parameters, (along.vary,))
+    family = Family(along.p, along.balance, (along.vary,), columns_of, np.array([[stops.min(), stops.max()]]))
+    return symmetry.turned(family.balance, family.over)
 
 
 def _states(along: Along, eq: Equilibria, stop: int, turned: Sequence[int] = ()) -> _States:
@@ -129,9 +130,7 @@ def _by_tubes(
     tubes, n, around = Tubes(along.balance, along.vary), along.balance.n, along.balance.around
     begun = [(k, slot) for k, (one, _) in enumerate(steps) for slot in range(states[one].q.shape[1])]
     pairs: list[dict[int, int]] = [{} for _ in steps]
-    given = np.repeat(given_column(along.p, along.balance.parameters, (along.vary,)), len(begun), axis=1)
-    nothing = np.zeros((0, len(begun)))
-    parts = Parts(given, nothing, nothing)
+    parts = Parts.points(np.repeat(given_column(along.p, along.balance.parameters, (along.vary,)), len(begun), axis=1))
     z = np.array([[*states[steps[k][0]].q[:, slot], steps[k][0]] for k, slot in begun]).reshape(-1, n + 1).T
     start = tubes.place(parts, z, n)
     goal = np.array([steps[k][1] for k, _ in begun])

@@ -25,10 +25,11 @@ from ..statics.remarks import of_ranges
 from .bifurcation_conditions import TOUCH, TOUCH_TURN
 from .cusps import cusps
 from .escapes import INFINITY, escapes
+from .families import Family, endless, given_column, ranges
 from .fold_extrema import extrema
 from .folds import folds
 from .paths import ModelEnd, first_end
-from .points import OVER_BORDER, endless, given_column, isolated, ranges
+from .points import OVER_BORDER, isolated
 from .tubes.tube_regions import Parts
 from .tubes.tubes import Tubes
 
@@ -262,8 +263,7 @@ def critical_value(
 
 def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArray) -> FloatArray:
     """The state at values of a parameter that go one way, shape (n, values), of the one that is ``q`` at the first."""
-    tubes, nothing = Tubes(balance, name), np.zeros((0, 1))
-    parts = Parts(given_column(p, balance.parameters, (name,)), nothing, nothing)
+    tubes, parts = Tubes(balance, name), Parts.points(given_column(p, balance.parameters, (name,)))
     here = tubes.place(parts, np.append(q, values[0])[:, None], tubes.n)
     states = [q]
     for value in values[1:].tolist():
@@ -330,20 +330,21 @@ class _Search:
     def points(self) -> Iterator[tuple[str, Points]]:
         """Extrema and ends of curves of folds, and the same of the border, if the model has one."""
         both = (self.over, self.vary)
+        between = dict(zip(both, map(tuple, self.spans.tolist()), strict=True))
+        ends = [self.p.replace(**{self.over: float(end)}) for end in self.spans[0]]
+        rising = {self.vary: between[self.vary]}
         whole = True
-        for kind, points in extrema(self.p, both, dict(zip(both, map(tuple, self.spans.tolist()), strict=True))):
+        for kind, points in extrema(self.p, both, between):
             whole &= points.whole and bool(np.isfinite(points.region).all())
             yield kind, points
         if not whole:
-            yield INFINITY, escapes(self.balance, self.p, both, self.spans)
-            for end in self.spans[0]:
-                yield INFINITY, escapes(self.balance, self.p.replace(**{self.over: float(end)}), (self.vary,), self.spans[1:])
+            yield INFINITY, escapes(Family.of(self.p, both, between))
+            for here in ends:
+                yield INFINITY, escapes(Family.of(here, (self.vary,), rising))
         if self.balance.opens:
-            beyond = Balance(self.p.model, contact=True, room=OVER_BORDER)
-            yield "border", isolated(beyond, self.p, TOUCH_TURN, both, self.spans, "border")
-            for end in self.spans[0]:
-                here = self.p.replace(**{self.over: float(end)})
-                yield "border", isolated(beyond, here, TOUCH, (self.vary,), self.spans[1:], "border")
+            yield "border", isolated(Family.of(self.p, both, between, room=OVER_BORDER), TOUCH_TURN, "border")
+            for here in ends:
+                yield "border", isolated(Family.of(here, (self.vary,), rising, room=OVER_BORDER), TOUCH, "border")
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""

@@ -58,16 +58,10 @@ def cusps(
     >>> print(np.degrees(found.theta0[2]), found.mu0[2])
     68.02095850774431 0.20093178180509003
     """
-    from ..statics.mechanics.balance import Balance  # where a closed form answers nothing of it is loaded
-    from ..statics.regions import by_hand
-    from .cusp_search import isolated
-    from .points import arranged, endless, given_column, ranges
+    from .cusp_search import isolated  # where a closed form answers nothing of it is loaded
+    from .families import Family
+    from .points import arranged
 
-    model = p.model
-    vary = model.two(vary)
-    spans = ranges(model, vary, between or {})
-    balance = Balance(model, contact=True)
-    given = given_column(p, balance.parameters, vary)
-    found = isolated(balance, vary, given, spans, by_hand(balance.coordinates, within))
-    kind = np.full(found.roots.point.size, "cusp")
-    return arranged(balance, p, vary, given, found, kind, endless=endless(model, vary, between or {}))
+    family = Family.of(p, p.model.two(vary), between, within)
+    found = isolated(family)
+    return arranged(family, found, np.full(found.roots.point.size, "cusp"))

@@ -19,6 +19,7 @@ from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import constant, gradient, variables
 from ..statics.mechanics.balance import Balance, matrix
 from ..statics.mechanics.laws import XP
+from .families import Family
 from .near_anchors import regular_at_anchors
 
 
@@ -95,23 +96,28 @@ class State:
 
 
 class Augmented(System):
-    """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""
+    """Balance and condition; unknowns are the coordinates, then the parameters that vary."""
 
-    def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:
-        self.balance, self.vary, self.condition = balance, list(vary), condition
-        self.n = balance.n + len(self.vary)
-        self.opens, self.sides = balance.opens, balance.sides
+    def __init__(self, family: Family, condition: Condition) -> None:
+        self.family, self.balance, self.condition = family, family.balance, condition
+        self.n = self.balance.n + len(family.vary)
+        self.opens, self.sides = self.balance.opens, self.balance.sides
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance; an unknown is replaced at each evaluation."""
         return self.balance.prepared(bounds)
+
+    def fixed(self, count: int) -> Intervals:
+        """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
+        with np.errstate(all="ignore"):
+            return self.prepared(Intervals.point(np.repeat(self.family.begin, count, axis=1)))
 
     def state(
         self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
     ) -> State:
         """The evaluation at unknowns of any number type."""
         n = self.balance.n
-        changed = dict(zip(self.vary, unknowns[n:], strict=True))
+        changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
         return State(self.balance, unknowns[:n], self.balance.arguments(parameters, changed), shape, sides=sides)
 
     def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:

@@ -6,6 +6,8 @@ is not damped. So all states at that end are on the border of stability, and non
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,7 +21,7 @@ from .defining_systems import Augmented
 WIDER, ROOM = 0.25, 1e-11
 
 
-def shared(system: Augmented, given: FloatArray, span: FloatArray, left: FloatArray) -> NDArray[np.bool_]:
+def shared(system: Augmented, left: FloatArray) -> NDArray[np.bool_]:
     """Boxes of coordinates and parameter whose only root is proved to be at an end of the range where all states are roots.
 
     ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n + 1, N).
@@ -29,22 +31,23 @@ def shared(system: Augmented, given: FloatArray, span: FloatArray, left: FloatAr
         return out
     wide = left + (WIDER * (left[0] + left[1]) + ROOM * np.maximum(1.0, np.abs(left).max(axis=0)))
     with np.errstate(all="ignore"):
-        alone = _one_root(system, np.repeat(_filled(given, span[0]), out.size, axis=1), wide)
-        for end in span:
+        alone = _one_root(system, system.fixed(out.size), wide)
+        for end in system.family.spans[0]:
             here = (-left[0, -1] <= end) & (end <= left[1, -1])
-            states = _one_root(system.balance, np.repeat(_filled(given, end), out.size, axis=1), wide[:, :-1])
-            out |= here & alone & states & vanishes(system, given, end, wide)
+            states = _one_root(system.balance, _at_end(system, end, out.size), wide[:, :-1])
+            out |= here & alone & states & vanishes(system, end, wide)
     return out
 
 
-def vanishes(system: Augmented, given: FloatArray, end: float, ends: FloatArray) -> NDArray[np.bool_]:
+def vanishes(system: Augmented, end: float, ends: FloatArray) -> NDArray[np.bool_]:
     """Boxes over whose coordinates the condition is 0 everywhere at this value of the parameter."""
-    count = ends.shape[2]
-    point = Intervals.point(np.repeat(_filled(given, end), count, axis=1))
+    count, (vary,) = ends.shape[2], system.family.vary
+    # 0 as the number, unless it is an angle.
+    exactly = end == 0 and vary not in system.balance.angles
+    value: Any = 0 if exactly else Intervals.point(np.full(count, end))
     try:
         with np.errstate(all="ignore"):
-            coordinates = list(Intervals(ends[:, :-1]))
-            at = system.state([*coordinates, _number(system, end, count)], system.prepared(point), (count,))
+            at = system.state([*Intervals(ends[:, :-1]), value], _at_end(system, end, count), (count,))
             values = stacked(system.condition.equations(at), (count,))
     except ZeroDivisionError:  # a law that has no value there
         return np.zeros(count, dtype=np.bool_)
@@ -52,16 +55,11 @@ def vanishes(system: Augmented, given: FloatArray, end: float, ends: FloatArray)
     return out
 
 
-def _number(system: Augmented, end: float, count: int) -> Intervals | int:
-    """The parameter: 0 as the number, unless it is an angle."""
-    return 0 if end == 0 and system.vary[0] not in system.balance.angles else Intervals.point(np.full(count, end))
+def _at_end(system: Augmented, end: float, count: int) -> Intervals:
+    """Prepared parameters with this value of the one that varies."""
+    return system.prepared(Intervals.point(system.family.at(np.full((1, count), end))))
 
 
-def _filled(given: FloatArray, value: float) -> FloatArray:
-    return np.where(np.isnan(given), value, given)
-
-
-def _one_root(system: boxes.System, given: FloatArray, wide: FloatArray) -> NDArray[np.bool_]:
+def _one_root(system: boxes.System, parameters: Intervals, wide: FloatArray) -> NDArray[np.bool_]:
     """Boxes with exactly one root."""
-    parameters = system.prepared(Intervals.point(given))
     return contractors.inside(stepped(system, wide, parameters).ends, wide)

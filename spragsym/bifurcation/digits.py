@@ -31,7 +31,7 @@ from ..statics.spectrum import type_at
 from .bifurcation_conditions import cusp
 from .cusp_search import isolated
 from .defining_systems import Augmented
-from .points import endless, ranges
+from .families import Family, endless, ranges
 from .precise_points import PreciseAugmented
 
 #: Bits that may be lost where forces are summed.
@@ -131,8 +131,9 @@ def precise_cusps(
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
     given = np.array([[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in balance.parameters])
-    found = isolated(balance, vary, given, spans)
-    systems = [Augmented(balance, vary, cusp(column)) for column in range(balance.n)]
+    family = Family(p, balance, tuple(vary), given, spans, endless=endless(model, vary, between or {}))
+    found = isolated(family)
+    systems = [Augmented(family, cusp(column)) for column in range(balance.n)]
 
     def attempt(bits: int) -> list[PreciseCusp]:
         precise = [PreciseAugmented(system, given[:, 0], bits, _ends(exact)) for system in systems]
@@ -143,9 +144,7 @@ def precise_cusps(
     cusps = with_enough_bits(digits, attempt, "cusps")
     low, high = -found.region[0, :, 0], found.region[1, :, 0]
     searched = dict(zip((*balance.coordinates, *vary), zip(low.tolist(), high.tolist(), strict=True), strict=True))
-    complete = (
-        _held(ends) and bool(found.whole.all()) and not found.roots.left_point.size and not endless(model, vary, between or {})
-    )
+    complete = _held(ends) and bool(found.whole.all()) and not found.roots.left_point.size and not family.endless
     ordered = sorted(cusps, key=lambda one: [one.numbers[name] for name in reversed(vary)])
     return CuspProof(tuple(ordered), complete, searched)
 
@@ -173,7 +172,7 @@ def _cusp(system: PreciseAugmented, number: int, box: FloatArray, alone: FloatAr
         return None
     q, varied = root[: balance.n], root[balance.n :]
     numbers, _, radius = as_numbers((*varied, *_columns(balance, q, at.values), *q), digits)
-    named = dict(zip((*augmented.vary, *columns_of(balance.model)), numbers, strict=True))
+    named = dict(zip((*augmented.family.vary, *columns_of(balance.model)), numbers, strict=True))
     return PreciseCusp(named, as_mpf(radius), versal=True)
 
 

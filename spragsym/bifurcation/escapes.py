@@ -7,22 +7,20 @@ With q = u/w and one |u_i| = 1, the rows of the balance are G(u, w, λ) but for 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..models.parameters import ParameterSet
 from ..numerics import boxes, certified_roots
 from ..numerics.determinants import determinant
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..results.points import Points
-from ..statics.mechanics.balance import Balance, matrix
+from ..statics.mechanics.balance import matrix
 from ..statics.mechanics.forces import TURN
 from ..statics.mechanics.infinity import SCALED, NoChart, Scaled
-from .points import given_column
+from .families import Family
 
 #: Directions that are searched, beyond those of 45 degrees; boxes of one chart.
 BESIDE, BUDGET = 1.0 + 2.0**-6, 4000
@@ -38,9 +36,9 @@ class _Chart(boxes.System):
     With two the curve of values at infinity turns back in the last one: ∂G/∂(u, first) is singular.
     """
 
-    def __init__(self, balance: Balance, vary: Sequence[str], pivot: int, sign: int) -> None:
-        self.balance, self.vary, self.pivot, self.sign = balance, list(vary), pivot, sign
-        self.others = [i for i in range(balance.n) if i != pivot]
+    def __init__(self, family: Family, pivot: int, sign: int) -> None:
+        self.balance, self.vary, self.pivot, self.sign = family.balance, family.vary, pivot, sign
+        self.others = [i for i in range(self.balance.n) if i != pivot]
         self.n = len(self.others) + len(self.vary)
 
     def prepared(self, bounds: Intervals) -> Intervals:
@@ -92,18 +90,17 @@ class _Chart(boxes.System):
         return side
 
 
-def escapes(balance: Balance, p: ParameterSet, vary: Sequence[str], spans: FloatArray) -> Points:
+def escapes(family: Family) -> Points:
     """Values of a parameter at which a state in contact runs to infinity; of two, those at which they are extreme in the second.
 
     The kind is ``"infinity up"`` where the state is there above the value, else ``"infinity down"``; coordinates are infinite,
     NaN those that stay. What is not proved is missing: a state runs to infinity there, others may elsewhere.
     """
-    given = given_column(p, balance.parameters, vary)
+    balance = family.balance
     found, known = list[list[float]](), list[FloatArray]()
     for pivot in (i for i in range(balance.n) if i not in balance.around):
         for sign in (1, -1):
-            chart = _Chart(balance, vary, pivot, sign)
-            for middle, error, side in _of_chart(chart, given, spans):
+            for middle, error, side in _of_chart(_Chart(family, pivot, sign), family):
                 z = np.concatenate([np.insert(middle[: balance.n - 1], pivot, float(sign)), middle[balance.n - 1 :]])
                 z[: balance.n] /= np.abs(np.delete(z[: balance.n], balance.around)).max()
                 if any(np.abs(z - other).max() < SAME for other in known):
@@ -112,20 +109,18 @@ def escapes(balance: Balance, p: ParameterSet, vary: Sequence[str], spans: Float
                 away = np.where(np.abs(z[: balance.n]) < SAME, np.nan, np.copysign(np.inf, z[: balance.n]))
                 away[balance.around] = np.nan
                 found.append([*z[balance.n :], *away, error, side])
-    names = (*vary, *balance.coordinates)
+    names = (*family.vary, *balance.coordinates)
     *places, errors, sides = np.array(found).reshape(-1, len(names) + 2).T
     columns = dict(zip(names, places, strict=True))
     kind = np.select([sides > 0, sides < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
-    return Points(p, tuple(vary), kind, errors, spans, True, (), np.empty((0, balance.n + len(vary), 2)), (), columns)
+    return Points(family.p, family.vary, kind, errors, family.spans, True, (), np.empty((0, len(names), 2)), (), columns)
 
 
-def _of_chart(chart: _Chart, given: FloatArray, spans: FloatArray) -> list[tuple[FloatArray, float, int]]:
+def _of_chart(chart: _Chart, family: Family) -> list[tuple[FloatArray, float, int]]:
     """Roots in one chart, bounds on their errors, and sides."""
     balance = chart.balance
     sides = [[TURN, TURN] if i in balance.around else [BESIDE, BESIDE] for i in chart.others]
-    around = np.array([*sides, *([-low, high] for low, high in spans)]).T[:, :, None]
-    fixed = given.copy()
-    fixed[[balance.parameters.index(name) for name in chart.vary]] = spans[:, :1]
+    around, fixed = np.array([*sides, *([-low, high] for low, high in family.spans)]).T[:, :, None], family.begin
     try:
         with np.errstate(all="ignore"):
             outcome = boxes.search(chart, around, fixed, fixed, budget=BUDGET)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,12 +18,12 @@ from ..remarks import At, Remark
 from ..results.points import Points
 from ..statics import stability
 from ..statics.damping import damped_by_friction_alone, is_conservative, is_damped, only_damped, slope_over
-from ..statics.mechanics.balance import NOTHING, Balance
-from ..statics.regions import by_hand
+from ..statics.mechanics.balance import NOTHING
 from .bifurcation_conditions import FLAT, FLUTTER, HOPF, NO_SLOPE, no_damping, undamped_mode
 from .defining_systems import Augmented, Condition
+from .families import Family
 from .onsets import Onsets, onsets_of
-from .points import Found, arranged, endless, given_column, matrices, nothing, ranges, search
+from .points import Found, arranged, matrices, nothing, search
 from .seen import VALUES, with_seen
 
 #: ω of the points of a search that M, C and K are taken at.
@@ -92,18 +92,15 @@ def flutter_onsets(
     >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
     ([0.101, 1.4035], ['gentle', 'dangerous'])
     """
-    model = p.model
-    vary = model.one(vary)
-    balance = Balance(model, contact=True)
-    spans, asked = ranges(model, (vary,), between or {}), by_hand(balance.coordinates, within)
-    given = given_column(p, balance.parameters, (vary,))
-    along = damped_by_friction_alone(balance, given, (vary,), spans)
-    slope = None if along is None else slope_over(balance, given, (vary,), spans)
-    only = only_damped(balance, given, (vary,), spans) if along is None else along
+    family = Family.of(p, (p.model.one(vary),), between, within)
+    balance, over = family.balance, family.over
+    along = damped_by_friction_alone(balance, over)
+    slope = None if along is None else slope_over(balance, over)
+    only = only_damped(balance, over) if along is None else along
     if damping is None:
-        damping = is_damped(balance, given, (vary,), spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
+        damping = is_damped(balance, over) if slope is None else bool(slope.magnitude.max() > NOTHING)
 
-    conservative = is_conservative(balance, given, (vary,), spans)
+    conservative = is_conservative(balance, over)
     sought: list[tuple[Condition | None, str, Frequencies]]
     if not damping:
         # Where K is symmetric all κ are real and stay so as K changes: where two meet they pass each other.
@@ -119,20 +116,16 @@ def flutter_onsets(
             sought.append((NO_SLOPE, "hopf", _every))
     parts, seen = list[_Part](), list[_Part]()
     for condition, kind, frequencies in sought:
-        if condition is None:
-            out = nothing(balance, (vary,), given, spans, asked)
-        else:
-            out = search(balance, (vary,), condition, given, spans, asked=asked)
+        out = nothing(family) if condition is None else search(family, condition)
         if condition is not None and out.roots.left.shape[2]:
-            out, more, omega = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
+            out, more, omega = with_seen(Augmented(family, condition), out)
             followed = np.isfinite(omega)
             alone, others = (replace(out, roots=more.kept(some)) for some in (followed, ~followed))
             seen.append(_Part(alone, np.full(followed.sum(), "seen"), omega[followed]))
-            seen.append(_part(balance, vary, given, others, "seen", frequencies))
-        parts.append(_part(balance, vary, given, out, kind, frequencies))
+            seen.append(_part(family, others, "seen", frequencies))
+        parts.append(_part(family, out, kind, frequencies))
     parts[1:1] = seen
-    flat = sought[-1][0] is NO_SLOPE
-    return onsets_of(_joined(balance, p, vary, given, parts, flat, endless(model, (vary,), between or {})))
+    return onsets_of(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE))
 
 
 # ------------------------------------------------------------------------------------------------------- frequencies
@@ -147,10 +140,10 @@ class _Part:
     omega: FloatArray
 
 
-def _part(balance: Balance, vary: str, given: FloatArray, found: Found, kind: str, frequencies: Frequencies) -> _Part:
+def _part(family: Family, found: Found, kind: str, frequencies: Frequencies) -> _Part:
     """A row for each frequency that a root has; none for roots whose λ are real."""
     rows, omega = list[int](), list[float]()
-    for row, each in enumerate(zip(*matrices(balance, (vary,), given, found.roots.middle), strict=True)):
+    for row, each in enumerate(zip(*matrices(family, found.roots.middle), strict=True)):
         some = frequencies(*each)
         omega += some
         rows += [row] * len(some)
@@ -194,48 +187,43 @@ def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
 
 
-def _joined(
-    balance: Balance, p: Any, vary: str, given: FloatArray, parts: list[_Part], flat: bool, cut: tuple[str, ...]
-) -> Points:
-    """All parts in one result; ``flat`` where the last is of places without slope, ``cut`` parameters whose range was cut."""
-    first, roots = parts[0].found, [part.found.roots for part in parts]
-    every = concatenated(roots, balance.n + 1)
+def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
+    """All parts in one result; ``flat`` where the last is of places without slope."""
+    first, roots, (vary,) = parts[0].found, [part.found.roots for part in parts], family.vary
+    every = concatenated(roots, family.balance.n + 1)
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
-    remarks = _undamped(balance, vary, given, roots[-1].left) if flat else ()
-    remarks += _at_ends(balance, vary, given, first.region[:, -1, 0], every.left)
+    remarks = _undamped(family, roots[-1].left) if flat else ()
+    remarks += _at_ends(family, first.region[:, -1, 0], every.left)
     if (kind == "seen").any():
         remarks += (f"{(kind == 'seen').sum()} onsets are seen by floats between two of {VALUES} values, and not proved",)
     elif every.left.shape[2] and not flat:
         remarks += (f"floats see no other onset between two of {VALUES} values of {vary}",)
     region = np.minimum.reduce([part.found.region for part in parts])
     whole = np.logical_and.reduce([part.found.whole for part in parts])
-    found = replace(first, region=region, whole=whole, roots=every)
-    return arranged(balance, p, (vary,), given, found, kind, {"omega": omega}, endless=cut, remarks=remarks)
+    return arranged(family, Found(every, region, whole), kind, {"omega": omega}, remarks)
 
 
-def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, left: FloatArray) -> tuple[str, ...]:
+def _at_ends(family: Family, span: FloatArray, left: FloatArray) -> tuple[str, ...]:
     """Remarks on undecided boxes at an end of the range."""
     remarks = []
     for end in (-span[0], span[1]) if left.shape[2] else ():
         here = int(((-left[0, -1] <= end) & (end <= left[1, -1])).sum())
         why = ""
-        if is_conservative(balance, given, (vary,), np.array([[end, end]])):
+        if is_conservative(family.balance, Intervals.point(family.at(np.array([[end]])))):
             why = ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
         text = f"{here} of {left.shape[2]} undecided boxes hold the end {{}} of the range{why}"
-        remarks += [Remark(text, At(vary, (float(end),), "g"))] if here else []
+        remarks += [Remark(text, At(family.vary[0], (float(end),), "g"))] if here else []
     return tuple(remarks)
 
 
-def _undamped(balance: Balance, vary: str, given: FloatArray, left: FloatArray) -> tuple[str, ...]:
+def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
     """Remarks on undecided boxes where the friction law has practically no slope."""
+    balance = family.balance
     if balance.model.about["friction"] is None or not left.shape[2]:
         return ()
-    place = balance.parameters.index(vary)
-    low, high = (np.repeat(given, left.shape[2], axis=1) for _ in range(2))
-    low[place], high[place] = -left[0, -1], left[1, -1]
+    over = Intervals.between(family.at(-left[0, -1:]), family.at(left[1, -1:]))
     with np.errstate(all="ignore"):
-        slope = balance.slope(balance.arguments(balance.prepared(Intervals.between(low, high))))
-        size = stacked([slope], left.shape[2:])[0].magnitude
+        size = stacked([balance.slope(balance.arguments(balance.prepared(over)))], left.shape[2:])[0].magnitude
     flat = size <= FLAT
     most = f"{size[flat].max(initial=0.0):.0e}"
     text = f"the slope of the friction law, and with it its damping, is at most {most}: too little for floats"

@@ -34,12 +34,15 @@ ROOM = 1e-9
 
 @dataclass(frozen=True)
 class FoldCurves:
-    """Folds along two parameters: the system in coordinates and both, the other parameters, scales of the unknowns, ranges."""
+    """Folds along two parameters: the system in coordinates and both, and scales of the unknowns."""
 
     system: Augmented
-    given: FloatArray
     scale: FloatArray
-    spans: FloatArray
+
+    @property
+    def spans(self) -> FloatArray:
+        """Ranges of both."""
+        return self.system.family.spans
 
     def smooth(self, states: FloatArray) -> FloatArray:
         """A chain of folds, shape (n + 2, number), with further ones between its neighbours."""
@@ -189,20 +192,17 @@ class FoldCurves:
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
         reach = contractors.distance(wide, states)[free, columns]
         step = contractors.newton(self._values(states), Intervals(slopes), states[free, columns], reach)
-        closed = on_side(self.system, self._fixed(states.shape[1]), wide)[0]
+        closed = on_side(self.system, self.system.fixed(states.shape[1]), wide)[0]
         good = closed & contractors.inside(step.ends, wide[:, free, columns])
         wide[:, free, columns] = np.fmin(step.ends, wide[:, free, columns])
         return wide, good
 
     def _values(self, states: FloatArray) -> Intervals:
-        return self.system.residuals(Intervals.point(states), self._fixed(states.shape[1]))
+        return self.system.residuals(Intervals.point(states), self.system.fixed(states.shape[1]))
 
     def _slopes(self, states: Intervals) -> Intervals:
         with np.errstate(all="ignore"):
-            return self.system.jacobian(states, self._fixed(states.shape[1]))
-
-    def _fixed(self, count: int) -> Intervals:
-        return self.system.prepared(Intervals.point(np.repeat(np.nan_to_num(self.given), count, axis=1)))
+            return self.system.jacobian(states, self.system.fixed(states.shape[1]))
 
 
 def _is_closed(chain: FloatArray) -> bool:

@@ -11,11 +11,11 @@ from typing import Any
 
 from ..progress import doing
 from ..results.points import Points
-from ..statics.mechanics.balance import Balance
 from .bifurcation_conditions import FOLD_ON_BORDER, TURN
 from .cusps import cusps
+from .families import Family
 from .folds import folds
-from .points import OVER_BORDER, isolated, ranges
+from .points import OVER_BORDER, isolated
 
 
 def extrema(
@@ -28,18 +28,17 @@ def extrema(
     either end of the range of v; and ``"border"``, where folds leave a contact that opens.
     """
     over, along = vary
-    spans, rest = ranges(p.model, vary, between), {name: ends for name, ends in between.items() if name != over}
+    family, rest = Family.of(p, vary, between, within), {name: ends for name, ends in between.items() if name != over}
     with doing("cusps over {} and {}", *vary):
         found = cusps(p, vary, between=between, within=within)
     yield "cusp", found
-    balance = Balance(p.model, contact=True)
     # Where no state depends on one of the two, curves are straight along it.
-    bends = set(vary) <= set(balance.balanced)
+    bends = set(vary) <= set(family.balance.balanced)
     if bends:
-        yield "turn", isolated(balance, p, TURN, vary, spans, "turn", within)
-    for end in spans[0]:
-        value = p.ranges[over].reached(float(end), float(spans[0, 1] - spans[0, 0]))
+        yield "turn", isolated(family, TURN, "turn")
+    low, high = family.spans[0].tolist()
+    for end in (low, high):
+        value = p.ranges[over].reached(end, high - low)
         yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
-    if balance.opens and bends:
-        beyond = Balance(p.model, contact=True, room=OVER_BORDER)
-        yield "border", isolated(beyond, p, FOLD_ON_BORDER, vary, spans, "border", within)
+    if family.balance.opens and bends:
+        yield "border", isolated(Family.of(p, vary, between, within, room=OVER_BORDER), FOLD_ON_BORDER, "border")

@@ -18,12 +18,11 @@ from ..numerics.jets import constant, gradient, variables
 from ..results.equilibria import Stability
 from ..results.points import Ended, Points, nothing_ends, nowhere
 from ..statics.equilibria import equilibria
-from ..statics.mechanics.balance import Balance
 from ..statics.stability import with_a_zero
 from ..statics.tie_breaking import least_slot
 from .bifurcation_conditions import FOLD, change
 from .defining_systems import Augmented
-from .points import given_column
+from .families import Family
 
 #: Where two states meet and nothing more is known.
 UNDECIDED = "undecided"
@@ -44,25 +43,21 @@ def ended(points: Points) -> Ended:
 
 def _at(points: Points, row: int) -> tuple[str, str]:
     """Outcome of one fold: which of the two states is stable, and in which direction they vanish."""
-    (vary,), p = points.vary, points.parameters.of(points.parameters.model.search)
-    balance = Balance(p.model, contact=True)
-    z = np.array([float(getattr(points, name)[row]) for name in (*balance.coordinates, vary)])
+    family = Family.of(points.parameters.of(points.parameters.model.search), points.vary)
+    z = np.array([float(getattr(points, name)[row]) for name in (*family.balance.coordinates, *family.vary)])
     size = points.error[row] * np.maximum(1.0, np.abs(z))
-    box = Intervals(np.stack([size - z, size + z])[:, :, None])
-    given = given_column(p, balance.parameters, (vary,))
-    side, lower = _normal_form(balance, vary, given, box)
-    given[balance.parameters.index(vary)] = z[-1]
+    side, lower = _normal_form(family, Intervals(np.stack([size - z, size + z])[:, :, None]))
     when = "up" if side < 0 else "down"
-    if with_a_zero(balance, z[:-1, None], given) != Stability.STABLE:
+    if with_a_zero(family.balance, z[:-1, None], family.at(z[-1:, None])) != Stability.STABLE:
         return "", when
     return "lower" if lower else "upper", when
 
 
-def _normal_form(balance: Balance, vary: str, given: FloatArray, box: Intervals) -> tuple[int, bool]:
+def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
     """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K > 0 in the lower one."""
-    system = Augmented(balance, (vary,), FOLD)
+    system, balance = Augmented(family, FOLD), family.balance
     with np.errstate(all="ignore"):
-        at = system.state(variables(list(box), 1), system.prepared(Intervals.point(np.nan_to_num(given))), (1,))
+        at = system.state(variables(list(box), 1), system.fixed(1), (1,))
         K, n = at.stiffness(), balance.n
         rows = balance.by_coordinate("forces", at.q, at.directions, at.values)
         adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..models.parameters import FloatArray, ParameterSet
+from ..models.parameters import ParameterSet
 from ..questions import Method, question
 from ..remarks import At, Remark
 from ..results.points import Points
 
 if TYPE_CHECKING:
-    from ..statics.mechanics.balance import Balance
+    from .families import Family
     from .points import Found
 
 
@@ -75,37 +75,28 @@ def folds(
     >>> np.degrees(found.theta0).round(2).tolist(), found.complete
     ([44.59], True)
     """
-    from ..statics.mechanics.balance import Balance  # where a closed form answers nothing of it is loaded
-    from ..statics.regions import by_hand
-    from .bifurcation_conditions import FOLD
-    from .points import arranged, endless, given_column, ranges, search
+    from .bifurcation_conditions import FOLD  # where a closed form answers nothing of it is loaded
+    from .families import Family
+    from .points import arranged, search
     from .symmetry import with_pitchforks
 
-    model = p.model
-    vary = model.one(vary)
-    balance = Balance(model, contact=True)
-    spans = ranges(model, (vary,), between or {})
-    given = given_column(p, balance.parameters, (vary,))
-    found = search(balance, (vary,), FOLD, given, spans, asked=by_hand(balance.coordinates, within))
-    found, pitchforks = with_pitchforks(balance, vary, given, spans[0], found)
+    family = Family.of(p, (p.model.one(vary),), between, within)
+    found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
-    return arranged(
-        balance, p, (vary,), given, found, kind,
-        endless=endless(model, (vary,), between or {}), remarks=_remarks(balance, vary, given, spans[0], found),
-    )  # fmt: skip
+    return arranged(family, found, kind, remarks=_remarks(family, found))
 
 
-def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[str, ...]:
+def _remarks(family: Family, found: Found) -> tuple[str, ...]:
     """Remarks on undecided boxes at an end of the range where det K is 0 for every state."""
     from .bifurcation_conditions import FOLD
     from .defining_systems import Augmented
     from .degenerate_ends import vanishes
 
-    left, system = found.roots.left, Augmented(balance, (vary,), FOLD)
+    left, system, (vary,) = found.roots.left, Augmented(family, FOLD), family.vary
     remarks = []
-    for end in span if left.shape[2] else ():
+    for end in family.spans[0] if left.shape[2] else ():
         here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
-        if here.shape[2] and vanishes(system, given, float(end), here).any():
+        if here.shape[2] and vanishes(system, float(end), here).any():
             why = "det K is 0 in every state: equilibria there form curves, or there are none"
             cure = f"for folds beside it give between with another end for {vary}"
             remarks.append(Remark(f"at {{}} {why}; {cure}", At(vary, (float(end),), "g")))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,15 +22,15 @@ from ..results.points import Points
 from ..results.result import Result
 from ..statics import stability
 from ..statics.damping import is_conservative, is_damped, only_damped, slope_over
-from ..statics.mechanics.balance import Balance
-from .bifurcation import OnLines, on_lines, rows_of
+from .bifurcation import on_lines, rows_of
 from .bifurcation_conditions import FLUTTER, HOPF, KINDS, no_damping, undamped_mode
 from .defining_systems import Condition
+from .families import Family
 from .flutter import meeting
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
 from .onsets import told
-from .points import arranged, given_column, matrices, nothing, ranges, search
+from .points import arranged, matrices, nothing, search
 
 #: Points of the plane that are nearer than this share of its scales are one.
 SAME = 1e-9
@@ -151,12 +150,11 @@ def onset_curves(
     >>> found.changes["V"].round(4).tolist()  # where F‴ = 0, at (1 + √2) v_s
     [0.2414]
     """
-    model = model_of(p)
-    vary = model.two(vary)
+    vary = model_of(p).two(vary)
     as_count("n", n, 2)
-    plane = _Plane(p, tuple(vary), Balance(model, contact=True), ranges(model, vary, between or {}))
+    plane = _Plane.of(p, vary, between)
     if damping is None:
-        damping = is_damped(plane.balance, plane.given, vary, plane.spans)
+        damping = is_damped(plane.balance, plane.over)
     return plane.damped(n) if damping else plane.undamped(n)
 
 
@@ -166,22 +164,8 @@ def frequencies(roots: NDArray[np.complex128]) -> list[float]:
 
 
 @dataclass(frozen=True)
-class _Plane:
+class _Plane(Family):
     """The plane of two parameters, and what is asked of states there, shape (n + 2, N): coordinates, then both parameters."""
-
-    p: Any
-    vary: tuple[str, ...]
-    balance: Balance
-    spans: FloatArray
-
-    @cached_property
-    def given(self) -> FloatArray:
-        """All parameters, NaN for the two."""
-        return given_column(self.p, self.balance.parameters, self.vary)
-
-    def on_lines(self, condition: Condition, n: int, more: FloatArray) -> OnLines:
-        """Points of a kind on lines, joined to curves."""
-        return on_lines(self.balance, self.vary, condition, self.given, self.spans, n, more)
 
     def told(self, damping: bool, curves: Sequence[Curve], points: Points, changes: Any, *known: Any) -> OnsetCurves:
         """The result; of what is ``known`` the lines, whether it is complete, what is undecided, and remarks."""
@@ -193,11 +177,11 @@ class _Plane:
     def damped(self, n: int) -> OnsetCurves:
         """Curves of Hopf points."""
         balance = self.balance
-        only = only_damped(balance, self.given, self.vary, self.spans) if balance.n > 1 else None
+        only = only_damped(balance, self.over) if balance.n > 1 else None
         points = self.points(only)
-        ends = rows_of(balance, self.vary, points)[:, points.kind == "BT"]
+        ends = rows_of(self, points)[:, points.kind == "BT"]
         free = self.hardly_damped(ends) & (only is not None)
-        found = self.on_lines(HOPF if only is None else undamped_mode(only), n, ends[:, ~free])
+        found = on_lines(self, HOPF if only is None else undamped_mode(only), n, ends[:, ~free])
         curves, changes = list[Curve](), list[list[float]]()
         for chain in found.chains:
             for states in self.oscillating(chain, _at_ends(found.curves, chain, ends[:, ~free])):
@@ -206,12 +190,12 @@ class _Plane:
                 changes += self.changes(found.curves, states, forms)
         undecided, whole, said = found.undecided, found.whole, found.remarks
         if only is not None and balance.model.about["dampers"]:
-            flat = self.on_lines(no_damping(only), n, ends[:, free])
+            flat = on_lines(self, no_damping(only), n, ends[:, free])
             for chain in flat.chains:
                 curves += self.of_all_pairs(chain, _at_ends(flat.curves, chain, ends[:, free]))
             undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
         elif only is not None:
-            slope = slope_over(balance, self.given, self.vary, self.spans)
+            slope = slope_over(balance, self.over)
             low, high = float(slope.low[0]), float(slope.high[0])
             if low < 0 < high:  # an end of the range at which friction vanishes is none
                 whole, said = False, (*said, NO_SLOPE_HERE.format(low, high))
@@ -224,13 +208,12 @@ class _Plane:
     def undamped(self, n: int) -> OnsetCurves:
         """Curves on which two modes meet; none where there are not two, or where forces have a potential."""
         balance, curves = self.balance, list[Curve]()
-        none = nothing(balance, self.vary, self.given, self.spans)
-        points = arranged(balance, self.p, self.vary, self.given, none, np.empty(0, dtype=np.str_))
-        if balance.n < 2 or is_conservative(balance, self.given, self.vary, self.spans):
+        points = arranged(self, nothing(self), np.empty(0, dtype=np.str_))
+        if balance.n < 2 or is_conservative(balance, self.over):
             return self.told(False, (), points, (), {}, True, np.empty((0, balance.n + 2, 2)), ())
-        found = self.on_lines(FLUTTER, n, np.empty((balance.n + 2, 0)))
+        found = on_lines(self, FLUTTER, n, np.empty((balance.n + 2, 0)))
         for chain in found.chains:
-            omega = np.array([sum(meeting(*each)) for each in zip(*self.matrices(chain), strict=True)])
+            omega = np.array([sum(meeting(*each)) for each in zip(*matrices(self, chain), strict=True)])
             parts = np.split(np.arange(omega.size), np.flatnonzero(np.diff(omega > 0)) + 1)
             curves += [self.curve(chain[:, part], omega[part], [UNPROVED] * len(part)) for part in parts if omega[part].any()]
         complete = found.whole and not len(found.undecided)
@@ -246,7 +229,7 @@ class _Plane:
             # With one coordinate damped the coefficient of λ³ is that damping times a mass.
             if (kind == "HH" and (self.balance.n != 2 or only is not None)) or (kind == "ZH" and self.balance.n < 2):
                 continue
-            found = search(self.balance, self.vary, condition, self.given, self.spans)
+            found = search(self, condition)
             roots = self.roots(found.roots.middle)
             # The pair with the sum 0 is imaginary, both of them at a double Hopf point.
             imaginary = (np.abs(roots.real) < 1e-5 * np.abs(roots.imag)).sum(axis=1)
@@ -255,15 +238,11 @@ class _Plane:
             kinds += [kind] * int(kept.sum())
         every = concatenated([part.roots for part in parts], self.balance.n + 2)
         found = replace(parts[0], roots=every)
-        return arranged(self.balance, self.p, self.vary, self.given, found, np.array(kinds, dtype=np.str_))
-
-    def matrices(self, states: FloatArray) -> tuple[FloatArray, ...]:
-        """M, C and K, each of shape (N, n, n)."""
-        return matrices(self.balance, self.vary, self.given, states)
+        return arranged(self, found, np.array(kinds, dtype=np.str_))
 
     def roots(self, states: FloatArray) -> NDArray[np.complex128]:
         """All λ, shape (N, 2 n)."""
-        return stability.roots(*self.matrices(states))
+        return stability.roots(*matrices(self, states))
 
     def omegas(self, states: FloatArray) -> FloatArray:
         """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
@@ -271,7 +250,7 @@ class _Plane:
 
     def hardly_damped(self, states: FloatArray) -> NDArray[np.bool_]:
         """Where C is next to nothing beside K."""
-        _, C, K = self.matrices(states)
+        _, C, K = matrices(self, states)
         hardly: NDArray[np.bool_] = np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
         return hardly
 
@@ -309,10 +288,9 @@ class _Plane:
         ]
 
     def _form(self, state: FloatArray, radii: FloatArray) -> NormalForm | str:
-        n, point = self.balance.n, self.given[:, 0].copy()
-        point[[self.balance.parameters.index(name) for name in self.vary]] = state[n:]
+        n = self.balance.n
         try:
-            return normal_form(self.p.model, point, state[:n], self.vary, radii)
+            return normal_form(self.p.model, self.at(state[n:, None])[:, 0], state[:n], self.vary, radii)
         except Undecided as reason:
             return str(reason)
 

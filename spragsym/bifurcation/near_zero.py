@@ -38,27 +38,26 @@ class Logarithmic(Augmented):
         return super().state([*unknowns[:-1], XP.exp(unknowns[-1])], parameters, shape, sides)
 
 
-def begins(system: Augmented, given: FloatArray, around: FloatArray) -> bool:
+def begins(system: Augmented, around: FloatArray) -> bool:
     """Whether the range of the parameter in the region ``around`` begins at 0, which it never is, and nothing is known there."""
-    (entry,) = [entry for entry in system.balance.model.about["parameters"] if entry["name"] == system.vary[0]]
+    (vary,) = system.family.vary
+    (entry,) = [entry for entry in system.balance.model.about["parameters"] if entry["name"] == vary]
     if entry["low"] != 0 or not entry["low_open"] or around[0, -1, 0] != 0 or around[1, -1, 0] <= HIGH:
         return False
-    if system.vary[0] in system.balance.angles:
-        return False
-    with np.errstate(all="ignore"):
-        return bool(vanishes(system, given, 0.0, around)[0]) or not _bounded(system, given, around)
+    return vary not in system.balance.angles and (bool(vanishes(system, 0.0, around)[0]) or not _bounded(system, around))
 
 
-def _bounded(system: Augmented, given: FloatArray, around: FloatArray) -> bool:
+def _bounded(system: Augmented, around: FloatArray) -> bool:
     """Whether the condition has bounds in the whole region but for large values of the parameter."""
     low = np.concatenate([around[:, :-1], np.array([[[0.0]], [[LOW]]])], axis=1)
-    fixed = system.prepared(Intervals.point(np.where(np.isnan(given), LOW, given)))
-    return bool(np.isfinite(system.residuals(Intervals(low), fixed).ends[:, -1]).all())
+    with np.errstate(all="ignore"):
+        fixed = system.prepared(Intervals.point(system.family.at(np.array([[LOW]]))))
+        return bool(np.isfinite(system.residuals(Intervals(low), fixed).ends[:, -1]).all())
 
 
-def searched(system: Augmented, given: FloatArray, around: FloatArray, limits: FloatArray) -> Roots:
+def searched(system: Augmented, around: FloatArray, limits: FloatArray) -> Roots:
     """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter itself."""
-    by_logarithm = Logarithmic(system.balance, system.vary, system.condition)
+    by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
     ends = np.concatenate([around[:, :-1], [[[-np.log(LEAST)]], [[np.log(HIGH)]]]], axis=1)
     outcome = boxes.search(by_logarithm, ends, given, given, limits=limits, budget=BUDGET)
     found = certified_roots.roots(by_logarithm, outcome, ends, given, given)

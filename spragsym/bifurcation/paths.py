@@ -32,8 +32,9 @@ from ..statics.tie_breaking import least_slot
 from .bifurcation_conditions import TOUCH
 from .branches import HALVINGS, linked
 from .escapes import INFINITY, escapes
+from .families import Family, given_column
 from .folds import folds
-from .points import OVER_BORDER, given_column, isolated, what_ends
+from .points import OVER_BORDER, isolated, what_ends
 from .tubes.tube_regions import Parts, Place
 from .tubes.tubes import Tubes
 from .tubes.turning_points import turned
@@ -162,14 +163,13 @@ def open_ends(
     p: ParameterSet, vary: str, span: tuple[float, float], turns: Points, *, method: Method = "auto"
 ) -> list[Points]:  # fmt: skip
     """Where states leave the contact or come into it, and where they run to infinity, if they do, beside the folds ``turns``."""
-    balance, found = Balance(p.model, contact=True), list[Points]()
-    if balance.opens:
-        beyond = Balance(p.model, contact=True, room=OVER_BORDER)
-        found = [isolated(beyond, p, TOUCH, (vary,), np.array([span]), "border")]
+    family, found = Family.of(p, (vary,), {vary: span}), list[Points]()
+    if family.balance.opens:
+        found = [isolated(Family.of(p, (vary,), {vary: span}, room=OVER_BORDER), TOUCH, "border")]
         if not found[0].decided:
             raise ConvergenceError(f"whether equilibria leave the contact along {vary} is not decided; shorten the range")
     if not (turns.whole and np.isfinite(turns.region).all()):  # states run to infinity only where nothing bounds them
-        found.append(escapes(balance, p, (vary,), np.array([span])))
+        found.append(escapes(family))
     return found
 
 
@@ -361,8 +361,7 @@ class _Way:
     @functools.cached_property
     def _part(self) -> Parts:
         """The parameters, of which none has a width."""
-        nothing = np.zeros((0, 1))
-        return Parts(given_column(self.p, self.balance.parameters, (self.vary,)), nothing, nothing)
+        return Parts.points(given_column(self.p, self.balance.parameters, (self.vary,)))
 
     def _standing(self, balance: Balance, stop: int, slot: int) -> tuple[Tubes, Place]:
         """A tube's beginning at a state."""

@@ -28,16 +28,15 @@ MANY = 400
 CLUSTERS = 12
 
 
-def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roots) -> Roots:
+def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
     points = unsettled(found)
     if not points.size or system.condition.order or found.left.shape[2] > MANY:
         return found
     with np.errstate(all="ignore"):
-        fixed = system.prepared(Intervals.point(np.repeat(given, found.left.shape[2], axis=1)))
-        if system.given_up(Intervals(found.left), fixed).any():
+        if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
             return found  # no number of digits tells what is there
-    return settled_by_digits(system, given, region, found, partial(PreciseAugmented, system), most=CLUSTERS)
+    return settled_by_digits(system, system.family.begin, region, found, partial(PreciseAugmented, system), most=CLUSTERS)
 
 
 class PreciseAugmented(Digits):
@@ -68,6 +67,6 @@ class PreciseAugmented(Digits):
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at balls or jets of balls."""
         n, balance = self.system.balance.n, self.system.balance
-        changed = dict(zip(self.system.vary, unknowns[n:], strict=True))
+        changed = dict(zip(self.system.family.vary, unknowns[n:], strict=True))
         values = self.base.arguments | balance.with_angles(changed, XP)
         return State(balance, unknowns[:n], values, (), xp=XP)

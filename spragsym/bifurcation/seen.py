@@ -48,13 +48,10 @@ HALVINGS = 40
 Sighting: TypeAlias = tuple[FloatArray, float]
 
 
-def with_seen(
-    system: Augmented, given: FloatArray, span: FloatArray, found: Found, asked: FloatArray | None
-) -> tuple[Found, Roots, FloatArray]:
+def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray]:
     """What a search has found, with the onsets that floats see and that are proved; those that are not; and their frequencies."""
-    fixed = _at(given, span[:1])
-    sightings = _sightings(system, given, span, asked)
-    sightings = [(z, omega) for z, omega in sightings if span[0] <= z[-1] <= span[1]]
+    fixed, (low, high) = system.family.begin, system.family.spans[0]
+    sightings = [(z, omega) for z, omega in _sightings(system) if low <= z[-1] <= high]
     candidates = np.array([z for z, _ in sightings]).reshape(-1, system.n).T
     room = ROOM * np.maximum(1.0, np.abs(candidates))
     wide = np.stack([room - candidates, room + candidates])
@@ -82,13 +79,11 @@ def _proved(system: Augmented, given: FloatArray, box: FloatArray) -> FloatArray
     return None if root is None else as_intervals(root).ends
 
 
-def _sightings(system: Augmented, given: FloatArray, span: FloatArray, asked: FloatArray | None) -> list[Sighting]:
+def _sightings(system: Augmented) -> list[Sighting]:
     """Onsets between values of the parameter."""
-    balance = system.balance
-    values = span[0] + (span[1] - span[0]) * (np.arange(VALUES) + 0.5) / VALUES
-    columns = np.repeat(given, VALUES, axis=1)
-    columns[balance.parameters.index(system.vary[0])] = values
-    q, point = _states(system, columns, seen(balance, columns, asked))
+    low, high = system.family.spans[0]
+    values = low + (high - low) * (np.arange(VALUES) + 0.5) / VALUES
+    q, point = _states(seen(system.balance, system.family.at(values[None]), system.family.asked))
     neighbours = []
     for one in range(point.size):
         following = np.flatnonzero(point == point[one] + 1)
@@ -96,11 +91,11 @@ def _sightings(system: Augmented, given: FloatArray, span: FloatArray, asked: Fl
             neighbours.append((one, int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])))
     z = np.concatenate([q, values[point][None]])
     if system.condition is HOPF:
-        return _pairs_that_cross(system, given, z, neighbours)
-    return _sign_changes(system, given, z, neighbours)
+        return _pairs_that_cross(system, z, neighbours)
+    return _sign_changes(system, z, neighbours)
 
 
-def _states(system: Augmented, columns: FloatArray, found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
+def _states(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
     """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and their points."""
     boxes = Intervals(found.left)
     small = (boxes.width <= SMALL * np.maximum(1.0, np.abs(boxes.middle))).all(axis=0)
@@ -113,12 +108,12 @@ def _states(system: Augmented, columns: FloatArray, found: Roots) -> tuple[Float
     return q[:, first], point[first]
 
 
-def _pairs_that_cross(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
+def _pairs_that_cross(system: Augmented, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
     """Numerically detected crossings of the imaginary axis by a pair λ, λ̄ along states z of one branch."""
-    every, out = _oscillations(system, given, z), list[Sighting]()
+    every, out = _oscillations(system, z), list[Sighting]()
     for one, other in neighbours:
         if _crossing(every[one], every[other]).size:
-            out += _bisected(system, given, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
+            out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
     return out
 
 
@@ -133,64 +128,56 @@ def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[n
 
 def _bisected(
     system: Augmented,
-    given: FloatArray,
     low: tuple[FloatArray, NDArray[np.complex128]],
     high: tuple[FloatArray, NDArray[np.complex128]],
     halvings: int,
 ) -> list[Sighting]:
     """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
-    state = _state(system, given, 0.5 * (low[0] + high[0]))
-    (roots,) = _oscillations(system, given, state[:, None])
+    state = _state(system, 0.5 * (low[0] + high[0]))
+    (roots,) = _oscillations(system, state[:, None])
     middle = state, roots
     halves = [(one, other) for one, other in ((low, middle), (middle, high)) if _crossing(one[1], other[1]).size]
     if halvings and halves:
         # Where more than one onset lies between, the halvings are shared.
         share = (halvings - 1) // len(halves)
-        return [sighting for one, other in halves for sighting in _bisected(system, given, one, other, share)]
+        return [sighting for one, other in halves for sighting in _bisected(system, one, other, share)]
     # Else the ends do not lie on one branch.
     crossing = _crossing(low[1], high[1])
     nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
     return [(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
 
 
-def _at(given: FloatArray, z: FloatArray) -> FloatArray:
-    """Parameters as columns, the one that varies at the value z[−1] of each state."""
-    return np.where(np.isnan(given), z[-1], given)
-
-
-def _state(system: Augmented, given: FloatArray, z: FloatArray) -> FloatArray:
+def _state(system: Augmented, z: FloatArray) -> FloatArray:
     """The state of the value z[−1] that Newton's method finds near by."""
-    columns = _at(given, z)
+    parameters = Intervals.point(system.family.at(z[-1:, None]))
     with np.errstate(all="ignore"):
-        q = system.balance.guessed(z[:-1, None], system.balance.prepared(Intervals.point(columns)))
+        q = system.balance.guessed(z[:-1, None], system.balance.prepared(parameters))
     return np.append(q[:, 0], z[-1])
 
 
-def _oscillations(system: Augmented, given: FloatArray, z: FloatArray) -> list[NDArray[np.complex128]]:
+def _oscillations(system: Augmented, z: FloatArray) -> list[NDArray[np.complex128]]:
     """The λ above the real axis of each state z, shape (n + 1, N)."""
-    every = stability.roots(*matrices(system.balance, system.vary, given, z))
+    every = stability.roots(*matrices(system.family, z))
     return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
 
 
-def _sign_changes(system: Augmented, given: FloatArray, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
+def _sign_changes(system: Augmented, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
     """Numerically detected zeros of a condition along states z of one branch, where Newton's method converges."""
     if not neighbours:
         return []
-    columns = _at(given, z)
     with np.errstate(all="ignore"):
-        tested = system.residuals(Intervals.point(z), system.prepared(Intervals.point(columns))).middle[-1]
+        tested = system.residuals(Intervals.point(z), system.fixed(z.shape[1])).middle[-1]
     passed = [(i, j) for i, j in neighbours if np.isfinite(tested[[i, j]]).all() and tested[i] * tested[j] < 0]
     starts = [z[:, i] + (z[:, j] - z[:, i]) * tested[i] / (tested[i] - tested[j]) for i, j in passed]
-    fixed = _at(given, z[:, :1])
-    found = _converged(system, fixed, np.array(starts).reshape(-1, system.n).T)
+    found = _converged(system, np.array(starts).reshape(-1, system.n).T)
     return [(column, np.nan) for column in found.T]
 
 
-def _converged(system: Augmented, fixed: FloatArray, start: FloatArray) -> FloatArray:
+def _converged(system: Augmented, start: FloatArray) -> FloatArray:
     """Where Newton's method leads from the given ones, of those from which it converges."""
     z, change = start, np.full(start.shape[1], np.inf)
     with np.errstate(all="ignore"):
-        parameters = system.prepared(Intervals.point(np.repeat(fixed, start.shape[1], axis=1)))
+        parameters = system.fixed(start.shape[1])
         for _ in range(STEPS if start.size else 0):
             after = Intervals(certified_roots.stepped(system, np.stack([-z, z]), parameters).ends).middle
             change, z = np.abs(after - z).max(axis=0), after

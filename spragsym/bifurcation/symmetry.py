@@ -37,6 +37,7 @@ from ..statics.mechanics.precise_balance import PreciseBalance, clusters
 from ..statics.regions import region
 from .bifurcation_conditions import FOLD
 from .defining_systems import Augmented, State
+from .families import Family
 from .points import Found
 
 #: Undecided boxes beyond which they lie around no points.
@@ -45,14 +46,12 @@ MANY = 500
 BITS = 120
 
 
-def turned(balance: Balance, given: FloatArray, span: FloatArray) -> list[int]:
-    """Numbers of the coordinates that the mirror turns, if the model is its own image; NaN stands for what has a range."""
+def turned(balance: Balance, over: Intervals) -> list[int]:
+    """Numbers of the coordinates that the mirror turns, if the model is its own image for these parameters, shape (P, 1)."""
     about = balance.model.about["mirror"]
-    low, high = (np.where(np.isnan(given), end, given) for end in span)
     with np.errstate(all="ignore"):
-        values = balance.arguments(balance.prepared(Intervals.between(low, high)))
-        mu = stacked([balance.friction(values)], (1,)).magnitude.max()
-    zero = {name for name, a, b in zip(balance.parameters, low[:, 0], high[:, 0], strict=True) if a == b == 0}
+        mu = stacked([balance.friction(balance.arguments(balance.prepared(over)))], (1,)).magnitude.max()
+    zero = {name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()}
     zero |= {"mu"} if mu <= NOTHING else set()
     if not any(zero.issuperset(names) for names in about["zero"]):
         return []
@@ -68,13 +67,13 @@ class _Mirror:
     upright: Sequence[int] = ()
 
 
-def _mirrors(balance: Balance, given: FloatArray, span: FloatArray) -> list[_Mirror]:
+def _mirrors(family: Family) -> list[_Mirror]:
     """The page's mirror, and those that change signs of coordinates only, as of two springs that do not feel each other."""
-    odd = turned(balance, given, span)
+    balance, over = family.balance, family.over
+    odd = turned(balance, over)
     found = [_Mirror(odd, balance.mirrored, balance.model.about["mirror"]["upright"])] if odd else []
-    low, high = (np.where(np.isnan(given), end, given) for end in span)
     with np.errstate(all="ignore"):
-        values = balance.arguments(balance.prepared(Intervals.between(low, high)))
+        values = balance.arguments(balance.prepared(over))
     for size in range(1, balance.n + 1):
         for some in itertools.combinations(range(balance.n), size):
             if list(some) != odd and follows(balance, values, some):
@@ -89,9 +88,9 @@ def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Mapping[str, Any])
 class _OnMirror(boxes.System):
     """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
 
-    def __init__(self, balance: Balance, vary: str, mirror: _Mirror) -> None:
-        self.balance, self.vary, self.mirror, self.odd = balance, vary, mirror, mirror.odd
-        self.even = [i for i in range(balance.n) if i not in self.odd]
+    def __init__(self, family: Family, mirror: _Mirror) -> None:
+        self.balance, (self.vary,), self.mirror, self.odd = family.balance, family.vary, mirror, mirror.odd
+        self.even = [i for i in range(self.balance.n) if i not in self.odd]
         self.n = len(self.even) + 1
 
     def prepared(self, bounds: Intervals) -> Intervals:
@@ -131,16 +130,13 @@ class _OnMirror(boxes.System):
         return self.balance.beyond_border(at.q, at.values, shape)
 
 
-def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, mirror: _Mirror) -> Roots:
+def pitchforks(family: Family, mirror: _Mirror) -> Roots:
     """All pitchforks on the mirror along one parameter: boxes of coordinates and parameter."""
-    system = _OnMirror(balance, vary, mirror)
-    place = balance.parameters.index(vary)
-    low, high, fixed = given.copy(), given.copy(), given.copy()
-    low[place], high[place], fixed[place] = *span, span[0]
-    around, _ = region(balance, Intervals.between(low, high))
-    side = np.array([[-span[0]], [span[1]]])[:, None]
+    system, fixed, limits = _OnMirror(family, mirror), family.begin, family.balance.limits
+    around, _ = region(family.balance, family.over)
+    side = np.array([[-family.spans[:, 0]], [family.spans[:, 1]]])
     around = np.concatenate([around[:, system.even], side], axis=1)
-    limits = np.concatenate([balance.limits[:, system.even], np.full((2, 1), np.inf)], axis=1)
+    limits = np.concatenate([limits[:, system.even], np.full((2, 1), np.inf)], axis=1)
     outcome = boxes.search(system, around, fixed, fixed, limits=limits)
     found = certified_roots.roots(system, outcome, around, fixed, fixed)
 
@@ -153,27 +149,23 @@ def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray,
     return replace(found, ends=whole(found.ends), alone=whole(found.alone), left=whole(found.left))
 
 
-def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[Found, int]:
+def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
     """What a search for folds has found, with the pitchforks behind it in place of the boxes that are undecided around them.
 
     Also their number.
     """
     number = 0
-    for mirror in _mirrors(balance, given, span) if 0 < found.roots.left.shape[2] <= MANY else ():
+    for mirror in _mirrors(family) if 0 < found.roots.left.shape[2] <= MANY else ():
         if found.roots.left.shape[2]:
-            found, more = _with_pitchforks(balance, vary, given, span, found, mirror)
+            found, more = _with_pitchforks(family, found, mirror)
             number += more
     return found, number
 
 
-def _with_pitchforks(
-    balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found, mirror: _Mirror
-) -> tuple[Found, int]:
+def _with_pitchforks(family: Family, found: Found, mirror: _Mirror) -> tuple[Found, int]:
     """Points with the pitchforks of one mirror symmetry added."""
-    known = pitchforks(balance, vary, given, span, mirror)
-    system = Augmented(balance, (vary,), FOLD)
-    fixed = system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), known.point.size, axis=1)))
-    inside, beyond = on_side(system, fixed, known.ends)
+    known, system = pitchforks(family, mirror), Augmented(family, FOLD)
+    inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
     left = found.roots.left
     open_boxes = np.ones(left.shape[2], dtype=np.bool_)
     decided = []
@@ -181,29 +173,27 @@ def _with_pitchforks(
         here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
         alone = contractors.apart(known.left, hull[:, :, None]).all()
         sure = alone and here.size == 1 and (inside | beyond)[here[0]]
-        if sure and only_fold(balance, vary, given, hull, mirror):
+        if sure and only_fold(family, hull, mirror):
             decided += [int(here[0])] if inside[here[0]] else []
             open_boxes &= ~contractors.within(left, hull[:, :, None])
     parts = [found.roots.kept(left=open_boxes), known.kept(decided, slice(0))]
     return replace(found, roots=certified_roots.concatenated(parts, left.shape[1])), len(decided)
 
 
-def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, mirror: _Mirror) -> bool:
+def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
     """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
-    place, n = balance.parameters.index(vary), balance.n
-    low, high = given.copy(), given.copy()
-    low[place], high[place] = -box[0, -1], box[1, -1]
+    balance, (vary,), low, high = family.balance, family.vary, -box[0], box[1]
     with np.errstate(all="ignore"):
-        parameters = balance.prepared(Intervals.between(low, high))
-        sides = Intervals(box[:, :n, None])
+        parameters = balance.prepared(Intervals.between(*(family.at(end[-1:, None]) for end in (low, high))))
+        sides = Intervals(box[:, :-1, None])
         image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[:, :, 0]
-        wide = np.maximum(box[:, :n], image)
+        wide = np.maximum(box[:, :-1], image)
         wide = wide + 0.25 * (wide[0] + wide[1]) + 1e-9
         slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
     if not np.isfinite(slopes).all():
         return False
-    precise = PreciseBalance(balance, given[:, 0], BITS, {vary: (Fraction(-float(box[0, -1])), Fraction(float(box[1, -1])))})
-    whole = [(Fraction(-float(wide[0, i])), Fraction(float(wide[1, i]))) for i in range(n)]
+    precise = PreciseBalance(balance, family.given[:, 0], BITS, {vary: (Fraction(float(low[-1])), Fraction(float(high[-1])))})
+    whole = [(Fraction(-float(least)), Fraction(float(most))) for least, most in wide.T]
     try:
         return bool(balls.sign(third_derivative(precise.values, whole, slopes, BITS, mirror.odd)))
     except Undecided:

@@ -11,8 +11,8 @@ import numpy as np
 
 import spragsym as ss
 
+from ..bifurcation.families import ranges
 from ..bifurcation.paths import first_end
-from ..bifurcation.points import ranges
 from ..design.jumps import first_ends
 from ..errors import ParameterError, SpragsymError
 from ..progress import show_progress

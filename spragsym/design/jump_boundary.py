@@ -49,8 +49,7 @@ class MovedFold:
     def _next(self, asked: Followed, last: FloatArray) -> Ends | None:
         """The fold near (q, v), if there is one within what the parameter may be."""
         n, tubes, z = asked.balance.n, asked.tubes, last[:, None]
-        none = np.zeros((0, 1))
-        parts = Parts(asked.fixed, none, none)
+        parts = Parts.points(asked.fixed)
         # At a fold the null vector of K is the direction of the curve: nothing else of z changes there.
         along = np.linalg.svd(tubes.floats(parts, z)[1][:, :n, 0])[2][-1]
         pivot = int(np.argmax(np.abs(along) / np.maximum(np.abs(last[:n]), SMALL)))

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..bifurcation.families import FAR
 from ..bifurcation.paths import first_end
-from ..bifurcation.points import FAR
 from ..bifurcation.tubes.tube_regions import Parts, Place
 from ..bifurcation.tubes.tubes import Tubes
 from ..bifurcation.tubes.turning_points import SEGMENTS, past, turned
@@ -295,8 +295,7 @@ class Followed:
         z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0
-        none = np.zeros((0, rows.size))
-        parts = Parts(self.fixed[:, rows], none, none)
+        parts = Parts.points(self.fixed[:, rows])
         start = self.tubes.place(parts, z, n)
         start.sure[~known] = False
         return parts, start, self.until[rows]

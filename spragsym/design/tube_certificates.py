@@ -184,8 +184,7 @@ class Splitting:
         at[self.tubes.places], at[self.tubes.moving] = one, self.begin
         out = np.ones(one.shape[1], dtype=np.bool_)
         for k, name in enumerate(self.free):
-            tubes, none = Tubes(self.balance, name), np.zeros((0, one.shape[1]))
-            parts = Parts(at, none, none)
+            tubes, parts = Tubes(self.balance, name), Parts.points(at)
             start = tubes.place(parts, np.concatenate([last.z[:-1], one[k : k + 1]]), n)
             out &= start.lies_in(last, n)
             last = tubes.followed(parts, start, other[k])

@@ -12,7 +12,7 @@ from matplotlib.patches import Rectangle
 
 import spragsym as ss
 
-from ..bifurcation.points import ranges
+from ..bifurcation.families import ranges
 from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
 from .bifurcation_sets import draw_plane

@@ -15,7 +15,7 @@ import numpy as np
 
 import spragsym as ss
 
-from ..bifurcation.points import ranges
+from ..bifurcation.families import ranges
 from ..design.dependence import Correlation, Dependence, dependence
 from ..design.jumps import first_ends
 from ..errors import ParameterError

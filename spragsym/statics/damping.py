@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import Intervals, stacked
 from . import stability
 from .mechanics.balance import NOTHING, Balance, matrix
 
@@ -17,72 +16,63 @@ FAR = 1.0
 PLACES = 64
 
 
-def only_damped(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> int | None:
+def only_damped(balance: Balance, over: Intervals) -> int | None:
     """The coordinate of the only entry of C that is not 0 by structure, on the diagonal; None if there is no such, or others.
 
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
-    with np.errstate(all="ignore"):
-        C = _entries(balance, _over(balance, given, vary, spans))
+    C = _entries(balance, _values(balance, over))
     entries = [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not (isinstance(entry, int) and entry == 0)]
     return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
 
 
-def _ends(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Parameters at both ends of the ranges of those that vary."""
-    low, high = given.copy(), given.copy()
-    places = [balance.parameters.index(name) for name in vary]
-    low[places, 0], high[places, 0] = spans.T
-    return low, high
-
-
-def _over(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> dict[str, Any]:
-    """Arguments of generated functions for all values of the parameters that vary."""
+def _values(balance: Balance, over: Intervals) -> dict[str, Any]:
+    """Arguments of generated functions for all values of the parameters."""
     with np.errstate(all="ignore"):
-        return balance.arguments(balance.prepared(Intervals.between(*_ends(balance, given, vary, spans))))
+        return balance.arguments(balance.prepared(over))
 
 
 def _entries(balance: Balance, values: dict[str, Any], pushing: int | None = None) -> Any:
     """C at states of all kinds."""
     states = [Intervals.between(np.full((1,), -FAR), np.full((1,), FAR)) for _ in range(balance.n)]
     directions = [Intervals(np.ones((2, 1))) for _ in range(3 * balance.springs)]
-    return balance.damping(states, directions, values, pushing)
+    with np.errstate(all="ignore"):
+        return balance.damping(states, directions, values, pushing)
 
 
-def is_damped(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> bool:
+def is_damped(balance: Balance, over: Intervals) -> bool:
     """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
-    low, high = _ends(balance, given, vary, spans)
-    point = np.repeat(0.5 * low + 0.5 * high, PLACES, axis=1)
+    point = np.repeat(0.5 * over.low + 0.5 * over.high, PLACES, axis=1)
     states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(0.01, 3.0, PLACES)
     with np.errstate(all="ignore"):
         C = stability.linearization(balance, states, point)[1]
     return bool((np.isfinite(C) & (C != 0)).any())
 
 
-def damped_by_friction_alone(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> int | None:
+def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
     """The coordinate that friction opposes, if nothing else damps for any parameter of the range; None if that is not known."""
     friction = balance.model.about["friction"]
     if friction is None or friction["along"] not in balance.coordinates:
         return None
     if balance.model.about["dampers"]:
-        C = matrix(_entries(balance, _over(balance, given, vary, spans), pushing=0), (1,))
+        C = matrix(_entries(balance, _values(balance, over), pushing=0), (1,))
         # They are known on their own in lift-off.
         if not balance.opens or not C.magnitude.max() <= NOTHING:
             return None
     return balance.coordinates.index(friction["along"])
 
 
-def slope_over(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> Intervals:
+def slope_over(balance: Balance, over: Intervals) -> Intervals:
     """The slope of the friction law over the ranges."""
     with np.errstate(all="ignore"):
-        return stacked([balance.slope(_over(balance, given, vary, spans))], (1,))[0]
+        return stacked([balance.slope(_values(balance, over))], (1,))[0]
 
 
-def is_conservative(balance: Balance, given: FloatArray, vary: Sequence[str], spans: FloatArray) -> bool:
+def is_conservative(balance: Balance, over: Intervals) -> bool:
     """Whether K is symmetric all over the ranges: there is no friction, and the page's other forces have a potential."""
-    values = _over(balance, given, vary, spans)
+    values = _values(balance, over)
     # A parameter that is 0 here is so exactly, also one that never is.
-    values |= {name: 0 for name, span in zip(vary, spans, strict=True) if not span.any() and name in values}
+    values |= {name: 0 for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any() and name in values}
     with np.errstate(all="ignore"):
         friction = stacked([balance.friction(values)], (1,))[0]
     return bool(balance.model.about.get("symmetric")) and bool(friction.magnitude.max() <= NOTHING)

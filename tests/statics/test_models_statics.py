@@ -10,6 +10,7 @@ import pytest
 import spragsym as ss
 from spragsym.bifurcation import cusp_search, points
 from spragsym.bifurcation.bifurcation_conditions import cusp
+from spragsym.bifurcation.families import Family
 from spragsym.statics.mechanics.balance import Balance
 from tests.oracles import by_hand, families
 from tests.oracles.forces_by_hand import DRAWN
@@ -147,12 +148,10 @@ def test_cusps_of_a_law_whose_stiffness_has_no_slope_at_the_border():
 
 @pytest.mark.thorough
 def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
-    vary, spans = ("theta0", "mu0"), np.array([[0.0, np.pi], [0.0, 2.0]])
-    balance = Balance(model("kang_nam"), contact=True)
-    given = points.given_column(model("kang_nam").Parameters(), balance.parameters, vary)
-    found = points.search(balance, vary, cusp(column=1), given, spans)
+    family = Family.of(model("kang_nam").Parameters(), ("theta0", "mu0"), {"theta0": (0.0, np.pi), "mu0": (0.0, 2.0)})
+    found = points.search(family, cusp(column=1))
     assert found.roots.point.size == 2
-    proved, unclear = cusp_search.told_apart(balance, vary, found, given, column=1)
+    proved, unclear = cusp_search.told_apart(family, found, column=1)
     assert np.allclose(found.roots.middle[-1, proved], 0.200931781805090, atol=1e-12)
     assert not unclear.any()
 

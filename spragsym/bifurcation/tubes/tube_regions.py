@@ -90,6 +90,12 @@ class Parts(ByColumn):
     centre: FloatArray
     half: FloatArray
 
+    @classmethod
+    def points(cls, fixed: FloatArray) -> Parts:
+        """Parameters of which none has a width."""
+        nothing = np.zeros((0, fixed.shape[1]))
+        return cls(fixed, nothing, nothing)
+
     def middles(self) -> Parts:
         """Regions of zero width: their midpoints."""
         return replace(self, half=np.zeros_like(self.half))

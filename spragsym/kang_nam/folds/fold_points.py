@@ -57,7 +57,7 @@ def in_ranges(found: PointsT, between: Mapping[str, tuple[float, float]] | None)
     """Points in the ranges of what varies, if ranges are given."""
     if between is None:
         return found
-    from ...bifurcation.points import ranges  # which loads the search
+    from ...bifurcation.families import ranges  # which loads the search
 
     return found.between(ranges(found.parameters.model, found.vary, between))
 

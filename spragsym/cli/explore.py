@@ -132,7 +132,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
 
 def _units(study: Study) -> Units:
     """The units of the user's file."""
-    from ..report.units import factor
+    from ..models.units import factor
 
     kind = study.kind
     length = next((study.quantities[name].unit for name, unit in kind.bases.items() if unit == "m"), "m")

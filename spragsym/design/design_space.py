@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -10,24 +9,17 @@ from typing import Any
 import numpy as np
 
 from ..errors import ParameterError
-from ..generated import scales as _scales
 from ..models.parameters import (
     NAMES,
     POSITIVE,
-    RANGES,
     FloatArray,
     Parameters,
     ParameterSet,
     PhysicalParameters,
     Range,
     as_number,
-    range_of,
 )
 
-_groups = inspect.unwrap(_scales.dimensionless_groups)
-
-#: Physical quantities that the dimensionless parameters depend on.
-PHYSICAL = ("k", "k_x", "k_y", "k_c", "F_L", "L_0", "theta0", "mu0")
 #: How close to an end of its range, over its value or its tolerance, a quantity is taken.
 _CLEAR = 1e-9
 
@@ -153,18 +145,8 @@ def space(
 def _design(base: ParameterSet | PhysicalParameters) -> Design:
     """Design variables: the parameters of a set; of a brake all on which the jump depends where friction works fully."""
     if isinstance(base, PhysicalParameters):
-        given = {name: getattr(base, name) for name in PHYSICAL}
-        ranges = {name: RANGES[name] if name in RANGES else range_of(name) for name in PHYSICAL}
-        return Design(given, ranges, dimensionless, lambda changed: replace(base, **changed), Parameters)
+        kind = base.kind
+        return Design(base.known, kind.ranges(), kind.groups, lambda changed: replace(base, **changed), Parameters)
     names = NAMES if isinstance(base, Parameters) else tuple(base.ranges)
     given = dict(zip(names, base.scalars(*names), strict=True))
     return Design(given, base.ranges, dict, lambda changed: base.replace(**changed), type(base), followed=base.followed)
-
-
-def dimensionless(values: Mapping[str, Any]) -> dict[str, Any]:
-    """The six parameters from physical quantities."""
-    # Mass, speed and creep enter their own groups only.
-    kappa, alpha, sigma, beta, *_ = _groups(
-        1.0, values["k_c"], values["L_0"], values["F_L"], values["k_x"], values["k"], values["k_y"], 0.0, 0.0
-    )
-    return dict(zip(NAMES, (values["theta0"], values["mu0"], kappa, alpha, sigma, beta), strict=True))

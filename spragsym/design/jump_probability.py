@@ -11,12 +11,12 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..models.load import USUAL, load
-from ..models.parameters import RANGES, ParameterSet, PhysicalParameters, range_of
+from ..models.parameters import PhysicalParameters
+from ..models.quantities import Quantities, quantities
 from ..motion.sweeps.workers import Workers
 from ..numerics.interval_arrays import FloatArray
 from ..questions import WAYS, Method, model_of
 from .dependence import Correlation
-from .design_space import PHYSICAL, dimensionless
 from .jumps import have_jumped
 from .probability import POINTS, Distribution, JumpProbability, checked, estimated, sides
 from .tube_certificates import Pieces, Splitting
@@ -26,8 +26,6 @@ if TYPE_CHECKING:
 
 #: The share of a distribution up to some values.
 Shares: TypeAlias = Callable[[FloatArray], Any]
-#: Of the belt: its speed and the steepness of the friction law.
-BELT = ("V", "d")
 #: Share of a distribution without an end that is left out of the proof on either side, and counts as not decided.
 TAIL = 1e-9
 #: What sums of shares are rounded outward by.
@@ -56,10 +54,11 @@ def jump_probability(
     Parameters
     ----------
     distribution : mapping, or two corners of a box
-        For each parameter by name, or for each of the physical quantities k, k_x, k_y, k_c, F_L, L_0, theta0 and mu0: a number, a
-        range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``; parameters that
-        are left out have their base values. With V and d, both, beside the physical ones the friction is that at the speed of the
-        belt. Two :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a box.
+        For each parameter by name, or for each of the quantities of a brake on which its states depend, as k, k_c and L_0: a
+        number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``;
+        parameters that are left out have their base values. With those of the friction law too, as V and d beside the quantities
+        of the article's model, the friction is that at the speed of the belt. Two :class:`~spragsym.Parameters` or
+        :class:`~spragsym.PhysicalParameters` are the corners of a box.
     model : Model or str, optional
         Whose parameters a mapping is of; the article's unless told otherwise.
     vary, begin : str and float, optional
@@ -124,7 +123,8 @@ def jump_probability(
     asked = asked.search if method == "search" else asked
     variables = _variables(asked, distribution)
     vary, begin = asked.rising(vary, begin)
-    event = partial(_ended, asked.Parameters, _is_physical(asked, distribution), vary, begin, method)
+    kind = quantities(asked.where)
+    event = partial(_ended, asked, kind if _is_physical(kind, distribution) else None, vary, begin, method)
     found = estimated(
         variables, event, correlation=correlation, n=n, rng=rng, confidence=confidence, sobol=sobol, replicates=replicates,
         workers=workers, progress=progress,
@@ -173,8 +173,9 @@ def _end(law: Any, share: float) -> float:
 
 def _variables(model: Model, distribution: Distribution) -> dict[str, Any]:
     """Each quantity as a float, or as something with a quantile function ``ppf``."""
-    physical = _is_physical(model, distribution)
-    names = PHYSICAL if physical else model.parameters
+    kind = quantities(model.where)
+    physical = _is_physical(kind, distribution)
+    names = kind.of_statics if physical else model.parameters
     if isinstance(distribution, tuple):
         low, high, *more = distribution
         if more or type(low) is not type(high):
@@ -183,27 +184,26 @@ def _variables(model: Model, distribution: Distribution) -> dict[str, Any]:
     else:
         given = dict(distribution)
     if physical:
-        names = (*PHYSICAL, *BELT) if set(given) & set(BELT) else PHYSICAL
-        return checked(given, {name: RANGES.get(name) or range_of(name) for name in names}, "a quantity here")
+        names = (*names, *kind.of_the_law) if set(given) & set(kind.of_the_law) else names
+        return checked(given, {name: kind.ranges()[name] for name in names}, "a quantity here")
     return checked(
         {**model.base, **given}, {name: model.Parameters.ranges[name] for name in names}, f"a parameter of {model.name}"
     )
 
 
-def _is_physical(model: Model, distribution: Distribution) -> bool:
+def _is_physical(kind: Quantities, distribution: Distribution) -> bool:
     """Whether what is given are quantities of a brake, in SI."""
     if isinstance(distribution, tuple):
         return isinstance(distribution[0], PhysicalParameters)
-    return issubclass(model.Parameters, PhysicalParameters.of_model) and bool(
-        {*distribution} & ({*PHYSICAL} - {*model.parameters})
-    )
+    return bool({*distribution} & ({*kind.units} - {*kind.model.parameters}))
 
 
 def _ended(
-    kind: type[ParameterSet], physical: bool, vary: str, begin: float, method: Method, values: Mapping[str, Any]
+    model: Model, kind: Quantities | None, vary: str, begin: float, method: Method, values: Mapping[str, Any]
 ) -> FloatArray:
     """1 where the state ends, 0 where it does not, NaN where that is not known."""
-    p = kind(**(dimensionless(values) if physical else values))
-    if physical and "V" in values:  # d V has no dimension, in SI as without units
-        p = p.replace(mu0=p.model.friction(p.replace(V=values["V"], d=values["d"])))
+    # On units that the states do not depend on, as the mass, neither does the friction.
+    p = model.Parameters(**(values if kind is None else kind.groups({**dict.fromkeys(kind.bases, 1.0), **values})))
+    if kind is not None and {*kind.of_the_law} & {*values}:
+        p = p.replace(mu0=model.friction(p))
     return have_jumped(p, vary, begin, method=method)

@@ -17,11 +17,12 @@ from ..files.text import text_of
 from ..models import Model
 from ..models.load import USUAL, shipped
 from ..models.parameters import FINITE, Range
+from ..models.quantities import Quantities, quantities
+from ..models.units import factor
 from ..names import hint
 from .friction_tables import FrictionFit, fit_friction, read_friction
-from .quantities import Quantities, quantities
 from .study import PLAIN_UNITS, Rise, Study, rise_of, spanned
-from .units import ENDS, EXAMPLES, WITHIN, Measured, factor, read, remedy
+from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}

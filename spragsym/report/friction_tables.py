@@ -18,8 +18,8 @@ from ..errors import ParameterError
 from ..files.text import MEASURED, text_of
 from ..generated import laws
 from ..models.parameters import FloatArray
+from ..models.units import factor
 from ..results.result import Result
-from .units import factor
 
 #: Names of the two columns, in small letters without hyphens; a name that is not here is that of another column.
 SPEED = frozenset(

@@ -18,10 +18,10 @@ import spragsym as ss
 from ..design.design_space import Design, space
 from ..errors import SpragsymError
 from ..models.parameters import FloatArray
+from ..models.units import factor
 from ..results.result import Result
 from .study import Study
 from .tolerances import begins_alike, certificate, corners, counterexample, effort, ending, jumping, samples, values_at, varied
-from .units import factor
 
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)

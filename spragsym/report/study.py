@@ -21,10 +21,11 @@ from ..design.jumps import first_ends
 from ..errors import ParameterError
 from ..models.load import USUAL
 from ..models.parameters import POSITIVE, PhysicalParameters, Range, Scales, as_number
+from ..models.quantities import Quantities, quantities, share
+from ..models.units import factor
 from ..names import hint
 from ..questions import has_closed_form
-from .quantities import Quantities, quantities, share
-from .units import Measured, factor, read, shown_in
+from .units import Measured, read, shown_in
 
 if TYPE_CHECKING:
     from .friction_tables import FrictionFit
@@ -451,10 +452,7 @@ class Study:
 def _given(parameters: Any, kind: Quantities, model: str) -> dict[str, float]:
     allowed = kind.ranges()
     if isinstance(parameters, PhysicalParameters) and model == USUAL:
-        if parameters.shape:
-            raise ParameterError(f"parameters have the shape {parameters.shape}; a study is of one brake, so give single numbers")
-        both = ((name, getattr(parameters, name)) for name in allowed)
-        return {name: float(value) for name, value in both if value is not None}
+        parameters = parameters.known
     if not isinstance(parameters, Mapping):
         raise ParameterError(
             f"parameters = {type(parameters).__name__}(...): a study needs PhysicalParameters, in newtons and metres, or with "

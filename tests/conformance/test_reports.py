@@ -14,7 +14,7 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli.explore import explore
 from spragsym.cli.report import report
-from spragsym.report.quantities import quantities
+from spragsym.models.quantities import quantities
 from tests.conformance.models import ALIKE, MODELS, a_set, load, place
 from tests.support import few
 

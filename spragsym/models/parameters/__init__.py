@@ -1,7 +1,7 @@
 """Parameters of the model, dimensionless and in newtons, metres and seconds, validated once."""
 
 from .dimensionless import ARTICLE, BELT_SPEED, CREEP, NAMES, RANGES, Parameters
-from .physical import PhysicalParameters, Scales, physical_ranges
+from .physical import PhysicalParameters, Scales
 from .ranges import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_count, as_number, as_numbers, degrees, range_of, shown
 from .sets import ParameterSet, common_shape, named
 
@@ -26,7 +26,6 @@ __all__ = [
     "common_shape",
     "degrees",
     "named",
-    "physical_ranges",
     "range_of",
     "shown",
 ]

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from typing import Any, ClassVar
-
-import numpy as np
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from ... import names
 from ...display import Shown
-from ...errors import NotDimensionlessError, ParameterError
-from ...generated import scales as _scales
-from .dimensionless import BELT_SPEED, NAMES, RANGES, Parameters
-from .ranges import Range, as_numbers, range_of
+from ...errors import NotDimensionlessError
+from .dimensionless import Parameters
+from .ranges import as_numbers
 from .sets import ParameterSet, Values, named
+
+if TYPE_CHECKING:
+    from ..quantities import Quantities
 
 
 @dataclass(frozen=True)
@@ -77,56 +77,37 @@ class PhysicalParameters(Values):
     of_model: ClassVar[type[ParameterSet]] = Parameters
 
     def __post_init__(self) -> None:
-        for name, allowed in physical_ranges().items():
-            given = getattr(self, name)
-            if given is not None or name not in ("V", "d"):
-                array = as_numbers(name, given, allowed)
+        for name, allowed in self.kind.ranges().items():
+            if getattr(self, name) is not None or name not in self.kind.of_the_law:
+                array = as_numbers(name, getattr(self, name), allowed)
                 object.__setattr__(self, name, array if array.ndim else float(array))
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     def __getattr__(self, name: str) -> Any:
         # Every function of the model first asks its parameters for one of these.
-        if name in _DIMENSIONLESS_ONLY:
+        if not name.startswith("_") and hasattr(Parameters, name):
             raise NotDimensionlessError(
                 "dimensionless Parameters are needed here, and these are PhysicalParameters; call .dimensionless() on them"
             )
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}{names.hint(name, dir(self))}")
 
     @property
+    def kind(self) -> Quantities:
+        """The quantities of the article's model: units, ranges, and what they are without dimension."""
+        from ..quantities import quantities
+
+        return quantities(Parameters.where)
+
+    @property
+    def known(self) -> dict[str, Any]:
+        """Those that were given, by name."""
+        return {name: value for name in self.kind.units if (value := getattr(self, name)) is not None}
+
+    @property
     def scales(self) -> Scales:
         """Scales of length, time and force: multiply a dimensionless result by its scale."""
-        return Scales(*(_as_given(value) for value in _scales.scales(self.m, self.k_c, self.L_0)))
+        return Scales(*(self.kind.scale(unit, self.known) for unit in ("m", "s", "N")))
 
     def dimensionless(self) -> Parameters:
         """The system as :class:`Parameters`; without V and d if these were not given."""
-        V, d = (0.0 if value is None else value for value in (self.V, self.d))  # they enter their own groups only
-        kappa, alpha, sigma, beta, V, d = _scales.dimensionless_groups(
-            self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y, V, d
-        )
-        belt = {name: value for name, value in (("V", V), ("d", d)) if getattr(self, name) is not None}
-        return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta, **({"V": None, "d": None} | belt))
-
-    def belt(self) -> dict[str, Any]:
-        """Dimensionless ``V`` and ``d``, as :func:`spragsym.simulate` takes them; an error if one was not given."""
-        for name in ("V", "d"):
-            if getattr(self, name) is None:
-                raise ParameterError(f"{name} is missing from the physical parameters, and the motion in time needs it")
-        p = self.dimensionless()
-        return {"V": _as_given(p.V), "d": _as_given(p.d)}
-
-
-def physical_ranges() -> dict[str, Range]:
-    """Allowed values of the quantities of :class:`PhysicalParameters`."""
-    own = {name: range_of(name) for name in ("m", "k", "k_x", "k_y", "k_c", "F_L", "L_0")}
-    return own | {name: RANGES[name] for name in ("theta0", "mu0")} | {"V": BELT_SPEED, "d": range_of("d_dim")}
-
-
-def _as_given(value: Any) -> Any:
-    """A single number as a float."""
-    return float(value) if np.ndim(value) == 0 else value
-
-
-#: What :class:`Parameters` has and :class:`PhysicalParameters` has not.
-_DIMENSIONLESS_ONLY = {name for name in (*NAMES, *vars(Parameters), *vars(ParameterSet)) if not name.startswith("_")} - {
-    field.name for field in fields(PhysicalParameters)
-}
+        return Parameters(**{"V": None, "d": None} | self.kind.groups(self.known))

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from ..models import Model
-from ..models.load import load
-from ..models.parameters import Range
+from .load import load
+from .model import Model
+from .parameters import Range
 from .units import dimension, registry
 
 

@@ -100,5 +100,8 @@ def endless(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float
 def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
     """Scalar parameters as one column, NaN for those that vary."""
     fixed = [name for name in names if name not in vary]
+    for name in fixed:
+        if getattr(p, name) is None:
+            raise ParameterError(f"{name} has no value while {' and '.join(vary)} varies; use p.replace({name}=...), or vary it")
     values = dict(zip(fixed, p.scalars(*fixed), strict=True))
     return np.array([[values.get(name, np.nan)] for name in names])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -83,7 +84,9 @@ def folds(
     family = Family.of(p, (p.model.one(vary),), between, within)
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
-    return arranged(family, found, kind, remarks=_remarks(family, found))
+    if family.vary[0] in family.balance.balanced:
+        return arranged(family, found, kind, remarks=_remarks(family, found))
+    return arranged(replace(family, endless=()), found, kind, remarks=(f"{family.vary[0]} moves no equilibrium",))
 
 
 def _remarks(family: Family, found: Found) -> tuple[str, ...]:

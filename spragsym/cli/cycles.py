@@ -56,8 +56,8 @@ def cycles(
         raise click.UsageError("--diagram goes with --vary, and without --prove")
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
-    p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
     start = None if near is None else _state(near, case)
+    p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
     if whole:
         return _diagram(case, p, [] if start is None else [start], points, plot)
     with show_progress("looking for a cycle"):

@@ -20,42 +20,43 @@ from . import options as o
 from .output import refuse
 
 
+def _names(_: click.Context, option: click.Parameter, given: tuple[str, ...]) -> list[str]:
+    """Names of figures; looked at before what is missing is an error."""
+    if not given:
+        return []
+    from ..figures import FIGURES
+
+    return _chosen([*given], FIGURES, option.opts[0] if option.opts[0].startswith("-") else "NAMES")
+
+
 @o.command()
-@click.option(
-    "--only",
-    "first",
-    multiple=True,
-    metavar="NAME...",
-    help="Only these: numbers of the article's figures, or names, with blanks or commas.",
-)
-@click.argument("more", nargs=-1, metavar="")
+@click.option("--only", "first", multiple=True, callback=_names, metavar="NAME...", help="As NAMES.")
+@click.argument("names", nargs=-1, callback=_names)
 @o.folder("Folder to write to, made if missing.")
 @click.option("--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas.")
 @o.workers(-1)
 @o.quiet
 @o.force
-def figures(first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool, force: bool) -> None:
-    """Draw the article's Figures 3 to 14, and some that it lacks.
+def figures(first: list[str], names: list[str], out: Path, kinds: str, workers: int, quiet: bool, force: bool) -> None:
+    """Draw the article's Figures 3 to 14, and some that it lacks: all, or NAMES.
 
-    Those are cusp-friction, false-double-root, rms-map and sensitivity.
+    Those are cusp-friction, false-double-root, rms-map and sensitivity. NAMES are separated by blanks or commas.
 
     Beside each figure go its caption (.txt) and the data of its panels (.csv). The same bytes every time.
 
     \b
     Examples:
       spragsym figures --out figures
-      spragsym figures --only 4 12 --out figures --format pdf,png
-      spragsym figures --only rms-map --out figures
+      spragsym figures 4 12 --out figures --format pdf,png
+      spragsym figures rms-map --out figures
     """
-    if more and not first:
-        raise ParameterError(f"{' '.join(more)}: names of figures go after --only")
     import matplotlib
 
     matplotlib.use("Agg")  # files only; no display is needed
     from ..figures import FIGURES, FORMATS, write
 
     formats = _chosen([kinds], FORMATS, "--format")
-    names = _chosen([*first, *more], FIGURES, "--only") if first else list(FIGURES)
+    names = list(dict.fromkeys([*first, *names])) or list(FIGURES)
     refuse((path for name in names for path in _written_before(out, _stem(name), formats)), force, made=True)
     count = os.cpu_count() or 1 if workers == -1 else workers
     # One pool for all figures, since a process takes a second to start.

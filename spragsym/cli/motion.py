@@ -106,9 +106,9 @@ def _summary(tr: Any, transient: float) -> dict[str, Any]:
 @o.backend("heyoka", "compiled", "scipy")
 @o.workers(1)
 @o.quiet
-@o.file("--output", "-o", folder=True, required=True, help="FILE.nc or FILE.csv.")
+@o.file("--output", "-o", "store", folder=True, required=True, help="FILE.nc or FILE.csv.")
 @o.force
-def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, output: Path, force: bool, **settings: Any) -> None:
+def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, store: Path, force: bool, **settings: Any) -> None:
     """Simulate over a grid of parameters, to a file.
 
     Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all
@@ -128,13 +128,13 @@ def sweep(case: Case, t_end: float, transient: float | None, quiet: bool, output
     t_end, transient = _times(case, t_end, transient, "each motion of a sweep is followed to its end")
     p, start = _grid(case)
     with resumed(force):
-        options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": output}
+        options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": store}
         result = ss.rms_sweep(p, **options)
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
-    click.echo(f"{output}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
+    click.echo(f"{store}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
     if case.study is not None:
         unit, size = case.study.unit_of("m")
-        click.echo(f"{output}: lengths are in units of {size:.4g} {unit}, times in {case.time:.6g} s")
+        click.echo(f"{store}: lengths are in units of {size:.4g} {unit}, times in {case.time:.6g} s")
 
 
 def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
@@ -151,10 +151,10 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 @o.backend("heyoka", "scipy")
 @o.workers(1)
 @o.quiet
-@o.file("--output", "-o", folder=True, required=True, help="FILE.csv.")
+@o.file("--output", "-o", "store", folder=True, required=True, help="FILE.csv.")
 @o.plot("the map")
 @o.force
-def fates(case: Case, quiet: bool, output: Path, plot: Path | None, force: bool, **settings: Any) -> None:
+def fates(case: Case, quiet: bool, store: Path, plot: Path | None, force: bool, **settings: Any) -> None:
     """What motions come to: rest, a cycle, chaos, lift-off, or undecided, and why.
 
     Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two that vary. Killed or interrupted,
@@ -172,9 +172,9 @@ def fates(case: Case, quiet: bool, output: Path, plot: Path | None, force: bool,
     p, start = _grid(case)
     begin = [float(value) for value in start.values()]
     with resumed(force):
-        found = fate_map(p, start=begin, progress=not quiet, store=output, **settings)
+        found = fate_map(p, start=begin, progress=not quiet, store=store, **settings)
     if plot is not None:
         from ..figures import fate_map_figure
 
         drawn(plot, "drawing the map", lambda: fate_map_figure(found))
-    click.echo(f"{output}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))
+    click.echo(f"{store}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))

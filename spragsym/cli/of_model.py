@@ -80,8 +80,9 @@ class Case(Units):
     def require(self, missing: Sequence[str] | None = None) -> None:
         """An error that names the option of a parameter that has no value."""
         for name in [name for name, value in self.values.items() if value is None] if missing is None else missing:
-            flag = options_of(self.model.about, name)[0]
-            raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
+            flag, number = options_of(self.model.about, name)[0], "DEGREES" if name in self.model.about["angles"] else "NUMBER"
+            varying = f" while {' and '.join(span.name for span in self.spans)} varies" if self.spans else ""
+            raise click.UsageError(f"{flag} has no value{varying}, and {self.model.name} no usual one; give {flag} {number}")
 
     def has_closed_form(self, question: Callable[..., Any], p: ParameterSet) -> bool:
         """Whether the model brings a closed form of a question, and it is not the search that is asked for."""
@@ -239,7 +240,7 @@ class OfModel(o.Command):
             about._be_about(load(name))
         return super(OfModel, about).make_context(info_name, args, parent, **extra)
 
-    def invoke(self, ctx: click.Context) -> Any:
+    def work(self, ctx: click.Context) -> Any:
         """Do the work, about the case that the parameters are."""
         return ctx.invoke(self._work, ctx)
 

@@ -42,6 +42,21 @@ class Command(click.Command):
                 raise click.BadParameter("it is empty; leave it out, or give a value", ctx, one)
         return super().parse_args(ctx, args)
 
+    def invoke(self, ctx: click.Context) -> Any:
+        """Do the work; an error about an argument of Python names its option."""
+        try:
+            return self.work(ctx)
+        except ParameterError as error:
+            name, sign, rest = str(error).partition(" = ")
+            flags = {option.name: option.opts for option in self.params if isinstance(option, click.Option)}
+            if type(error) is not ParameterError or name not in flags or not sign:
+                raise
+            raise ParameterError(f"{max(flags[name], key=len)} = {rest}") from error
+
+    def work(self, ctx: click.Context) -> Any:
+        """What the command does."""
+        return super().invoke(ctx)
+
 
 #: As ``click.command``.
 command = partial(click.command, cls=Command, context_settings=HELP)

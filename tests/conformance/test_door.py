@@ -81,7 +81,8 @@ def test_two_ways_to_one_answer() -> None:
     closed, search = (ss.folds(one.replace(theta0=0.7), "mu0", method=method) for method in ("closed", "search"))
     assert closed.mu0 == pytest.approx(search.mu0, abs=1e-12)
     # Where there are no closed forms for what is asked, or not at all, the general way answers.
-    assert ss.folds(one.replace(theta0=0.7), "d").kind.size == 0
+    folds = ss.folds(one.replace(theta0=0.7), "d")  # which moves no equilibrium
+    assert (folds.kind.size, folds.complete) == (0, True)
     assert ss.folds(one, between={"theta0": (0.5, 1.5)}).theta0.size == 1
     assert ss.cusps(one.replace(theta0=1.2), vary=("kappa", "mu0"), between={"kappa": (0.006, 0.008)}).vary == ("kappa", "mu0")
     for function, p in ((ss.equilibria, a_set("damped")), (ss.jump_value, a_set("damped"))):
@@ -89,6 +90,8 @@ def test_two_ways_to_one_answer() -> None:
             function(p, method="closed")
     with pytest.raises(ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"):
         ss.equilibria(p, method="guess")
+    with pytest.raises(ss.ParameterTypeError, match="contact = 'yes'"):
+        ss.equilibria(one, contact="yes")
 
 
 @pytest.mark.validate

@@ -15,6 +15,7 @@ from ...errors import ConvergenceError
 from ...generated import kernel
 from ...generated import stability as _stability
 from ...models.parameters import NAMES, Parameters
+from ...questions import NotInClosedForm
 from ...results.equilibria import Equilibria, Undecided
 from ...results.state_columns import COLUMNS, Columns, Slots, empty
 from ...statics.states import Linearizing
@@ -88,6 +89,8 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     rounding error, each root by Newton–Kantorovich. Where float64 can't, the point is solved again with more digits: in
     double-double arithmetic, and what that can't settle in intervals.
     """
+    if not isinstance(contact, int | np.bool_):
+        raise NotInClosedForm  # the general algorithm says what contact may be
     p.require("theta0", "mu0")
     out = Slots(math.prod(p.shape), 3 if contact else 4)
     compiled_or_not, threads = backends.chosen()

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..numerics.boxes import POLE, System
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 from ..numerics.jets import constant, gradient, variables
-from ..statics.mechanics.balance import Balance, matrix
+from ..statics.mechanics.balance import Balance
 from ..statics.mechanics.laws import XP
 from .families import Family
 from .near_anchors import regular_at_anchors
@@ -115,10 +115,18 @@ class Augmented(System):
     def state(
         self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
     ) -> State:
-        """The evaluation at unknowns of any number type."""
+        """The evaluation at intervals or jets of them."""
+        return self.evaluated(unknowns, self.balance.arguments(parameters), shape, sides=sides)
+
+    def evaluated(
+        self, unknowns: Sequence[Any], fixed: Mapping[str, Any], shape: tuple[int, ...], xp: Any = XP,
+        sides: Sequence[int] | None = None,
+    ) -> State:  # fmt: skip
+        """The evaluation at unknowns of any number type, from arguments of which those that vary are replaced."""
         n = self.balance.n
         changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
-        return State(self.balance, unknowns[:n], self.balance.arguments(parameters, changed), shape, sides=sides)
+        values = {**fixed, **self.balance.with_angles(changed, xp)}
+        return State(self.balance, unknowns[:n], values, shape, xp=xp, sides=sides)
 
     def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """The gap of the contact over boxes, shape (N,)."""

@@ -7,6 +7,7 @@ With q = u/w and one |u_i| = 1, the rows of the balance are G(u, w, λ) but for 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,6 @@ from ..numerics.determinants import determinant
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
 from ..numerics.jets import Jet, constant, gradient, variables
 from ..results.points import Points
-from ..statics.mechanics.balance import matrix
 from ..statics.mechanics.forces import TURN
 from ..statics.mechanics.infinity import SCALED, NoChart, Scaled
 from .families import Family
@@ -39,50 +39,44 @@ class _Chart(boxes.System):
     def __init__(self, family: Family, pivot: int, sign: int) -> None:
         self.balance, self.vary, self.pivot, self.sign = family.balance, family.vary, pivot, sign
         self.others = [i for i in range(self.balance.n) if i != pivot]
-        self.n = len(self.others) + len(self.vary)
+        self.n, self.order = len(self.others) + len(self.vary), len(self.vary) - 1
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """Prepared parameters of the balance."""
         return self.balance.prepared(bounds)
 
-    def rows(self, unknowns: Intervals, parameters: Intervals, order: int) -> tuple[list[Any], Any]:
-        """G and the gap but for powers of w, jets in the unknowns and w."""
+    def rows(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[list[Any], Any]:
+        """G and the gap but for powers of w, of intervals, or jets of them in which w is one more variable."""
+        order = max((part.order for part in unknowns if isinstance(part, Jet)), default=0)
         w = Jet.variable(0, self.n, order)
-        parts = variables(list(unknowns), order)
-        arguments = self.balance.arguments(parameters, dict(zip(self.vary, parts[len(self.others) :], strict=True)))
+        arguments = self.balance.arguments(parameters, dict(zip(self.vary, unknowns[len(self.others) :], strict=True)))
         values = {name: value if isinstance(value, int) else Scaled(value, 0, w) for name, value in arguments.items()}
         q: list[Any] = [Scaled(self.sign, 1, w)] * self.balance.n
-        for i, part in zip(self.others, parts, strict=False):
+        for i, part in zip(self.others, unknowns, strict=False):
             q[i] = part if i in self.balance.around else Scaled(part, 1, w)
         directions = self.balance.plain_directions(q, values, SCALED)
         rows = [*self.balance.by_coordinate("forces", q, directions, values, SCALED), self.balance.gap(q, values, SCALED)]
         *forces, gap = (row.value if isinstance(row, Scaled) else row for row in rows)
-        if len(self.vary) == 2:
-            slopes = [[row.differentiated(k) if isinstance(row, Jet) else 0 for k in range(self.n - 1)] for row in forces]
-            forces.append(determinant(slopes))
         return forces, gap
 
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """G."""
-        rows, _ = self.rows(unknowns, parameters, len(self.vary))
-        return stacked([constant(row) for row in rows], unknowns.shape[1:])
-
-    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Its slopes."""
-        rows, _ = self.rows(unknowns, parameters, len(self.vary))
-        return matrix([gradient(row, self.n) for row in rows], unknowns.shape[1:])
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+        """G, and with two parameters the determinant."""
+        forces, _ = self.rows(unknowns, parameters)
+        if not self.order:
+            return forces
+        slopes = [[row.differentiated(k) if isinstance(row, Jet) else 0 for k in range(self.n - 1)] for row in forces]
+        return [*forces, determinant(slopes)]
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes of directions in which the contact opens."""
         if not self.balance.opens:
             return np.zeros(unknowns.shape[1:], dtype=np.bool_)
-        gap = stacked([constant(self.rows(unknowns, parameters, len(self.vary))[1])], unknowns.shape[1:])[0]
-        return self.balance.sides(gap)[1]
+        _, gap = self.rows(list(unknowns), parameters)
+        return self.balance.sides(stacked([constant(gap)], unknowns.shape[1:])[0])[1]
 
     def exists(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.int64]:
         """On which side of the value the state is, 1 or −1; 0 where that is not known."""
-        rows, _ = self.rows(unknowns, parameters, 1)
-        slopes = [gradient(row, self.n + 1) for row in rows]
+        slopes = [gradient(row, self.n + 1) for row in self.rows(variables(list(unknowns), 1), parameters)[0]]
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
         ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
         sign = (ratio.low > 0).astype(np.int64) - (ratio.high < 0)

@@ -31,11 +31,9 @@ BUDGET = 100_000
 class Logarithmic(Augmented):
     """A defining system with the logarithm of its parameter as unknown."""
 
-    def state(
-        self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
-    ) -> State:
+    def evaluated(self, unknowns: Sequence[Any], *given: Any, **more: Any) -> State:
         """The evaluation at coordinates and logarithm."""
-        return super().state([*unknowns[:-1], XP.exp(unknowns[-1])], parameters, shape, sides)
+        return super().evaluated([*unknowns[:-1], XP.exp(unknowns[-1])], *given, **more)
 
 
 def begins(system: Augmented, around: FloatArray) -> bool:

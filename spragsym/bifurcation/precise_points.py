@@ -17,7 +17,6 @@ import numpy as np
 from ..numerics.ball_functions import XP
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
-from ..numerics.jets import constant, gradient, variables
 from ..numerics.krawczyk import Digits
 from ..statics.mechanics.precise_balance import PreciseBalance, Spans, settled_by_digits, unsettled
 from .defining_systems import Augmented, State
@@ -43,22 +42,13 @@ class PreciseAugmented(Digits):
     """Balance and condition of balls at one point of the parameters that do not vary; ``spans`` as of the balance."""
 
     def __init__(self, system: Augmented, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
-        self.system, self.bits = system, bits
-        self.base = PreciseBalance(system.balance, np.nan_to_num(given), bits, spans)
+        self.system, self.bits, self.order = system, bits, system.condition.order
+        self.arguments = PreciseBalance(system.balance, np.nan_to_num(given), bits, spans).arguments
 
-    def rows(self, unknowns: Sequence[Any]) -> list[Any]:
-        """Forces and condition, of balls or jets of balls."""
+    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """Forces and condition."""
         at = self.state(unknowns)
         return [*at.forces(), *self.system.condition.equations(at)]
-
-    def values(self, unknowns: Sequence[Any]) -> list[Any]:
-        """Values of the balance and of a condition that needs derivatives."""
-        order = self.system.condition.order
-        return [constant(row) for row in self.rows(variables(unknowns, order))] if order else self.rows(unknowns)
-
-    def slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
-        """Their slopes."""
-        return [gradient(row, self.system.n) for row in self.rows(variables(unknowns, self.system.condition.order + 1))]
 
     def gap(self, unknowns: Sequence[Any]) -> Any:
         """Gap of the contact."""
@@ -66,7 +56,4 @@ class PreciseAugmented(Digits):
 
     def state(self, unknowns: Sequence[Any]) -> State:
         """The evaluation at balls or jets of balls."""
-        n, balance = self.system.balance.n, self.system.balance
-        changed = dict(zip(self.system.family.vary, unknowns[n:], strict=True))
-        values = self.base.arguments | balance.with_angles(changed, XP)
-        return State(balance, unknowns[:n], values, (), xp=XP)
+        return self.system.evaluated(unknowns, self.arguments, (), XP)

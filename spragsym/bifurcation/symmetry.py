@@ -28,9 +28,8 @@ from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots
 from ..numerics.determinants import determinant
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
-from ..numerics.jets import constant, gradient, variables
 from ..numerics.reduction import third_derivative
-from ..statics.mechanics.balance import NOTHING, Balance, matrix
+from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.mechanics.border import on_side
 from ..statics.mechanics.parity import follows
 from ..statics.mechanics.precise_balance import PreciseBalance, clusters
@@ -97,7 +96,7 @@ class _OnMirror(boxes.System):
         """Prepared parameters of the balance."""
         return self.balance.prepared(bounds)
 
-    def completed(self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...]) -> State:
+    def completed(self, unknowns: Sequence[Any], parameters: Intervals) -> State:
         """The state on the mirror with these even coordinates and this parameter."""
         values = self.balance.arguments(parameters, {self.vary: unknowns[-1]})
         q: list[Any] = [0] * self.balance.n
@@ -106,28 +105,18 @@ class _OnMirror(boxes.System):
         image = self.mirror.image(q, values)
         for i in self.odd:
             q[i] = image[i] * 0.5 if not isinstance(image[i], int) else image[i] / 2
-        return State(self.balance, q, values, shape, self.mirror.upright)
+        return State(self.balance, q, values, parameters.shape[1:], self.mirror.upright)
 
-    def _equations(self, at: State) -> list[Any]:
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+        """Even rows of the balance, and the determinant of the turned block."""
+        at = self.completed(unknowns, parameters)
         forces, K = at.forces(), at.slopes()
         return [*(forces[i] for i in self.even), determinant([[K[i][j] for j in self.odd] for i in self.odd])]
 
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Even rows of the balance, and the determinant of the turned block."""
-        shape = unknowns.shape[1:]
-        return stacked([constant(value) for value in self._equations(self.completed(list(unknowns), parameters, shape))], shape)
-
-    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Slopes by the even coordinates and the parameter."""
-        shape = unknowns.shape[1:]
-        at = self.completed(variables(list(unknowns), 1), parameters, shape)
-        return matrix([gradient(value, self.n) for value in self._equations(at)], shape)
-
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes beyond the contact's border."""
-        shape = unknowns.shape[1:]
-        at = self.completed(list(unknowns), parameters, shape)
-        return self.balance.beyond_border(at.q, at.values, shape)
+        at = self.completed(list(unknowns), parameters)
+        return self.balance.beyond_border(at.q, at.values, at.shape)
 
 
 def pitchforks(family: Family, mirror: _Mirror) -> Roots:
@@ -143,7 +132,7 @@ def pitchforks(family: Family, mirror: _Mirror) -> Roots:
     def whole(ends: FloatArray) -> FloatArray:
         parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))
         with np.errstate(all="ignore"):
-            q = stacked(system.completed(list(Intervals(ends)), parameters, ends.shape[2:]).q, ends.shape[2:])
+            q = stacked(system.completed(list(Intervals(ends)), parameters).q, ends.shape[2:])
         return np.concatenate([q.ends, ends[:, -1:]], axis=1)
 
     return replace(found, ends=whole(found.ends), alone=whole(found.alone), left=whole(found.left))

@@ -8,14 +8,16 @@ parameters is.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import contractors
-from .interval_arrays import FloatArray, Intervals
+from .interval_arrays import FloatArray, Intervals, matrix, stacked
+from .jets import constant, gradient, variables
 from .parameter_tree import Tree, tree
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
@@ -40,11 +42,23 @@ POLE = 2.0**-7
 SPREAD = 0.35
 
 
-class System(Protocol):
-    """n equations in n unknowns with parameters; what is not residuals or their slopes has a default that knows nothing more."""
+class System:
+    """n equations in n unknowns with parameters: their values and slopes over boxes, if they are not given, by jets.
+
+    What is neither equations nor their values and slopes has a default that knows nothing more.
+    """
+
+    #: How many derivatives the equations themselves are made of.
+    order = 0
+
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
+        """F of unknowns that are intervals or jets of them, one a box; parameters of shape (P, N)."""
+        raise NotImplementedError
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n, N)."""
+        given = variables(list(unknowns), self.order) if self.order else list(unknowns)
+        return stacked([constant(value) for value in self.equations(given, parameters)], unknowns.shape[1:])
 
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """F at floats, of which a system may know more digits than over boxes."""
@@ -56,6 +70,8 @@ class System(Protocol):
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""
+        rows = self.equations(variables(list(unknowns), self.order + 1), parameters)
+        return matrix([gradient(row, unknowns.shape[0]) for row in rows], unknowns.shape[1:])
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""

@@ -256,6 +256,12 @@ def stacked(parts: Sequence[Any], shape: tuple[int, ...]) -> Intervals:
     return Intervals(out)
 
 
+def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
+    """Rows of entries as one array of intervals, shape (rows, columns, …)."""
+    entries = stacked([entry for row in rows for entry in row], shape)
+    return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))
+
+
 def scaled(ends: FloatArray, factor: FloatArray) -> FloatArray:
     """Ends of the product with numbers of either sign, rounded to nearest."""
     out: FloatArray = np.maximum(ends * factor, -(ends[::-1] * factor))

@@ -11,7 +11,7 @@ import numpy as np
 from . import balls, contractors
 from .balls import Ball, ball
 from .interval_arrays import FloatArray, Intervals
-from .jets import gradient, variables
+from .jets import constant, gradient, variables
 
 #: Steps of Newton's method.
 STEPS = 40
@@ -24,13 +24,19 @@ class Digits(Protocol):
 
     #: Of the balls.
     bits: int
+    #: How many derivatives the equations themselves are made of.
+    order: int = 0
+
+    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """F, of balls or of jets of balls."""
 
     def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """F, of balls or of jets of balls."""
+        """F of balls, or of jets of balls where no derivatives are needed."""
+        return list(map(constant, self.equations(variables(unknowns, self.order)))) if self.order else self.equations(unknowns)
 
     def slopes(self, unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
         """∂F/∂x over a box."""
-        return [gradient(row, len(unknowns)) for row in self.values(variables(unknowns, 1))]
+        return [gradient(row, len(unknowns)) for row in self.equations(variables(unknowns, self.order + 1))]
 
 
 def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = ENOUGH) -> list[Ball] | None:

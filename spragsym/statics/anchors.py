@@ -14,7 +14,7 @@ from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
 from .mechanics.balance import Balance
 from .mechanics.precise_balance import PreciseBalance, refined, settled_by_digits
-from .polar import Polar, ends_are_linear, over_boxes
+from .polar import Given, Polar, ends_are_linear
 
 #: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
 WIDE = 2.0**-10
@@ -132,7 +132,7 @@ def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatA
     # Along the line the tension balances all else.
     whole = list(Intervals(around))
     directions = system.turned(balance.directions(whole, values, shape)[: 3 * balance.springs], Intervals.point(np.zeros(shape)))
-    forces = stacked(system.other_forces(whole, directions, values, stiffnesses, over_boxes(shape)), shape)
+    forces = stacked(system.other_forces(whole, directions, Given(values, 1, shape), stiffnesses), shape)
     most = ROOM * raised(np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8)
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
     tight = most < 0.5 * rest.low

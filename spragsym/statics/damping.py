@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from ..numerics.interval_arrays import Intervals, stacked
+from ..numerics.interval_arrays import Intervals, matrix, stacked
 from . import stability
-from .mechanics.balance import NOTHING, Balance, matrix
+from .mechanics.balance import NOTHING, Balance
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0

@@ -35,7 +35,7 @@ from one on the border are undecided.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -48,8 +48,8 @@ from ..numerics.balls import ball
 from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..numerics.interval_functions import length as interval_length
 from ..numerics.krawczyk import Digits
-from .mechanics.balance import Balance, matrix
-from .mechanics.directions import direction
+from .mechanics.balance import Balance
+from .mechanics.directions import direction, quotients
 from .mechanics.laws import XP
 from .mechanics.precise_balance import PreciseBalance
 
@@ -62,24 +62,17 @@ Place: TypeAlias = tuple[list[Any], list[Any], Any]
 
 
 @dataclass(frozen=True)
-class Kind:
-    """A kind of numbers: namespace of generated functions, direction and length of a vector."""
+class Given:
+    """Arguments of the forces, the scale, and the kind of all numbers: intervals of a shape and jets of them, or balls."""
 
-    xp: Any
-    direction: Callable[[Any, Any], tuple[Any, Any, Any]]
+    values: Mapping[str, Any]
+    scale: Any
+    shape: tuple[int, ...] = ()
+    xp: Any = XP
 
-
-def over_boxes(shape: tuple[int, ...]) -> Kind:
-    """Intervals of that shape, and jets of them."""
-    return Kind(XP, lambda dx, dy: direction(dx, dy, shape))
-
-
-def _quotients(dx: Any, dy: Any) -> tuple[Any, Any, Any]:
-    length = BALLS.sqrt(dx * dx + dy * dy)
-    return dx / length, dy / length, length
-
-
-_BALLS = Kind(BALLS, _quotients)
+    def direction(self, dx: Any, dy: Any) -> tuple[Any, Any, Any]:
+        """Cosine, sine and length of a vector."""
+        return direction(dx, dy, self.shape) if self.xp is XP else quotients(dx, dy, self.xp)
 
 
 @dataclass(frozen=True)
@@ -101,67 +94,61 @@ class Polar(boxes.System):
         """Prepared parameters of the balance, with the scale last."""
         return Intervals(np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1))
 
-    def place(self, unknowns: Sequence[Any], values: Mapping[str, Any], scale: Any, kind: Kind) -> Place:
+    def place(self, unknowns: Sequence[Any], given: Given) -> Place:
         """Coordinates, directions and lengths with φ behind, and the elongation."""
         angle, part, *others = unknowns
-        cosine, sine = kind.xp.cos(angle), kind.xp.sin(angle)
-        c0, s0 = self._at_rest(values, kind)
-        c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
+        c, s = self._direction(angle, given)
         q: list[Any] = [0] * self.balance.n
         for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
             q[number] = value
-        *anchor, rest = self.balance.geometry(q, values, kind.xp)[self.spring]
-        far = part * scale
+        *anchor, rest = self.balance.geometry(q, given.values, given.xp)[self.spring]
+        far = part * given.scale
         length, elongation = (far + rest, far) if self.tight else (far, far - rest)
         for number, end, share in zip(self.chart, anchor, (c, s), strict=True):
             q[number] = -(length * share) + end
         directions: list[Any] = []
-        for number, (dx, dy, _) in enumerate(self.balance.geometry(q, values, kind.xp)):
-            directions += [c, s, length] if number == self.spring else kind.direction(dx, dy)
+        for number, (dx, dy, _) in enumerate(self.balance.geometry(q, given.values, given.xp)):
+            directions += [c, s, length] if number == self.spring else given.direction(dx, dy)
         return q, self.turned(directions, angle), elongation
+
+    def _direction(self, angle: Any, given: Given) -> tuple[Any, Any]:
+        """Cosine and sine of the line's direction at φ, from the one at φ = 0."""
+        cosine, sine = given.xp.cos(angle), given.xp.sin(angle)
+        c0, s0 = self.balance.at_rest(given.values, given.xp)[0] if self.turns else (1, 0)
+        return cosine * c0 - sine * s0, sine * c0 + cosine * s0
 
     def turned(self, directions: Sequence[Any], angle: Any) -> list[Any]:
         """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
         return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
-    def _at_rest(self, values: Mapping[str, Any], kind: Kind) -> tuple[Any, Any]:
-        """Cosine and sine of the direction at φ = 0."""
-        return self.balance.at_rest(values, kind.xp)[0] if self.turns else (1, 0)
-
-    def rows(self, unknowns: Sequence[Any], values: Mapping[str, Any], scale: Any, kind: Kind) -> list[Any]:
+    def rows(self, q: Sequence[Any], directions: Sequence[Any], elongation: Any, given: Given) -> list[Any]:
         """Balance along, and across times l, in the rows of the line's end; of the other coordinates."""
-        return self.rows_at(*self.place(unknowns, values, scale, kind), values, kind)
-
-    def rows_at(
-        self, q: Sequence[Any], directions: Sequence[Any], elongation: Any, values: Mapping[str, Any], kind: Kind
-    ) -> list[Any]:
-        """Rows in a place with directions."""
-        stiffnesses = self.balance.of_no_place("stiffnesses", values, kind.xp)
+        stiffnesses = self.balance.of_no_place("stiffnesses", given.values, given.xp)
         c, s, length = directions[3 * self.spring : 3 * self.spring + 3]
-        forces = self.other_forces(q, directions, values, stiffnesses, kind)
+        forces = self.other_forces(q, directions, given, stiffnesses)
         x, y = self.chart
         tension, across = elongation * stiffnesses[self.spring], forces[y] * c - forces[x] * s
         out = list(forces)
         out[x] = forces[x] * c + forces[y] * s - tension
         out[y] = across
         if self.turns:
-            (torsion,) = self.balance.of_no_place("torsions", values, kind.xp)
+            (torsion,) = self.balance.of_no_place("torsions", given.values, given.xp)
             out[y] = length * across - directions[-1] * torsion
         if self.balance.n > 2:
-            a, b = end_slopes(self.balance, values)[self.spring]
+            a, b = end_slopes(self.balance, given.values)[self.spring]
             for row in set(range(self.balance.n)) - set(self.chart):
                 out[row] = forces[row] + tension * (c * a[row] + s * b[row]) + (c * b[row] - s * a[row]) * across
         return out
 
     def other_forces(
-        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], stiffnesses: Sequence[Any], kind: Kind
-    ) -> list[Any]:
+        self, q: Sequence[Any], directions: Sequence[Any], given: Given, stiffnesses: Sequence[Any]
+    ) -> list[Any]:  # fmt: skip
         """All but those of this line."""
-        forces = list(self.balance.call("forces_apart", q, directions, values, kind.xp))
+        forces = list(self.balance.call("forces_apart", q, directions, given.values, given.xp))
         if self.balance.springs == 1:
             return forces
-        rests = [row[2] for row in self.balance.geometry(q, values, kind.xp)]
-        slopes = end_slopes(self.balance, values)
+        rests = [row[2] for row in self.balance.geometry(q, given.values, given.xp)]
+        slopes = end_slopes(self.balance, given.values)
         for place, (k, rest, (a, b)) in enumerate(zip(stiffnesses, rests, slopes, strict=True)):
             if place != self.spring:
                 c, s, length = directions[3 * place : 3 * place + 3]
@@ -171,66 +158,53 @@ class Polar(boxes.System):
 
     # ------------------------------------------------------------------------------------------ over boxes
 
-    def _taken(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[Sequence[Any], Mapping[str, Any], Any, Kind]:
-        return unknowns, self.balance.arguments(parameters), parameters[-1], over_boxes(parameters.shape[1:])
+    def _given(self, parameters: Intervals) -> Given:
+        return Given(self.balance.arguments(parameters), parameters[-1], parameters.shape[1:])
 
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """The equations over boxes."""
-        return stacked(self.rows(*self._taken(list(unknowns), parameters)), parameters.shape[1:])
-
-    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Their slopes."""
-        rows = self.rows(*self._taken(jets.variables(list(unknowns), 1), parameters))
-        return matrix([jets.gradient(row, self.balance.n) for row in rows], parameters.shape[1:])
+        given = self._given(parameters)
+        return self.rows(*self.place(unknowns, given), given)
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes beyond the contact's border."""
-        _, values, scale, kind = self._taken(list(unknowns), parameters)
-        q, _, _ = self.place(list(unknowns), values, scale, kind)
-        return self.balance.beyond_border(q, values, parameters.shape[1:])
+        given = self._given(parameters)
+        return self.balance.beyond_border(self.place(list(unknowns), given)[0], given.values, given.shape)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes: the coordinates that balance the forces with these directions, and the directions towards these.
 
         A stiff straight guide is thin in the coordinates, and bent in angle and length.
         """
-        _, values, scale, kind = self._taken(list(unknowns), parameters)
-        q, directions, elongation = self.place(list(unknowns), values, scale, kind)
-        shape = parameters.shape[1:]
-        places = stacked(q, shape)
-        places = Intervals(self.balance.with_directions(places, values, directions))
-        rows = stacked(self.rows_at(list(places), directions, elongation, values, kind), shape)
+        given = self._given(parameters)
+        q, directions, elongation = self.place(list(unknowns), given)
+        places = Intervals(self.balance.with_directions(stacked(q, given.shape), given.values, directions))
+        rows = stacked(self.rows(list(places), directions, elongation, given), given.shape)
         empty = ~np.logical_and.reduce(rows.holds_zero()) | np.logical_or.reduce(places.ends[0] + places.ends[1] < 0)
-        ends = self._towards(places, unknowns, values, scale, kind)
+        ends = self._towards(places, unknowns, given)
         ends[:, :, empty] = -1.0
         return ends
 
-    def _towards(self, places: Intervals, unknowns: Intervals, values: Mapping[str, Any], scale: Any, kind: Kind) -> FloatArray:
+    def _towards(self, places: Intervals, unknowns: Intervals, given: Given) -> FloatArray:
         """Boxes that hold the angles and lengths of places among the given ones, where lengths are positive."""
-        dx, dy, rest = self.balance.geometry(list(places), values, kind.xp)[self.spring]
-        c0, s0 = self._at_rest(values, kind)
-        middle = Intervals.point(unknowns[0].middle)
-        cosine, sine = kind.xp.cos(middle), kind.xp.sin(middle)
-        c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
+        dx, dy, rest = self.balance.geometry(list(places), given.values, given.xp)[self.spring]
+        c, s = self._direction(Intervals.point(unknowns[0].middle), given)
         along, across = dx * c + dy * s, dy * c - dx * s
         lengths = interval_length(dx, dy)
-        part = ((lengths - rest) if self.tight else lengths) / scale
+        part = ((lengths - rest) if self.tight else lengths) / given.scale
         # What the tangent is known of turns by less than a quarter from the middle of the box.
         slope = (across / along).ends
         turned = raised(np.arctan(slope), ARCTAN_ULPS) + np.stack([-unknowns[0].middle, unknowns[0].middle])
-        ahead = (self._length(unknowns[1], rest, scale).low > 0) & (along.low > 0) & (unknowns[0].width < 3)
+        length = unknowns[1] * given.scale + rest if self.tight else unknowns[1] * given.scale
+        ahead = (length.low > 0) & (along.low > 0) & (unknowns[0].width < 3)
         ends = unknowns.ends.copy()
         ends[:, 0] = np.where(ahead, np.fmin(raised(turned), ends[:, 0]), ends[:, 0])
         ends[:, 1] = np.where(ahead, np.fmin(part.ends, ends[:, 1]), ends[:, 1])
         return ends
 
-    def _length(self, part: Any, rest: Any, scale: Any) -> Any:
-        return part * scale + rest if self.tight else part * scale
-
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
-        q, _, _ = self.place(*self._taken(list(Intervals(ends)), parameters))
-        return stacked(q, ends.shape[2:]).ends
+        return stacked(self.place(list(Intervals(ends)), self._given(parameters))[0], ends.shape[2:]).ends
 
     def precise(self, given: FloatArray, bits: int) -> _PrecisePolar:
         """The equations of balls."""
@@ -241,13 +215,12 @@ class _PrecisePolar(Digits):
     """The equations at one point, of balls or jets of balls."""
 
     def __init__(self, system: Polar, given: FloatArray, bits: int) -> None:
-        self.system, self.bits = system, bits
-        self.arguments = PreciseBalance(system.balance, given[:-1], bits).arguments
-        self.scale = ball(float(given[-1]), bits)
+        arguments = PreciseBalance(system.balance, given[:-1], bits).arguments
+        self.system, self.bits, self.given = system, bits, Given(arguments, ball(float(given[-1]), bits), xp=BALLS)
 
-    def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The equations."""
-        return self.system.rows(unknowns, self.arguments, self.scale, _BALLS)
+        return self.system.rows(*self.system.place(unknowns, self.given), self.given)
 
 
 def end_slopes(balance: Balance, values: Mapping[str, Any], near: Any = 0) -> list[tuple[list[Any], list[Any]]]:

@@ -18,10 +18,10 @@ from ..numerics import balls
 from ..numerics.ball_functions import XP as BALLS
 from ..numerics.balls import Undecided, ball
 from ..numerics.determinants import Polynomial, determinant, hurwitz, of_pencil
-from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 from ..numerics.krawczyk import as_balls, narrowed
 from ..results.equilibria import Stability
-from .mechanics.balance import NOTHING, Balance, matrix
+from .mechanics.balance import NOTHING, Balance
 from .mechanics.precise_balance import PreciseBalance
 
 #: Bits of the numbers where intervals of floats do not tell a sign.

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from spragsym.numerics import boxes, jets
-from spragsym.numerics.interval_arrays import Intervals, stacked
+from spragsym.numerics import boxes
+from spragsym.numerics.interval_arrays import Intervals
 from spragsym.statics.mechanics.laws import XP
 
 
@@ -33,7 +33,7 @@ class Problem(boxes.System):
     """Equations without parameters, by their values; derivatives come from jets."""
 
     title: str
-    equations: Callable[[Sequence[Any]], Sequence[Any]]
+    function: Callable[[Sequence[Any]], Sequence[Any]]
     region: tuple[tuple[float, float], ...]
     roots: int
 
@@ -42,17 +42,9 @@ class Problem(boxes.System):
         """The region as −low and high, shape (2, n, 1)."""
         return np.array([[-low, high] for low, high in self.region]).T[:, :, None]
 
-    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
         """The values over boxes."""
-        shape = unknowns.shape[1:]
-        return stacked(self.equations([unknowns[i] for i in range(len(self.region))]), shape)
-
-    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """The slopes over boxes."""
-        n, shape = len(self.region), unknowns.shape[1:]
-        values = self.equations(jets.variables([unknowns[i] for i in range(n)], 1))
-        entries = [entry for value in values for entry in jets.gradient(value, n)]
-        return Intervals(stacked(entries, shape).ends.reshape(2, n, n, *shape))
+        return self.function(unknowns)
 
 
 def _example_22(x: Sequence[Any]) -> Sequence[Any]:

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from ...numerics import contractors
 from ...numerics.affine import Affine
-from ...numerics.interval_arrays import FloatArray, Intervals, stacked
-from ...statics.mechanics.balance import Balance, matrix
+from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
+from ...statics.mechanics.balance import Balance
 from ...statics.mechanics.border import on_side
 from ...statics.mechanics.laws import XP
 from .tube_regions import UP, Flags, Parts, Place, Region, beside_tube

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...numerics import contractors, jets
 from ...numerics.boxes import POLE, System
-from ...numerics.interval_arrays import FloatArray, Intervals, stacked
+from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 from .forces import Forces
 from .laws import FREE
 
@@ -216,9 +216,3 @@ class Balance(Forces, System):
 def taken(values: Mapping[str, Any], rows: NDArray[np.int64]) -> dict[str, Any]:
     """The arguments of some boxes."""
     return {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}
-
-
-def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
-    """Rows of entries as one array of intervals, shape (rows, columns, …)."""
-    entries = stacked([entry for row in rows for entry in row], shape)
-    return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))

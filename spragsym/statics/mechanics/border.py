@@ -15,18 +15,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...numerics.balls import Ball, Undecided
-from ...numerics.boxes import System
 from ...numerics.certified_roots import Roots
 from ...numerics.interval_arrays import FloatArray, Intervals
 from ...numerics.krawczyk import as_intervals, narrowed
 from .precise_balance import ROOT_BITS
 
 
-class WithGap(System, Protocol):
+class WithGap(Protocol):
     """A system whose roots are states of a model."""
 
     #: Whether the contact opens at all.
     opens: bool
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """Parameters as the system takes them."""
 
     def sides(self, gap: Intervals) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Gaps on the side of the border that is asked for or on it, and gaps beyond it."""

@@ -12,6 +12,12 @@ from ...numerics.interval_functions import atan2, length, unit_vector
 from ...numerics.jets import Jet, argument, binomial_series, change, constant, turned
 
 
+def quotients(dx: Any, dy: Any, xp: Any) -> tuple[Any, Any, Any]:
+    """Cosine, sine and length of the vector (dx, dy), of numbers that are narrow."""
+    length = xp.sqrt(dx**2 + dy**2)
+    return dx / length, dy / length, length
+
+
 def direction(dx: Any, dy: Any, shape: tuple[int, ...], square: Any = None) -> tuple[Any, Any, Any]:
     """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of them.
 

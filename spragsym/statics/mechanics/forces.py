@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...models.model_field import undecorated
 from ...numerics import jets
 from ...numerics.interval_arrays import Intervals, stacked
-from .directions import direction, turning
+from .directions import direction, quotients, turning
 from .laws import XP
 
 #: Where an angle is searched that comes around after a turn: beyond π to either side, so that no state is near the border.
@@ -196,10 +196,7 @@ class Forces:
 
     def plain_directions(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any) -> list[Any]:
         """Cosine, sine and length of every spring, then turnings, for numbers that are narrow: quotients."""
-        directions: list[Any] = []
-        for dx, dy, _ in self.geometry(q, values, xp):
-            length = xp.sqrt(dx**2 + dy**2)
-            directions += [dx / length, dy / length, length]
+        directions = [part for dx, dy, _ in self.geometry(q, values, xp) for part in quotients(dx, dy, xp)]
         if not self.torsions:
             return directions
         pairs = undecorated(self.model.algebra.turnings)(*q, *directions, *self._listed(values, "statics"), xp=xp)

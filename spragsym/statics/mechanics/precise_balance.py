@@ -51,7 +51,7 @@ class PreciseBalance(Digits):
         values = {name: between[name] if name in spans else ball(float(number), bits) for name, number in numbers}
         self.arguments = balance.arguments_of(values, XP)
 
-    def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Forces at coordinates."""
         return self._called("forces", unknowns)
 

@@ -33,19 +33,22 @@ from .tubes.tubes import Tubes
 
 #: Times a step is halved where all is to be known, and steps beyond which nothing more is hoped for; halvings for what is drawn.
 HALVINGS, MANY, DRAWN = 40, 500, 3
+#: Of two places the one this much nearer, over the distance of the other, is that of a state there.
+CLEARLY = 0.1
 #: Values of the parameter at the beginning and the end of a step.
 Step: TypeAlias = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Along:
-    """A model along one of its parameters, and the values and kinds of the points at which states vanish there."""
+    """A model along one of its parameters, and values, kinds and coordinates (n, number) of the points at which states vanish."""
 
     balance: Balance
     p: Any
     vary: str
     at: FloatArray
     kinds: NDArray[Any]
+    q: FloatArray
 
 
 @dataclass(frozen=True)
@@ -68,8 +71,10 @@ def linked(
     ``most`` times; if it is not known then it has the pairs that tubes join and no others, or is an error after
     :data:`HALVINGS`. ``only`` one step may be asked for.
     """
-    at, kinds = (np.empty(0), np.empty(0, dtype=str)) if turns is None else (getattr(turns, vary), turns.kind)
-    along = Along(Balance(p.model, eq.contact), p, vary, at, kinds)
+    at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
+    if turns is not None:
+        at, kinds, q = getattr(turns, vary), turns.kind, np.array([getattr(turns, name) for name in p.model.coordinates])
+    along = Along(Balance(p.model, eq.contact), p, vary, at, kinds, q)
     stops = np.asarray(getattr(eq.parameters, vary))
     turned = _turned(along, stops)
     states = {float(value): _states(along, eq, stop, turned) for stop, value in enumerate(stops)}
@@ -155,7 +160,7 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     counts = int(begin.q.shape[1]), int(end.q.shape[1])
     mirrored = bool((along.kinds == "pitchfork").any() and (along.kinds[within] == "pitchfork").all())
     if mirrored and within.any():
-        return _across_pitchfork(along, pairs, begin, end, [value in along.at for value in step])
+        return _across_pitchforks(along.q[:, within], pairs, begin, end, [value in along.at for value in step])
     if within.any() and np.char.startswith(along.kinds[within].astype(str), INFINITY).all():
         above = np.char.endswith(along.kinds[within].astype(str), "up")
         gone = int((above == (step[0] > step[1])).sum())
@@ -168,14 +173,32 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     return len(pairs) == counts[0] == counts[1]
 
 
-def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]) -> bool:
+def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]) -> bool:
+    """Whether all states without a pair meet at pitchforks in these places, shape (n, number); their pairs are entered."""
+    left = [k for k in range(begin.q.shape[1]) if k not in pairs], [k for k in range(end.q.shape[1]) if k not in pairs.values()]
+    near = [clearly_nearest(states.q[:, slots], places) for states, slots in zip((begin, end), left, strict=True)]
+    for number in range(places.shape[1]):
+        one, two = (np.array(slots)[there == number].tolist() for slots, there in zip(left, near, strict=True))
+        if not _across_pitchfork(pairs, begin, end, one, two, on):
+            return False
+    return bool((np.concatenate(near) >= 0).all())
+
+
+def clearly_nearest(q: FloatArray, places: FloatArray) -> NDArray[np.int64]:
+    """For each of some states, shape (n, number), the place that is by far the nearest to it; -1 if none is."""
+    away = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
+    first, second = np.sort(np.pad(away, [(0, 0), (0, 1)], constant_values=np.inf), axis=1).T[:2]
+    return np.where(first <= CLEARLY * second, away.argmin(axis=1), -1)
+
+
+def _across_pitchfork(
+    pairs: dict[int, int], begin: _States, end: _States, one: list[int], two: list[int], on: list[bool]
+) -> bool:
     """Pairs of the states that meet at a pitchfork, all but those that end there; ``on`` says which of both values are on it.
 
     The outer two and the one that is left on the other side agree in the sign of det K. Where that is positive none ends, and of
     three that begin the upper goes on. Where it is negative it is the middle one that is stable: it ends, and begins.
     """
-    one = [k for k in range(begin.q.shape[1]) if k not in pairs]
-    two = [k for k in range(end.q.shape[1]) if k not in pairs.values()]
     # In order by the coordinate in which they lie apart most: one that the mirror turns.
     three = begin.q[:, one] if len(one) > len(two) else end.q[:, two]
     turned = int(np.ptp(three, axis=1).argmax()) if three.size else 0

@@ -30,7 +30,7 @@ from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, one_each, with_state
 from ..statics.tie_breaking import least_slot
 from .bifurcation_conditions import TOUCH
-from .branches import HALVINGS, linked
+from .branches import HALVINGS, clearly_nearest, linked
 from .escapes import INFINITY, escapes
 from .families import Family, given_column
 from .folds import folds
@@ -47,8 +47,6 @@ ROUNDED = 2.0**-52
 AROUND = 1e-6
 #: How near to a fold the place lies at which a tube turns, over the size of its coordinates.
 MATCH = 1e-6
-#: Of two folds that are stops themselves the one this much nearer, over the distance of the other, is that of a state there.
-CLEARLY = 0.1
 
 
 @dataclass(frozen=True)
@@ -238,12 +236,13 @@ class _Way:
         Twins by a mirror coincide, and each search rounds in its own way.
         """
         at, error = self._every(self.vary), self._every("error")
+        wide = error * np.maximum(1.0, np.abs(at))
         order = np.argsort(at)
-        begins = np.diff(at[order], prepend=-np.inf) > error[order] + np.roll(error[order], 1)
+        begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
         near = off.argmin(axis=1)
-        at = np.where(off[np.arange(at.size), near] <= np.where(error <= ROUNDED, 0.0, error), along[near], at)
+        at = np.where(off[np.arange(at.size), near] <= np.where(error <= ROUNDED, 0.0, wide), along[near], at)
         first, *others = self.ends
         names = self.balance.coordinates if others else first.columns
         values = {name: self._every(name) for name in names} | {self.vary: at}
@@ -347,9 +346,8 @@ class _Way:
         tubes, start = self._standing(self.balance, stop, slot)
         if here.size > 1 and (self.at[here] == self.stops[stop]).all():
             # The float of the folds is one at which two states are left, too near to each other for a tube.
-            away = np.abs(self._states(here) - start.z[: tubes.n, 0, None]).max(axis=0)
-            nearest, second = np.argsort(away)[:2]
-            return int(here[nearest]) if away[nearest] <= CLEARLY * away[second] else None
+            near = clearly_nearest(start.z[: tubes.n], self._states(here))[0]
+            return int(here[near]) if near >= 0 else None
         forward = 1 if self.stops[goal] > self.stops[stop] else -1
         found = turned(tubes, self._part, start, forward)
         if not found.sure[0]:
@@ -388,10 +386,13 @@ class _Way:
             if there.sure[0] and there.z[tubes.n, 0] == self.at[number] and (away <= there.room[: tubes.n]).all():
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
+        q = np.array([[self.eq.coordinates[name][stop - 1, place]] for name in self.balance.coordinates])
         if others.size > 1 and self.far[others].all():  # of states that run opposite ways
-            q = np.array([[self.eq.coordinates[name][stop - 1, place]] for name in self.balance.coordinates])
             away = self._states(others)
             others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
+        elif others.size > 1 and not self.far[others].any():
+            near = clearly_nearest(q, self._states(others))
+            others = others[near[near >= 0]]
         if others.size == 1:  # at folds the state would be known to turn
             return int(others[0])
         ends = f"{self.vary} = {float(self.stops[stop - 1]):.17g} and {float(self.stops[stop]):.17g}"
@@ -465,6 +466,6 @@ class _Way:
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""
         before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
-        error, kind = float(self._column("error")[number]), str(self._column("kind")[number])
+        error, kind = float(self._column("error")[number] * max(1.0, abs(self.at[number]))), str(self._column("kind")[number])
         kind = INFINITY if self.far[number] else kind
         return ModelEnd(float(self.at[number]), kind, before, error)

@@ -18,7 +18,7 @@ def test_an_angle_after_a_turn_is_the_same_state() -> None:
     rod = ss.load("sprag_rod")
     stops, nothing = np.array([0.5, 0.6]), np.empty(0)
     p = rod.Parameters(theta0=0.5)
-    along = Along(Balance(rod, contact=True), p, "theta0", nothing, nothing.astype(str))
+    along = Along(Balance(rod, contact=True), p, "theta0", nothing, nothing.astype(str), np.empty((1, 0)))
     eq = ss.equilibria(p.replace(theta0=stops))
     begin, end = (_states(along, eq, stop) for stop in (0, 1))
     later = replace(end, q=end.q + 2 * np.pi)

@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import spragsym as ss
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
 
@@ -50,6 +51,23 @@ def test_a_value_may_be_the_very_float_of_a_pitchfork(start: int | str, rod: Any
     assert ss.quasi_static_path(rod.Parameters(), "P", [1.0]).phi.tolist() == [0.0]
     begun = ss.quasi_static_path(rod.Parameters(), "P", [1.0, 0.5])
     assert begun.phi == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+#: F_φ = 6 φ − P sin φ, beside x = −1, 0 and 1: three pitchforks at P = 6, which no float beside it is told apart from.
+TRIPLETS = replaced(
+    ROD, ("P = page", 'x = page.coordinate("x", "m", "another place")\nP = page'),
+    ("k * (l * sin(phi) - e * l) ** 2 / 2", "3 * k * l**2 * (phi - e) ** 2 + k * (x**2 - l**2) ** 2 / l**2"),
+    ("page.kinetic(", "page.kinetic(m * page.rate(x) ** 2 / 2 + "),
+)  # fmt: skip
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("values", [[5.0, 6.0, 7.0], [7.0, 6.0, 5.0]])
+def test_pitchforks_at_one_value_are_told_apart(values: list[float]) -> None:
+    path = ss.quasi_static_path(model_of(TRIPLETS, "triplets").Parameters(), "P", values)
+    bent = brentq(lambda angle: 6 * angle - 7 * np.sin(angle), 0.5, 2.0)
+    assert path.phi == pytest.approx([bent if value > 6 else 0.0 for value in values], abs=1e-9)
+    assert (path.jumps, path.x.tolist()) == ((), [1.0] * len(values))
 
 
 #: F = x/(1 + x²): a fold at F = 1/2, x = 1, both floats; the other state is at 1/F and leaves what is searched below F = 0.1.

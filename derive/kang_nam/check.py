@@ -14,11 +14,13 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import mpmath
 import sympy as sp
 
 from . import article, unit_circles, elimination, equilibrium, explanations, mechanics, stability
 from . import nomenclature as nm
 from .article import Printed
+from .free_body import DIGITS, Point
 
 #: Statuses of a row that passes the check.
 SOUND = ("confirmed", "misprint", "approximation", "definition")
@@ -49,14 +51,9 @@ class Row:
     consequence: str = ""
     limit: str = ""
 
-    def as_dict(self) -> dict[str, str]:
-        """For JSON."""
-        return asdict(self)
-
     def recorded(self) -> dict[str, str]:
         """As the ledger has it: without what is empty, and without a derived form that is the printed one."""
-        entries = {name: text for name, text in self.as_dict().items() if text}
-        return entries if self.derived != self.printed else {name: text for name, text in entries.items() if name != "derived"}
+        return {name: text for name, text in asdict(self).items() if text and (name, text) != ("derived", self.printed)}
 
 
 @dataclass(frozen=True)
@@ -128,22 +125,18 @@ def _misprint(id: str, components: tuple[sp.Expr, ...], derived: Derived, differ
     correction = explanations.CORRECTIONS[id]
     if not differs:
         return _failed(base, "explained as a misprint, but the difference is zero")
-    gaps = _differences(components, derived)
-    explained = (correction.gap.subs(list(derived.terms[0])),)
-    if not all(unit_circles.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
+    (gap,) = _differences(components, derived)
+    if not unit_circles.equal(gap, correction.gap.subs(list(derived.terms[0]))):
         return _failed(base, "the difference is not the one that the correction explains")
     if not _is_derived(correction.expression, derived):
         return _failed(base, "the right form given for this misprint is not the derived one")
-    holds, evidence = correction.evidence()
-    if not holds:
-        return _failed(base, f"the second derivation disagrees: {evidence}")
-    return Row(
-        status="misprint",
-        cause=correction.cause,
-        evidence=evidence,
-        consequence=correction.consequence(),
-        **base | {"derived": correction.latex},
-    )
+    with mpmath.workdps(DIGITS):
+        holds, evidence = correction.evidence()
+        if not holds:
+            return _failed(base, f"the second derivation disagrees: {evidence}")
+        consequence = correction.consequence(Point())
+    said = {"cause": correction.cause, "evidence": evidence, "consequence": consequence, "derived": correction.latex}
+    return Row(status="misprint", **base | said)
 
 
 def _is_derived(expression: article.Expression, derived: Derived) -> bool:

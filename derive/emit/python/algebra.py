@@ -15,7 +15,7 @@ from ..quantities import Quantity
 from ..statements import Body, straight_line
 
 #: What is printed: algebra, and functions by their names.
-KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
+KNOWN = (sp.Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 BY_NAME: Mapping[type[sp.Basic], str] = {
     sp.exp: "exp", sp.log: "log", sp.tanh: "tanh", sp.atan: "atan", sp.cos: "cos", sp.sin: "sin", sp.atan2: "atan2",
     sp.Abs: "abs", sp.sign: "sign",
@@ -81,9 +81,6 @@ class AlgebraPrinter(StrPrinter):
             return str(super()._print_Add(expression, order))
         over = sp.Add(*(constant.q * term for term in sp.Add.make_args(rest)), constant.p)
         return f"({super()._print_Add(over, order)})/{constant.q}"
-
-    def _print_Float(self, expression: sp.Float) -> str:
-        raise ArithmeticError(f"the float {expression} has no place in exact algebra")
 
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
         if expression.exp == -1:

@@ -246,6 +246,8 @@ def _quartic_forms() -> dict[str, Derived]:
     # Printed in b₁ … b₄; what those stand for is checked by the rows A10–A13.
     sides = (*b.subs(equilibrium.CONTACT), *b.subs(equilibrium.LIFTOFF))
     right_sides = tuple(zip((nm.b1, nm.b2, nm.b3, nm.b4), sides, strict=True))
+    # (20) and (23) for any invertible D and any b, so that the printed form is checked as an identity.
+    any_pair = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
     forms: dict[str, Derived] = {}
     for equation, vector_names, case, names in (
         ((20, 21), (nm.b1, nm.b2), equilibrium.CONTACT, ("A1-c0", "A2", "A3", "A4", "A5")),
@@ -254,7 +256,7 @@ def _quartic_forms() -> dict[str, Derived]:
         matrix, vector = D.subs(case), b.subs(case)
         coefficients = tuple(value.subs(case) for value in quartic)
         scaled = matrix.adjugate() * vector
-        forms[f"eq-{equation[0]}"] = _unit_norm_form()
+        forms[f"eq-{equation[0]}"] = Derived(elimination.unit_norm(*any_pair), elimination.unit_norm, any_pair)
         forms[f"eq-{equation[1]}"] = Derived(
             (sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), elimination.quartic_in_L, coefficients
         )
@@ -262,7 +264,7 @@ def _quartic_forms() -> dict[str, Derived]:
         in_names = {
             nm.b1: vector_names[0],
             nm.b2: vector_names[1],
-            **({nm.M: sp.S.Zero} if case[nm.nbar] == 0 else {nm.M: nm.mu0}),
+            nm.M: nm.mu0 * case[nm.nbar],
         }
         spelled = {nm.p: nm.alpha + nm.sigma, nm.q: nm.beta + case[nm.nbar] + nm.sigma}
         for id, value, full in zip(names, shorthand, coefficients, strict=True):
@@ -273,12 +275,6 @@ def _quartic_forms() -> dict[str, Derived]:
         for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):
             forms[id] = Derived(value, equilibrium.matrix_form)
     return forms
-
-
-def _unit_norm_form() -> Derived:
-    """(20) and (23) for any invertible D and any b, so that the printed form is checked as an identity."""
-    D, b = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
-    return Derived(elimination.unit_norm(D, b), elimination.unit_norm, (D, b))
 
 
 def _stability_forms() -> dict[str, Derived]:

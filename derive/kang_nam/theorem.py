@@ -44,12 +44,8 @@ def in_contact(expression: sp.Expr) -> sp.Expr:
 
 def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
     """Numerator and denominator of L(θ)."""
-    return sp.fraction(sp.together(elimination.state()[nm.L]))
-
-
-def _penetration() -> sp.Expr:
-    """−q y(θ), positive in contact."""
-    return -nm.q * elimination.state()[nm.y]
+    numerator, denominator = map(in_contact, sp.fraction(sp.together(elimination.state()[nm.L])))
+    return numerator, denominator
 
 
 def _changes(signs: Iterable[int]) -> int:
@@ -97,8 +93,8 @@ def _threshold_below_zero() -> tuple[Step, ...]:
     """s* ≤ 0: the equilibria in contact are exactly the roots with t > 0."""
     s, u = sp.symbols("s u", positive=True)
     depth = sp.Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
-    numerator, denominator = (in_contact(part) for part in _length_fraction())
-    penetration = in_contact(_penetration())
+    numerator, denominator = _length_fraction()
+    penetration = in_contact(-nm.q * elimination.state()[nm.y])  # −q y(θ), positive in contact
     # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the second.
     conflict = (numerator - penetration).subs(nm.s, -u)
     return (
@@ -123,7 +119,7 @@ def _threshold_above_zero() -> tuple[Step, ...]:
     threshold, excess, stretch, surplus = sp.symbols("s_star excess stretch surplus", positive=True)
     level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
     on_arc = {s0: threshold + excess, kappa: sigma * excess}  # s₀ − s* = κ/σ
-    numerator, denominator = (in_contact(part).subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
+    numerator, denominator = (part.subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
 
     along, _ = equilibrium.balance()
     P = nm.sigma - nm.p * nm.L

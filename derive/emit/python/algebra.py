@@ -106,7 +106,7 @@ class AlgebraPrinter(StrPrinter):
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
     """Source text of one generated module: its symbols with meanings and units once, then its functions."""
-    meanings = {name: _meaning(quantity) for name, quantity in quantities.items()}
+    meanings = {name: it.meaning + (f" [{it.unit}]" if it.unit != "1" else "") for name, it in quantities.items()}
     return whole(module, meanings, header, ["from ._broadcast import broadcasting"], map(definition, module.functions))
 
 
@@ -126,10 +126,6 @@ def listed(opening: str, items: Iterable[str], closing: str) -> str:
     """A list between brackets, on as many lines as it needs."""
     inside = textwrap.fill(", ".join(items), _WIDTH - 2, initial_indent="    ", subsequent_indent="    ")
     return f"{opening}\n{inside},\n{closing}"
-
-
-def _meaning(quantity: Quantity) -> str:
-    return quantity.meaning + (f" [{quantity.unit}]" if quantity.unit != "1" else "")
 
 
 def definition(function: Function) -> str:

@@ -4,18 +4,25 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
+from typing import TypeAlias
 
 import sympy as sp
 
-from . import drawing, folder, pages
+from . import drawing, folder, pages, units
 from .emit import definitions, targets
 from .emit.function import renamed
 from .emit.python import algebra
-from .emit.quantities import Quantity
+from .emit.quantities import Quantity, interval
 from .emit.targets.c.layout import WIDTH, broken
-from .mechanics import number
+from .mechanics import Mechanics, number
+from .model import Datum
+
+#: Of a page's quantities by their names: a value, its unit if it is not the page's, and what one of it is in SI.
+Data: TypeAlias = Mapping[str, tuple[float, str, float]]
 
 #: What the explorer's page of a model asks its algebra for: all that ``explorer/src`` calls.
 EXPLORED = frozenset({
@@ -24,9 +31,10 @@ EXPLORED = frozenset({
 })  # fmt: skip
 
 
-def export(page: Path, name: str, written_in: str) -> dict[str, str]:
-    """The files of a page's library in a language, by their names; it has the model's ``name``."""
-    return targets.render(written_in, material(pages.read(page, name)))
+def export(page: Path, name: str, written_in: str, data: Data | None = None) -> dict[str, str]:
+    """The files of a page's library in a language, by their names; it has the model's ``name``, and data if there are any."""
+    model = pages.read(page, name)
+    return targets.render(written_in, replace(material(model), motion=_motion(model, data)))
 
 
 def for_the_browser(model: pages.Model, header: str) -> dict[str, str]:
@@ -68,6 +76,49 @@ def material(model: pages.Model, header: str | None = None, only: Collection[str
     )
 
 
+def _motion(model: pages.Model, data: Data | None) -> targets.Motion:
+    """What moves: with data in their units and else in SI, without any in none."""
+    it, page = model.mechanics, model.page
+    measures = page.units if data is not None else []
+    kinds = tuple(units.read(measure.unit) for measure in measures)
+    sizes = [math.prod((data or {})[str(measure.symbol)][::2]) for measure in measures]
+
+    def variable(name: str, meaning: str, unit: str, order: int = 0, quantity: str = "") -> targets.Variable:
+        """The derivative of this order of what is in the unit, by time."""
+        radians, dimension = Fraction(unit == "rad"), units.times(units.read(unit), units.TIME, -order)
+        if data is None:
+            return targets.Variable(name, meaning, "rad" if radians and not order else "", (*units.NONE, radians))
+        _, given_in, factor = data.get(quantity, (0.0, "", 1.0))
+        unit = given_in or unit + ("", "/s", "/s^2")[order]
+        powers = tuple(map(float, units.powers(dimension, kinds) or ()))
+        nominal = math.prod(map(pow, sizes, powers)) / factor
+        return targets.Variable(name, meaning, unit if unit != "1" else "", (*dimension, radians), factor, powers, nominal)
+
+    def given(datum: Datum) -> targets.Variable:
+        name = str(datum.symbol)
+        one = variable(datum.becomes if data is None else name, datum.meaning, datum.unit, quantity=name)
+        start = data[name][0] if data and name in data else _base(it, datum) * one.nominal
+        ends = interval(datum.domain)
+        return replace(one, start=start, allowed=replace(ends, low=ends.low * one.nominal, high=ends.high * one.nominal))
+
+    time, places = variable("time", "time", "s" if data is not None else "1"), page.coordinates
+    return targets.Motion(
+        time=time,
+        states=(
+            *(variable(str(place.symbol), place.meaning, place.unit) for place in places),
+            *(variable(str(place.rate), f"rate of {place.symbol}", place.unit, 1) for place in places),
+        ),
+        accelerations=tuple(variable("", f"acceleration of {place.symbol}", place.unit, 2) for place in places),
+        given=tuple(map(given, (*it.parameters, *measures))),
+        step=float(f"{0.1 * time.nominal:.0e}"),
+        borders=(
+            *(["gap"] if it.unilateral and it.gap is not None else []), *(["slip"] if it.slide is not None else []),
+            *(f"turning{count}" for count, _ in enumerate(it.torsions, 1)),
+        ),
+        rooted=not it.polynomial,
+    )  # fmt: skip
+
+
 def spelled(name: object) -> str:
     """A page's name in another language, where no word, function or constant ends with an underscore; our own without the first one."""
     return str(name)[1:] if str(name).startswith("_") else f"{name}_"
@@ -79,15 +130,18 @@ def library(name: str) -> str:
     return tidy if tidy[:1].isalpha() and tidy != "main" else f"page_{tidy}"
 
 
+def _base(it: Mechanics, datum: Datum) -> float:
+    """The base value of a parameter, of an angle that has none 45 degrees, of any other 1."""
+    angles = {str(angle.symbol) for angle in it.angles}
+    return datum.base if datum.base is not None else math.pi / 4 if datum.becomes in angles else 1.0
+
+
 def _example(model: pages.Model) -> str:
-    """An example in C: a motion at the base values, an angle that has none at 45 degrees, any other parameter at 1."""
+    """An example in C: a motion at the base values."""
     it = model.mechanics
     count = len(it.coordinates)
     names = [datum.becomes for datum in it.parameters]
-    angles = {str(angle.symbol) for angle in it.angles}
-    values = [
-        repr(datum.base if datum.base is not None else math.pi / 4 if datum.becomes in angles else 1.0) for datum in it.parameters
-    ]
+    values = [repr(_base(it, datum)) for datum in it.parameters]
     opens = it.unilateral and it.gap is not None
     words = {
         "count": str(count),

@@ -2,57 +2,67 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import click
 
-from ..derive.emit.targets import languages
+from ..derive.emit.targets import languages, packer
 from ..derive.kang_nam.library import exported
 from ..errors import ParameterError, StoreError
 from ..files.writing import probe
 from ..models import Model, load
-from ..models.load import page_of
+from ..models.load import USUAL, page_of
 from . import options as o
+from .of_model import study_of
 from .output import refuse, write
 
 
 @o.command()
 @click.option("--model", "model_name", metavar="NAME|DIR", help=o.TEXT)
 @click.option("--language", type=click.Choice(languages()), default="c", show_default=True, help="Language to write.")
-@o.folder("Folder to write to, made if missing.")
+@o.file("--data", exists=True, metavar="FILE", help="In the units of a file like brake.toml; of an FMU only.")
+@o.file("--out", "-o", folder=True, required=True, help="Folder to write to, made if missing; of an FMU a file.")
+@o.trust
 @o.force
-def export(model_name: str | None, language: str, out: Path, force: bool) -> None:
+def export(model_name: str | None, language: str, data: Path | None, out: Path, trust: bool, force: bool) -> None:
     """Write the solver in another language, with an example that runs.
 
-    All equilibria with their stability, an error bound and a status, the generated algebra, the right-hand side, and a
-    step in time across the kinks. JavaScript has folds, cusps and the surface as well. Of another model:
-    its forces with first and second derivatives, its motion with Jacobians, borders, energy and powers, derived anew from
-    its page (extra derive).
+    All equilibria with stability, error bound and status, the generated algebra, the right-hand side, and a step in time
+    across the kinks. Of another model, and as an FMU: forces with first and second derivatives, the motion with Jacobians,
+    borders, energy and powers, derived anew from its page (extra derive).
 
     \b
     Examples:
       spragsym export --language c --out sprag
       spragsym export --model trolley --out trolley_c
       make -C sprag && ./sprag/example
-      spragsym export --language javascript --out web
       spragsym export --language matlab --out octave
+      spragsym export --language fmu --data brake.toml --out brake.fmu
 
     \b
-    Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
+    Exit codes: 0 written; 1 it can't be written; 2 usage, or a file that differs is in the way.
     """
-    probe(out / "file", made=True)
-    texts = of_model(load(model_name), language) if model_name else exported(language)
-    write({out / name: text for name, text in texts.items()}, force, made=True)
-    for name in texts:
-        click.echo(out / name)
+    pack = packer(language)
+    if data and not pack:
+        raise ParameterError(f"--data: an export to {language} has no units; leave it out, or give --language fmu")
+    probe(out if pack else out / "file", made=True)
+    study = study_of(data, model_name, trust) if data else None
+    name = study.model if study else model_name or (USUAL if pack else None)
+    texts = of_model(load(name), language, study.in_units() if study else None) if name else exported(language)
+    files = {out: pack(texts)} if pack else {out / path: text for path, text in texts.items()}
+    write(files, force, made=True)
+    for path in files:
+        click.echo(path)
 
 
-def of_model(model: Model, language: str) -> dict[str, str]:
-    """The functions of a model in the language, from its page: that of the package, or the one in its folder."""
+def of_model(model: Model, language: str, data: Mapping[str, Any] | None = None) -> dict[str, str]:
+    """The functions of a model in the language, from its page, of the package or in its folder; with data in their units."""
     from ..derive import export as translation
     from ..derive import pages
 
-    return translation.export(page_of(model, pages.SHIPPED), model.name, language)
+    return translation.export(page_of(model, pages.SHIPPED), model.name, language, data)
 
 
 @o.command()

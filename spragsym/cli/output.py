@@ -136,12 +136,13 @@ def refuse(paths: Iterable[Path | None], force: bool, *, made: bool = False) -> 
         probe(path, made=made)
 
 
-def write(texts: Mapping[Path, str], force: bool, *, made: bool = False) -> bool:
-    """Write files, but for those that have exactly their text; whether there were others. Refused if one is in the way."""
-    changed = {path: text for path, text in texts.items() if not (path.is_file() and path.read_bytes() == text.encode())}
+def write(files: Mapping[Path, Any], force: bool, *, made: bool = False) -> bool:
+    """Write texts or bytes to files, but where they are; whether there were others. Refused if a file is in the way."""
+    data = {path: held.encode() if isinstance(held, str) else held for path, held in files.items()}
+    changed = {path: held for path, held in data.items() if not (path.is_file() and path.read_bytes() == held)}
     refuse(changed, force, made=made)
-    for path, text in changed.items():
-        put(path, text, made=made)
+    for path, held in changed.items():
+        put(path, held, made=made)
     return bool(changed)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..models.field import GAP
 from ..models.parameters import FloatArray
 from .lobatto import PiecewisePolynomial
 from .problem import Problem
@@ -28,7 +29,7 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
     A motion that comes to rest on a border is on either side of it by that error, and passes it no further.
     """
     t, states, chatter = solution.samples.t, solution.samples.states, set[int]()
-    least = 10 * problem.rtol * float(np.abs(states).max())
+    least = max(10 * problem.rtol * float(np.abs(states).max()), 2 * GAP)
     for row, border in enumerate(problem.field.borders):
         own = [crossing for crossing in solution.crossings if crossing.border == row]
         if not own or not border.crossings[0]:

@@ -377,6 +377,13 @@ class Study:
         """A value of a quantity in the unit in which it came."""
         return value / factor(self.quantities[name].unit, self.kind.units[name])
 
+    def in_units(self) -> dict[str, tuple[float, str, float]]:
+        """Every quantity as it came: its value, its unit, and what one of that is in SI."""
+        si = self.kind.units
+        return {
+            name: (self.in_file(name, one.value), one.unit, factor(one.unit, si[name])) for name, one in self.quantities.items()
+        }
+
     def shown_speed(self, speed: float, digits: int = 4) -> str:
         """A speed of the belt as text, by the name of the page: ``V = 1.2 m/s``."""
         if self.belt is None:

@@ -32,16 +32,10 @@ OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE = range(4)
 LIFTOFF, CONTACT = 0, 1
 #: Points that the driver's batch has room for.
 BATCH = 4096
-#: Flags under which the batch's loops become vector instructions.
-VECTORS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 #: Without optimization: compiled fastest, and the same bits.
 PLAIN = ("-O0", "-ffp-contract=off")
-#: Vectors are for all checks here; the extension module has them in every run.
-EACH_LEVEL = [PLAIN, pytest.param(VECTORS, marks=pytest.mark.thorough)]
 #: For a shared object.
 SHARED = ("-shared", "-fPIC")
-#: One compiler is for every change, the others are for all checks.
-EACH_COMPILER = [COMPILERS[0], *(pytest.param(name, marks=pytest.mark.thorough) for name in COMPILERS[1:])] if COMPILERS else []
 #: Builds the driver: ``built(compiler, *flags)``.
 Build: TypeAlias = Callable[..., Path]
 BASE = (math.radians(49.0), 0.5, 0.007, 0.007, 0.1, 0.0)
@@ -176,15 +170,6 @@ def nonsense() -> Any:
 
 
 # ------------------------------------------------------------------------------------------------------ tests
-
-
-@pytest.mark.by_hand("-O3-gcc")
-@pytest.mark.thorough
-@pytest.mark.parametrize("compiler", EACH_COMPILER)
-@pytest.mark.parametrize("level", EACH_LEVEL, ids=["-O0", "-O3"])
-def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> None:
-    """Without and with optimization, which sees more: every build has the flags of STRICT."""
-    assert built(compiler, *level, *SHARED).is_file()
 
 
 @pytest.mark.thorough

@@ -20,25 +20,12 @@ from tests.oracles.languages import NODE, OCTAVE
 
 #: Words, constants, functions and macros of languages, and what code calls its own.
 TAKEN = ("Math", "atan", "pi", "sin", "EOF", "template", "INLINE", "deliver")
-LANGUAGES = ("c", "javascript", "matlab")
 
 
 def page(tmp_path: Path, name: str, text: str = names.PAGE.format(*TAKEN)) -> Path:
     path = tmp_path / f"{name}.py"
     path.write_text(text, encoding="utf-8-sig")  # Python runs a page with a byte order mark
     return path
-
-
-@pytest.mark.thorough
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_every_argument_of_an_exported_page_ends_with_an_underscore(language: str, tmp_path: Path) -> None:
-    """As no keyword, function or constant of a language does, nor a name of the runtime files."""
-    files = export.export(page(tmp_path, "2dof v.2"), "2dof v.2", language)
-    text = next(text for name, text in files.items() if name.endswith((".h", ".mjs", "algebra.m")))
-    heads = re.findall(r"page_2dof_v_2_forces\(([^)]*)\)|  forces\(([^)]*)\) \{|= forces\(([^)]*)\)", text)
-    given = [re.split(r"\W+", one.strip(" *]012"))[-1] for head in heads for one in "".join(head).split(",")]
-    assert len(given) > 5
-    assert {name for name in given if not name.endswith("_")} <= {"result", ""}
 
 
 @pytest.mark.thorough

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import os
-import shutil
-import sys
 from pathlib import Path
 
 import pytest
@@ -16,7 +13,7 @@ import sympy as sp
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 import spragsym as ss
-from spragsym.derive import folder, pages
+from spragsym.derive import pages
 from spragsym.derive.kang_nam import mechanics, page_equivalence
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.model import PageError
@@ -88,7 +85,6 @@ REFUSED = {
 }  # fmt: skip
 REFUSED |= {
     "a function without intervals": ("exp(-d * Abs(v))", "sp.erfc(d * Abs(v))", "page.friction(", "generated code does not know"),
-    "a kink within the contact": (LAW, "lambda depth: k_c * (depth + Abs(depth - L_0) - L_0)", "page.contact(", "not smooth"),
     "a root without slope": (FRICTION, "lambda v: mu0 * sp.sqrt(d * Abs(v)) * sgn(v)", "page.friction(",
                              "not seen to be positive"),
     "a symbol for an exponent": (LAW, "lambda depth: k_c * L_0 * (depth / L_0) ** mu0", "page.contact(",
@@ -165,26 +161,3 @@ def test_the_articles_page_gives_lagranges_equations() -> None:
     for mine, row in zip((ours.x, ours.y), theirs, strict=True):
         spelled = row.subs({x: nm.x, y: nm.y})
         assert sp.expand(spelled - mine.subs(nm.L, mechanics.measured_length())) == 0
-
-
-# ------------------------------------------------------------------------------------------------ folders and load
-
-
-def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path, written: Path) -> None:
-    out = tmp_path / (os.fsdecode(b"Bremse \xb0") if sys.platform == "linux" else "Bremse °")  # bytes that are no text in UTF-8
-    shutil.copytree(written, out)
-    models = ours, shipped = ss.load(out), ss.load("kang_nam")
-    assert ours.parameters == shipped.parameters
-    assert ours.base == shipped.base
-    sets = [model.Parameters(theta0=0.8) for model in models]
-    assert [p.sigma for p in sets] == [0.1, 0.1]
-    rates = [model.algebra.rhs(0.1, -0.2, 0.3, 0.4, *model.arguments(p, "motion")) for model, p in zip(models, sets, strict=True)]
-    assert rates[0] == rates[1]
-
-
-@pytest.fixture(scope="module")
-def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of the article's page as a user's."""
-    place = tmp_path_factory.mktemp("written")
-    folder.write_page(changed(place), place / "out")
-    return place / "out"

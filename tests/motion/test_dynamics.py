@@ -127,6 +127,11 @@ def test_start_on_the_kink_is_the_limit_of_starts_beside_it(backend: str) -> Non
     assert np.isfinite(both.state).all()
 
 
+def test_the_last_event_is_told_at_the_tightest_tolerance() -> None:
+    tr = simulate(ss.Parameters.article(theta0=1.0), **BELT, y0=0.05, t_end=8.0, rtol=1e-13)
+    assert tr.events.which.tolist() == [Event.CONTACT_REGAINED, Event.CONTACT_LOST]
+
+
 @pytest.mark.thorough
 def test_integrators_find_the_same_events_from_random_starts() -> None:
     rng = np.random.default_rng(5)

@@ -15,13 +15,42 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 from pathlib import Path
 
 from ..definitions import Definition, symbols
 from ..language import NOTHING, Source, joined
 from ..quantities import Interval, Quantity
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A quantity of a model as whoever runs it sees it: in its unit, where there are units."""
+
+    name: str
+    meaning: str
+    unit: str = ""
+    dimension: tuple[Fraction, ...] = (Fraction(0),) * 4  #: of the unit: powers of kilogram, metre, second and radian
+    factor: float = 1.0  #: one of the unit in SI
+    powers: tuple[float, ...] = ()  #: of the units of measure in what is 1 inside
+    nominal: float = 1.0  #: what is 1 inside, in its unit
+    start: float = 0.0
+    allowed: Interval = field(default_factory=Interval)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What moves in a page's model, for languages that hand it over as a whole."""
+
+    time: Variable
+    states: tuple[Variable, ...]  #: coordinates, then their rates
+    accelerations: tuple[Variable, ...]
+    given: tuple[Variable, ...]  #: parameters in their order, then units of measure where there are any
+    step: float  #: between two samples, in the unit of time
+    borders: tuple[str, ...]  #: where it is not smooth: ``gap`` if the contact opens, ``slip`` if there is friction, turnings
+    rooted: bool  #: whether the contact law has no values without contact
 
 
 @dataclass(frozen=True)
@@ -47,6 +76,7 @@ class Material:
     asked: tuple[str, ...] = ()  #: functions of the kernel that extension modules in C call, besides the model's own files
     arithmetic: Source = NOTHING  #: double-double numbers
     widened: Source = NOTHING  #: the kernel a second time, on these
+    motion: Motion | None = None  #: of a page
 
     @property
     def algebra(self) -> dict[str, Definition]:
@@ -68,6 +98,11 @@ def render(language: str, material: Material) -> dict[str, str]:
     """The files of a library in a language, by their names."""
     files: dict[str, str] = importlib.import_module(f".{language}", __name__).render(material)
     return files
+
+
+def packer(language: str) -> Callable[[Mapping[str, str]], bytes] | None:
+    """What makes one file of all in a language that has it so; None for others."""
+    return vars(importlib.import_module(f".{language}", __name__)).get("packed")
 
 
 # ------------------------------------------------------------------------------------------- what languages share

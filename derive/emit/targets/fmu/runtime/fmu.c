@@ -1,0 +1,758 @@
+/*
+ * @header@
+ *
+ * The functions of FMI 3.0 about @library@: Model Exchange and Co-Simulation. All that an instance knows stands in itself.
+ */
+#include "fmi3.h"
+#include "model.h"
+#include "motion.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The standard hands over more than this FMU has a use for. */
+#if defined(__GNUC__)
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
+enum {
+    GIVEN = PARAMETERS + UNITS,
+    STATE = 1, /* value references: the first one of each kind; 0 is the time */
+    DERIVATIVE = STATE + STATES,
+    INDICATOR = DERIVATIVE + STATES,
+    QUANTITY = INDICATOR + INDICATORS,
+    FLAG = QUANTITY + GIVEN
+};
+
+typedef enum { INSTANTIATED = 1, INITIALIZING = 2, EVENT = 4, CONTINUOUS = 8, STEPPING = 16, TERMINATED = 32 } Phase;
+enum { BEGINNING = INSTANTIATED | INITIALIZING, RUNNING = EVENT | CONTINUOUS | STEPPING, ANY = 63 };
+
+/* What is copied as the state of the FMU; numbers are those that the importer sees. */
+typedef struct {
+    Phase phase;
+    bool stops;
+    double time, stop, tolerance, length;
+    double given[GIVEN + 1];
+    double state[STATES];
+    double mode[MODES];
+} State;
+
+typedef struct {
+    State now;
+    bool exchange, early;
+    unsigned logged; /* a bit for each category */
+    void *environment;
+    fmi3LogMessageCallback log;
+} Instance;
+
+/* -------------------------------------------------------------------------------------------------- log and errors */
+
+typedef enum { EVENTS_LOG, DISCARD_LOG, ERROR_LOG, CATEGORIES } Category;
+static const char *const CATEGORY[CATEGORIES] = {"logEvents", "logStatusDiscard", "logStatusError"};
+
+static void say(const Instance *it, fmi3Status status, Category category, const char *format, va_list values) {
+    char text[256];
+    if (it->log && (category == ERROR_LOG || it->logged & 1u << category)) {
+        vsnprintf(text, sizeof text, format, values);
+        it->log(it->environment, status, CATEGORY[category], text);
+    }
+}
+
+/* After an error the instance can be reset, freed, or put back into a state that was saved. */
+static fmi3Status failed(Instance *it, const char *format, ...) {
+    va_list values;
+    va_start(values, format);
+    say(it, fmi3Error, ERROR_LOG, format, values);
+    va_end(values);
+    it->now.phase = TERMINATED;
+    return fmi3Error;
+}
+
+/* The instance is as before the call. */
+static fmi3Status discarded(const Instance *it, const char *format, ...) {
+    va_list values;
+    va_start(values, format);
+    say(it, fmi3Discard, DISCARD_LOG, format, values);
+    va_end(values);
+    return fmi3Discard;
+}
+
+static void told(const Instance *it, const char *format, ...) {
+    va_list values;
+    va_start(values, format);
+    say(it, fmi3OK, EVENTS_LOG, format, values);
+    va_end(values);
+}
+
+/* Begins a function that may be called in some phases. */
+#define ENTER(phases)                                                                        \
+    Instance *const it = instance;                                                           \
+    if (!it) {                                                                               \
+        return fmi3Error;                                                                    \
+    }                                                                                        \
+    if (!(it->now.phase & (unsigned)(phases))) {                                             \
+        return failed(it, "%s must not be called in this state of the instance", __func__); \
+    }
+
+/* Refuses arguments that make no sense. */
+#define EXPECT(condition, ...)             \
+    if (!(condition)) {                    \
+        return failed(it, __VA_ARGS__);    \
+    }
+
+/* ------------------------------------------------------------------------------- units: inside all is dimensionless */
+
+/* A product of powers of the units of measure. */
+static double scale(const State *now, const double *powers) {
+    double product = 1.0;
+    for (int i = 0; i < UNITS; i++) {
+        if (powers[i] != 0.0) {
+            product *= pow(now->given[PARAMETERS + i] * QUANTITIES[PARAMETERS + i].factor, powers[i]);
+        }
+    }
+    return product;
+}
+
+/* What one dimensionless unit of time and of each number of the state is; units of states and rates. */
+static double scales(const State *now, double *unit, double *unit_of_rate) {
+    const double time = scale(now, POWERS[COORDINATES]);
+    for (int i = 0; i < COORDINATES; i++) {
+        unit[i] = scale(now, POWERS[i]);
+        unit[COORDINATES + i] = unit_of_rate[i] = unit[i] / time;
+        unit_of_rate[COORDINATES + i] = unit_of_rate[i] / time;
+    }
+    return time;
+}
+
+static Motion motion_of(const Instance *it) {
+    Motion motion;
+    memset(&motion, 0, sizeof motion);
+    for (int i = 0; i < PARAMETERS; i++) {
+        motion.p[i] = it->now.given[i] * QUANTITIES[i].factor / scale(&it->now, QUANTITIES[i].powers);
+    }
+    motion.borders = it->exchange ? INDICATORS : BORDERS;
+    motion.tolerance = it->now.tolerance;
+    memcpy(motion.mode, it->now.mode, sizeof motion.mode);
+    return motion;
+}
+
+/* Motion, rates and clearances as they are now, before the start in the mode where the state is. Not 0: there are none. */
+static int here(const Instance *it, Motion *motion, Point *at, double *unit_of_rate) {
+    double unit[STATES];
+    scales(&it->now, unit, unit_of_rate);
+    *motion = motion_of(it);
+    for (int i = 0; i < STATES; i++) {
+        at->state[i] = it->now.state[i] / unit[i];
+    }
+    return (it->now.phase & BEGINNING && begin(motion, at->state)) || rates(motion, at->state, at->rate) || look(motion, at);
+}
+
+static const char NOWHERE[] = "the motion has no finite rates here: a spring has no length, or a number is too large";
+
+/* ------------------------------------------------------------------------------------------- instances and phases */
+
+static void reset(State *now) {
+    memset(now, 0, sizeof *now);
+    now->phase = INSTANTIATED;
+    now->tolerance = 1e-10;
+    now->length = 1e-3;
+    for (int i = 0; i < GIVEN; i++) {
+        now->given[i] = QUANTITIES[i].start;
+    }
+}
+
+static void *instantiated(const char *token, bool logging, void *environment, fmi3LogMessageCallback log) {
+    Instance *it;
+    if (!token || strcmp(token, TOKEN) != 0) {
+        if (log) {
+            log(environment, fmi3Error, CATEGORY[ERROR_LOG], "the instantiation token is that of another FMU");
+        }
+        return NULL;
+    }
+    it = calloc(1, sizeof *it);
+    if (it) {
+        reset(&it->now);
+        it->environment = environment;
+        it->log = log;
+        it->logged = logging ? ~0u : 0u;
+    }
+    return it;
+}
+
+FMI(const char *, GetVersion)(void) { return "3.0"; }
+
+FMI(void *, InstantiateModelExchange)
+(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment,
+    fmi3LogMessageCallback log) {
+    Instance *it = instantiated(token, logging, environment, log);
+    if (it) {
+        it->exchange = true;
+    }
+    return it;
+}
+
+FMI(void *, InstantiateCoSimulation)
+(const char *name, const char *token, const char *resources, bool visible, bool logging, bool event_mode, bool early,
+    const fmi3ValueReference *intermediate, size_t count, void *environment, fmi3LogMessageCallback log, void (*update)(void)) {
+    Instance *it = instantiated(token, logging, environment, log);
+    if (it) {
+        it->early = event_mode && early;
+    }
+    return it;
+}
+
+FMI(void *, InstantiateScheduledExecution)
+(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment,
+    fmi3LogMessageCallback log, void (*update)(void), void (*lock)(void), void (*unlock)(void)) {
+    if (log) {
+        log(environment, fmi3Error, CATEGORY[ERROR_LOG], "this FMU has no Scheduled Execution");
+    }
+    return NULL;
+}
+
+FMI(void, FreeInstance)(void *instance) { free(instance); }
+
+FMI(fmi3Status, SetDebugLogging)(void *instance, bool on, size_t count, const char *const *categories) {
+    unsigned named = 0;
+    ENTER(ANY)
+    for (size_t i = 0; i < count; i++) {
+        unsigned found = 0;
+        for (int k = 0; k < CATEGORIES && categories && categories[i]; k++) {
+            found |= strcmp(categories[i], CATEGORY[k]) == 0 ? 1u << k : 0u;
+        }
+        EXPECT(found, "log category %u is none of this FMU", (unsigned)i)
+        named |= found;
+    }
+    named = count ? named : ~0u;
+    it->logged = on ? it->logged | named : it->logged & ~named;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, EnterInitializationMode)
+(void *instance, bool tolerance_defined, double tolerance, double start, bool stop_defined, double stop) {
+    ENTER(INSTANTIATED)
+    EXPECT(isfinite(start) && (!stop_defined || stop >= start), "the times are %g to %g; give finite ones in order", start, stop)
+    EXPECT(!tolerance_defined || (tolerance > 0.0 && tolerance < 1.0), "the tolerance is %g; give one in (0, 1)", tolerance)
+    if (tolerance_defined) {
+        it->now.tolerance = fmax(tolerance, 1e-13);
+    }
+    it->now.time = start;
+    it->now.stops = stop_defined;
+    it->now.stop = stop;
+    it->now.phase = INITIALIZING;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, ExitInitializationMode)(void *instance) {
+    Motion motion;
+    Point at;
+    double unit_of_rate[STATES];
+    ENTER(INITIALIZING)
+    EXPECT(!here(it, &motion, &at, unit_of_rate), "%s", NOWHERE)
+    memcpy(it->now.mode, motion.mode, sizeof motion.mode);
+    it->now.phase = (it->exchange || it->early) ? EVENT : STEPPING;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, EnterEventMode)(void *instance) {
+    ENTER(CONTINUOUS | STEPPING)
+    EXPECT(it->exchange || it->early, "the instance was made without event mode")
+    it->now.phase = EVENT;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, EnterContinuousTimeMode)(void *instance) {
+    ENTER(EVENT)
+    EXPECT(it->exchange, "Co-Simulation has no continuous-time mode")
+    it->now.phase = CONTINUOUS;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, EnterStepMode)(void *instance) {
+    ENTER(EVENT)
+    EXPECT(!it->exchange, "Model Exchange has no step mode")
+    it->now.phase = STEPPING;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, Terminate)(void *instance) {
+    ENTER(RUNNING)
+    it->now.phase = TERMINATED;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, Reset)(void *instance) {
+    ENTER(ANY)
+    reset(&it->now);
+    return fmi3OK;
+}
+
+/* --------------------------------------------------------------------------------------------------------- values */
+
+FMI(fmi3Status, GetFloat64)
+(void *instance, const fmi3ValueReference *references, size_t count, double *values, size_t size) {
+    Motion motion;
+    Point at;
+    double unit_of_rate[STATES];
+    int looked = 0;
+    ENTER(ANY)
+    EXPECT(count == size && (!count || (references && values)), "%u values are asked for, with room for %u", (unsigned)count,
+        (unsigned)size)
+    for (size_t i = 0; i < count; i++) {
+        const fmi3ValueReference one = references[i];
+        EXPECT(one < FLAG, "there is no Float64 with the value reference %u", (unsigned)one)
+        if (one < STATE) {
+            values[i] = it->now.time;
+        } else if (one < DERIVATIVE) {
+            values[i] = it->now.state[one - STATE];
+        } else if (one >= QUANTITY) {
+            values[i] = it->now.given[one - QUANTITY];
+        } else {
+            if (!looked && here(it, &motion, &at, unit_of_rate)) {
+                return discarded(it, "%s", NOWHERE);
+            }
+            looked = 1;
+            values[i] = one < INDICATOR ? at.rate[one - DERIVATIVE] * unit_of_rate[one - DERIVATIVE]
+                                        : at.clearance[one - INDICATOR];
+        }
+    }
+    return fmi3OK;
+}
+
+FMI(fmi3Status, SetFloat64)
+(void *instance, const fmi3ValueReference *references, size_t count, const double *values, size_t size) {
+    ENTER(BEGINNING | RUNNING)
+    EXPECT(count == size && (!count || (references && values)), "%u values are set, of %u given", (unsigned)count, (unsigned)size)
+    for (size_t i = 0; i < count; i++) {
+        const fmi3ValueReference one = references[i];
+        const bool quantity = one >= QUANTITY && one < FLAG;
+        const unsigned when = quantity ? BEGINNING | EVENT | STEPPING : it->exchange ? BEGINNING | EVENT : BEGINNING;
+        EXPECT(quantity || (one >= STATE && one < DERIVATIVE), "no Float64 with the value reference %u can be set", (unsigned)one)
+        EXPECT(it->now.phase & when, "the Float64 with the value reference %u can't be set now", (unsigned)one)
+        if (!isfinite(values[i])) {
+            return discarded(it, "the value %g is no finite number", values[i]);
+        }
+        if (quantity) {
+            const struct quantity *allowed = QUANTITIES + (one - QUANTITY);
+            if (!(allowed->low_open ? values[i] > allowed->low : values[i] >= allowed->low) ||
+                !(allowed->high_open ? values[i] < allowed->high : values[i] <= allowed->high)) {
+                return discarded(it, "%s = %g is out of its range", allowed->name, values[i]);
+            }
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        double *const place = references[i] < DERIVATIVE ? it->now.state + (references[i] - STATE)
+                                                         : it->now.given + (references[i] - QUANTITY);
+        *place = values[i];
+    }
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetBoolean)(void *instance, const fmi3ValueReference *references, size_t count, bool *values, size_t size) {
+    Motion motion;
+    Point at;
+    double unit_of_rate[STATES];
+    ENTER(ANY)
+    EXPECT(count == size && (!count || (references && values)), "%u values are asked for, with room for %u", (unsigned)count,
+        (unsigned)size)
+    if (count && here(it, &motion, &at, unit_of_rate)) {
+        return discarded(it, "%s", NOWHERE);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const fmi3ValueReference one = references[i];
+        EXPECT(one >= FLAG && one < FLAG + EVENTS, "there is no Boolean with the value reference %u", (unsigned)one)
+        values[i] = motion.mode[(int)(one - FLAG) < LIFTS ? 0 : 1] > 0.0;
+    }
+    return fmi3OK;
+}
+
+/* Types of which the model has no variable. */
+#define WITHOUT(type, c_type)                                                                                             \
+    FMI(fmi3Status, Get##type)                                                                                            \
+    (void *instance, const fmi3ValueReference *references, size_t count, c_type *values, size_t size) {                   \
+        ENTER(ANY)                                                                                                        \
+        EXPECT(!count && !size, "there is no variable of the type " #type)                                                \
+        return fmi3OK;                                                                                                    \
+    }                                                                                                                     \
+    WITHOUT_SETTER(type, c_type)
+#define WITHOUT_SETTER(type, c_type)                                                                                      \
+    FMI(fmi3Status, Set##type)                                                                                            \
+    (void *instance, const fmi3ValueReference *references, size_t count, const c_type *values, size_t size) {             \
+        ENTER(ANY)                                                                                                        \
+        EXPECT(!count && !size, "no variable of the type " #type " can be set")                                           \
+        return fmi3OK;                                                                                                    \
+    }
+
+WITHOUT(Float32, float)
+WITHOUT(Int8, int8_t)
+WITHOUT(UInt8, uint8_t)
+WITHOUT(Int16, int16_t)
+WITHOUT(UInt16, uint16_t)
+WITHOUT(Int32, int32_t)
+WITHOUT(UInt32, uint32_t)
+WITHOUT(Int64, int64_t)
+WITHOUT(UInt64, uint64_t)
+WITHOUT(String, char *)
+WITHOUT_SETTER(Boolean, bool)
+
+/* Functions about what the model has not: always an error. */
+#define NONE(name, ...)                                      \
+    FMI(fmi3Status, name)(void *instance, __VA_ARGS__) {     \
+        ENTER(ANY)                                           \
+        return failed(it, "this FMU has no use for " #name); \
+    }
+
+NONE(GetBinary, const fmi3ValueReference *r, size_t n, size_t *sizes, const uint8_t **values, size_t m)
+NONE(SetBinary, const fmi3ValueReference *r, size_t n, const size_t *sizes, const uint8_t *const *values, size_t m)
+NONE(GetClock, const fmi3ValueReference *r, size_t n, bool *values)
+NONE(SetClock, const fmi3ValueReference *r, size_t n, const bool *values)
+NONE(GetIntervalDecimal, const fmi3ValueReference *r, size_t n, double *intervals, int *qualifiers)
+NONE(GetIntervalFraction, const fmi3ValueReference *r, size_t n, uint64_t *counters, uint64_t *resolutions, int *qualifiers)
+NONE(GetShiftDecimal, const fmi3ValueReference *r, size_t n, double *shifts)
+NONE(GetShiftFraction, const fmi3ValueReference *r, size_t n, uint64_t *counters, uint64_t *resolutions)
+NONE(SetIntervalDecimal, const fmi3ValueReference *r, size_t n, const double *intervals)
+NONE(SetIntervalFraction, const fmi3ValueReference *r, size_t n, const uint64_t *counters, const uint64_t *resolutions)
+NONE(SetShiftDecimal, const fmi3ValueReference *r, size_t n, const double *shifts)
+NONE(SetShiftFraction, const fmi3ValueReference *r, size_t n, const uint64_t *counters, const uint64_t *resolutions)
+NONE(GetNumberOfVariableDependencies, fmi3ValueReference reference, size_t *count)
+NONE(GetVariableDependencies, fmi3ValueReference dependent, size_t *elements, fmi3ValueReference *independents,
+    size_t *independent_elements, int *kinds, size_t count)
+NONE(GetOutputDerivatives, const fmi3ValueReference *r, size_t n, const int32_t *orders, double *values, size_t m)
+NONE(ActivateModelPartition, fmi3ValueReference clock, double time)
+
+FMI(fmi3Status, EnterConfigurationMode)(void *instance) {
+    ENTER(ANY)
+    return failed(it, "this FMU has no structural parameters");
+}
+
+FMI(fmi3Status, ExitConfigurationMode)(void *instance) {
+    ENTER(ANY)
+    return failed(it, "this FMU has no structural parameters");
+}
+
+/* ------------------------------------------------------------------------------------------- states of the instance */
+
+FMI(fmi3Status, GetFMUState)(void *instance, void **saved) {
+    ENTER(ANY)
+    EXPECT(saved, "there is no place for the state")
+    if (!*saved) {
+        *saved = malloc(sizeof(State));
+    }
+    EXPECT(*saved, "there is no memory for the state")
+    memcpy(*saved, &it->now, sizeof(State));
+    return fmi3OK;
+}
+
+FMI(fmi3Status, SetFMUState)(void *instance, void *saved) {
+    ENTER(ANY)
+    EXPECT(saved, "there is no state to set")
+    memcpy(&it->now, saved, sizeof(State));
+    return fmi3OK;
+}
+
+FMI(fmi3Status, FreeFMUState)(void *instance, void **saved) {
+    ENTER(ANY)
+    if (saved) {
+        free(*saved);
+        *saved = NULL;
+    }
+    return fmi3OK;
+}
+
+/* A state as bytes begins with the token: that of another FMU is refused. */
+enum { HEAD = sizeof TOKEN, BYTES = HEAD + sizeof(State) };
+
+FMI(fmi3Status, SerializedFMUStateSize)(void *instance, void *saved, size_t *size) {
+    ENTER(ANY)
+    EXPECT(saved && size, "there is no state, or no place for its size")
+    *size = BYTES;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, SerializeFMUState)(void *instance, void *saved, uint8_t *bytes, size_t size) {
+    ENTER(ANY)
+    EXPECT(saved && bytes && size == BYTES, "a state has %u bytes, and there is room for %u", (unsigned)BYTES, (unsigned)size)
+    memcpy(bytes, TOKEN, HEAD);
+    memcpy(bytes + HEAD, saved, sizeof(State));
+    return fmi3OK;
+}
+
+FMI(fmi3Status, DeserializeFMUState)(void *instance, const uint8_t *bytes, size_t size, void **saved) {
+    ENTER(ANY)
+    EXPECT(saved && bytes && size == BYTES && !memcmp(bytes, TOKEN, HEAD), "these %u bytes are no state of this FMU", (unsigned)size)
+    if (!*saved) {
+        *saved = malloc(sizeof(State));
+    }
+    EXPECT(*saved, "there is no memory for the state")
+    memcpy(*saved, bytes + HEAD, sizeof(State));
+    return fmi3OK;
+}
+
+/* ---------------------------------------------------------------------------------------------------- derivatives */
+
+/*
+ * Derivatives of all rates by the numbers of the state and by the given quantities, as the importer sees them. A unit of measure u
+ * with the power w in a quantity v changes what v is inside by -w v/u, and the rates by the powers in theirs.
+ */
+static int derivatives(const Instance *it, double slope[STATES][STATES + GIVEN + 1]) {
+    Motion motion;
+    Point at;
+    double unit[STATES], unit_of_rate[STATES], by_state[COORDINATES * STATES], by_parameter[COORDINATES * PARAMETERS + 1];
+    memset(slope, 0, STATES * sizeof *slope);
+    scales(&it->now, unit, unit_of_rate);
+    if (here(it, &motion, &at, unit_of_rate) || regime_jacobian(at.state, motion.p, motion.mode, by_state) ||
+        regime_by_parameters(at.state, motion.p, motion.mode, by_parameter)) {
+        return 1;
+    }
+    for (int i = 0; i < COORDINATES; i++) {
+        double *const row = slope[COORDINATES + i];
+        const double *const states = by_state + i * STATES, *const parameters = by_parameter + i * PARAMETERS;
+        const double own = unit_of_rate[COORDINATES + i];
+        slope[i][COORDINATES + i] = 1.0;
+        for (int k = 0; k < STATES; k++) {
+            row[k] = states[k] * own / unit[k];
+        }
+        for (int k = 0; k < PARAMETERS; k++) {
+            row[STATES + k] = parameters[k] * own * QUANTITIES[k].factor / scale(&it->now, QUANTITIES[k].powers);
+        }
+        for (int u = 0; u < UNITS; u++) {
+            const double *const times = POWERS[COORDINATES];
+            double change = (POWERS[i][u] - 2.0 * times[u]) * at.rate[COORDINATES + i];
+            for (int k = 0; k < PARAMETERS; k++) {
+                change -= QUANTITIES[k].powers[u] * motion.p[k] * parameters[k];
+            }
+            for (int k = 0; k < COORDINATES; k++) {
+                change -= POWERS[k][u] * at.state[k] * states[k];
+                change -= (POWERS[k][u] - times[u]) * at.state[COORDINATES + k] * states[COORDINATES + k];
+            }
+            row[STATES + PARAMETERS + u] = own * change / it->now.given[PARAMETERS + u];
+        }
+    }
+    return 0;
+}
+
+/* Products with the matrix of partial derivatives, from the right, or transposed from the left. */
+static fmi3Status multiplied(Instance *it, const fmi3ValueReference *unknowns, size_t unknown_count,
+    const fmi3ValueReference *knowns, size_t known_count, const double *seed, size_t seeds, double *result, size_t results,
+    bool transposed) {
+    double slope[STATES][STATES + GIVEN + 1];
+    EXPECT(seeds == (transposed ? unknown_count : known_count) && results == (transposed ? known_count : unknown_count),
+        "seed and sensitivity have %u and %u numbers, and are not as many as the variables", (unsigned)seeds, (unsigned)results)
+    EXPECT((!unknown_count || unknowns) && (!known_count || knowns) && (!seeds || seed) && (!results || result),
+        "an argument is a null pointer")
+    if (derivatives(it, slope)) {
+        return discarded(it, "%s", NOWHERE);
+    }
+    for (size_t i = 0; i < results; i++) {
+        result[i] = 0.0;
+    }
+    for (size_t i = 0; i < unknown_count; i++) {
+        const fmi3ValueReference row = unknowns[i];
+        EXPECT(row >= STATE && row < INDICATOR, "the variable %u is no output and no derivative", (unsigned)row)
+        for (size_t k = 0; k < known_count; k++) {
+            const fmi3ValueReference column = knowns[k];
+            const bool quantity = column >= QUANTITY && column < FLAG;
+            const size_t place = quantity ? STATES + (column - QUANTITY) : column - STATE;
+            double value;
+            EXPECT(quantity || (column >= STATE && column < DERIVATIVE), "the variable %u is no state and no parameter",
+                (unsigned)column)
+            value = row < DERIVATIVE ? (row == column) : slope[row - DERIVATIVE][place];
+            result[transposed ? k : i] += value * seed[transposed ? i : k];
+        }
+    }
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetDirectionalDerivative)
+(void *instance, const fmi3ValueReference *unknowns, size_t unknown_count, const fmi3ValueReference *knowns, size_t known_count,
+    const double *seed, size_t seeds, double *result, size_t results) {
+    ENTER(INITIALIZING | RUNNING | TERMINATED)
+    return multiplied(it, unknowns, unknown_count, knowns, known_count, seed, seeds, result, results, false);
+}
+
+FMI(fmi3Status, GetAdjointDerivative)
+(void *instance, const fmi3ValueReference *unknowns, size_t unknown_count, const fmi3ValueReference *knowns, size_t known_count,
+    const double *seed, size_t seeds, double *result, size_t results) {
+    ENTER(INITIALIZING | RUNNING | TERMINATED)
+    return multiplied(it, unknowns, unknown_count, knowns, known_count, seed, seeds, result, results, true);
+}
+
+/* --------------------------------------------------------------------------------------------------------- events */
+
+/* Enters the mode beyond every border that the state has reached. Not 0: the motion has no rates. */
+static int enter(Instance *it) {
+    Motion motion;
+    Point at;
+    double unit_of_rate[STATES], mode[MODES];
+    memcpy(mode, it->now.mode, sizeof mode);
+    if (here(it, &motion, &at, unit_of_rate) || settle(&motion, &at)) {
+        return 1;
+    }
+    memcpy(it->now.mode, motion.mode, sizeof mode);
+    if (LIFTS && mode[0] != motion.mode[0]) {
+        told(it, "at %.12g contact is %s", it->now.time, motion.mode[0] > 0.0 ? "regained" : "lost");
+    }
+    if (SLIDES && mode[1] != motion.mode[1]) {
+        told(it, "at %.12g the %s overtakes", it->now.time, motion.mode[1] > 0.0 ? "belt" : "mass");
+    }
+    return 0;
+}
+
+FMI(fmi3Status, EvaluateDiscreteStates)(void *instance) {
+    ENTER(INITIALIZING | EVENT)
+    return fmi3OK;
+}
+
+FMI(fmi3Status, UpdateDiscreteStates)
+(void *instance, bool *again, bool *terminate, bool *nominals, bool *values, bool *next_defined, double *next) {
+    ENTER(EVENT)
+    if (enter(it)) {
+        return discarded(it, "%s", NOWHERE);
+    }
+    bool *const flags[] = {again, terminate, nominals, values, next_defined};
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++) {
+        if (flags[i]) {
+            *flags[i] = false;
+        }
+    }
+    return fmi3OK;
+}
+
+/* ------------------------------------------------------------------------------------------------- Model Exchange */
+
+#define EXCHANGE(phases) \
+    ENTER(phases)        \
+    EXPECT(it->exchange, "%s is of Model Exchange", __func__)
+
+FMI(fmi3Status, CompletedIntegratorStep)(void *instance, bool no_return, bool *event_mode, bool *terminate) {
+    EXCHANGE(CONTINUOUS)
+    EXPECT(event_mode && terminate, "an argument is a null pointer")
+    *event_mode = *terminate = false;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, SetTime)(void *instance, double time) {
+    EXCHANGE(EVENT | CONTINUOUS)
+    EXPECT(isfinite(time), "the time is %g; give a finite one", time)
+    it->now.time = time;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, SetContinuousStates)(void *instance, const double *states, size_t count) {
+    EXCHANGE(CONTINUOUS)
+    EXPECT(states && count == STATES, "%u states are set of %u", (unsigned)count, (unsigned)STATES)
+    for (int i = 0; i < STATES; i++) {
+        if (!isfinite(states[i])) {
+            return discarded(it, "state %d is %g, no finite number", i + 1, states[i]);
+        }
+    }
+    memcpy(it->now.state, states, sizeof it->now.state);
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetContinuousStates)(void *instance, double *states, size_t count) {
+    EXCHANGE(INITIALIZING | EVENT | CONTINUOUS | TERMINATED)
+    EXPECT(states && count == STATES, "%u states are asked for of %u", (unsigned)count, (unsigned)STATES)
+    memcpy(states, it->now.state, sizeof it->now.state);
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetNominalsOfContinuousStates)(void *instance, double *nominals, size_t count) {
+    double unit_of_rate[STATES];
+    EXCHANGE(INITIALIZING | EVENT | CONTINUOUS | TERMINATED)
+    EXPECT(nominals && count == STATES, "%u nominal values are asked for of %u", (unsigned)count, (unsigned)STATES)
+    scales(&it->now, nominals, unit_of_rate);
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetContinuousStateDerivatives)(void *instance, double *values, size_t count) {
+    Motion motion;
+    Point at;
+    double unit_of_rate[STATES];
+    EXCHANGE(INITIALIZING | EVENT | CONTINUOUS | TERMINATED)
+    EXPECT(values && count == STATES, "%u derivatives are asked for of %u", (unsigned)count, (unsigned)STATES)
+    if (here(it, &motion, &at, unit_of_rate)) {
+        return discarded(it, "%s", NOWHERE);
+    }
+    for (int i = 0; i < STATES; i++) {
+        values[i] = at.rate[i] * unit_of_rate[i];
+    }
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetEventIndicators)(void *instance, double *values, size_t count) {
+    Motion motion;
+    Point at;
+    double unit_of_rate[STATES];
+    EXCHANGE(INITIALIZING | EVENT | CONTINUOUS | TERMINATED)
+    EXPECT((values || !count) && count == INDICATORS, "%u event indicators are asked for of %u", (unsigned)count,
+        (unsigned)INDICATORS)
+    if (here(it, &motion, &at, unit_of_rate)) {
+        return discarded(it, "%s", NOWHERE);
+    }
+    memcpy(values, at.clearance, INDICATORS * sizeof *values);
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetNumberOfContinuousStates)(void *instance, size_t *count) {
+    EXCHANGE(ANY)
+    EXPECT(count, "there is no place for the number")
+    *count = STATES;
+    return fmi3OK;
+}
+
+FMI(fmi3Status, GetNumberOfEventIndicators)(void *instance, size_t *count) {
+    EXCHANGE(ANY)
+    EXPECT(count, "there is no place for the number")
+    *count = INDICATORS;
+    return fmi3OK;
+}
+
+/* -------------------------------------------------------------------------------------------------- Co-Simulation */
+
+FMI(fmi3Status, DoStep)
+(void *instance, double from, double duration, bool no_return, bool *event, bool *terminate, bool *early, double *reached) {
+    ENTER(STEPPING)
+    EXPECT(event && terminate && early && reached, "an argument is a null pointer")
+    EXPECT(duration > 0.0 && isfinite(duration), "the step is %g; give a positive one", duration)
+    EXPECT(fabs(from - it->now.time) <= 1e-9 * duration + 1e-12 * fabs(from), "the step begins at %.12g, and the instance is at %.12g",
+        from, it->now.time)
+    EXPECT(!it->now.stops || from + duration <= it->now.stop + 1e-9 * duration + 1e-12 * fabs(from),
+        "the step ends at %.12g, beyond the stop time %.12g", from + duration, it->now.stop)
+    State *const now = &it->now;
+    const State before = *now;
+    double unit[STATES], unit_of_rate[STATES], state[STATES], done = 0.0;
+    const double second = scales(now, unit, unit_of_rate), whole = duration / second;
+    *event = *terminate = *early = false;
+    while (done < whole) {
+        Motion motion;
+        double elapsed = 0.0;
+        int border = STUCK;
+        if (!enter(it)) {
+            motion = motion_of(it);
+            for (int i = 0; i < STATES; i++) {
+                state[i] = now->state[i] / unit[i];
+            }
+            border = carry(&motion, state, whole - done, &now->length, &elapsed);
+        }
+        if (border == STUCK) {
+            const double stuck = now->time;
+            *now = before;
+            return discarded(it, "the motion can't be carried beyond %.12g: steps are too short or too many, or it has no rates", stuck);
+        }
+        done = (border == DONE) ? whole : done + elapsed;
+        memcpy(now->mode, motion.mode, sizeof motion.mode);
+        for (int i = 0; i < STATES; i++) {
+            now->state[i] = state[i] * unit[i];
+        }
+        now->time = (border == DONE) ? from + duration : from + done * second;
+        if (border != DONE && it->early) {
+            *event = true;
+            *early = now->time < from + duration;
+            break;
+        }
+    }
+    *reached = now->time;
+    return fmi3OK;
+}

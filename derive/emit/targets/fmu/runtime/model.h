@@ -1,0 +1,38 @@
+/*
+ * @header@
+ *
+ * What the motion and the functions of FMI know of the model.
+ */
+#include "@library@.h"
+
+#include <math.h>
+
+#define TOKEN "@token@"
+#define COORDINATES @coordinates@
+#define PARAMETERS @parameters@
+#define UNITS @units@         /* of measure: quantities that are 1 inside */
+#define LIFTS @lifts@         /* whether the contact opens */
+#define SLIDES @slides@        /* whether there is friction */
+#define LAYERS @layers@        /* exponentials of the friction law */
+#define TURNINGS @turnings@      /* torsion springs whose turning is counted */
+#define ROOTED @rooted@        /* whether the contact law has no values beyond its border */
+
+/* Parameters, then units of measure, as they are given; inside, a number is divided by powers of the units of measure. */
+struct quantity {
+    const char *name;
+    double start, low, high;
+    int low_open, high_open;
+    double factor; /* one of its unit in SI */
+    double powers[3];
+};
+
+static const struct quantity QUANTITIES[] = {
+    @quantities@,
+};
+
+/* The powers of coordinates, and of time. */
+static const double POWERS[][3] = {@powers@};
+
+/* Functions of the library, given the state, accelerations, parameters and numbers of the mode. Not 0: they have no result there. */
+
+@adapters@

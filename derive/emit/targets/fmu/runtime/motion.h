@@ -1,0 +1,331 @@
+/*
+ * The motion between events: modes in which the field is smooth, the borders at which they end, and steps that end there.
+ *
+ * All numbers are dimensionless. A mode is: whether the contact is closed (1, 0), the sign of the sliding speed (1, -1), for each
+ * exponential of the friction law whether it is felt (1, 0), for each torsion spring the way on which its turning is counted (1, -1).
+ * Each has a border, whose clearance is positive within the mode. A mode is left GAP beyond its border: two crossings are never
+ * closer than 2 GAP, so that rounding makes no chatter.
+ */
+#include <math.h>
+#include <string.h>
+
+enum {
+    STATES = 2 * COORDINATES,
+    EVENTS = LIFTS + SLIDES,         /* borders whose crossings are events */
+    INDICATORS = EVENTS + TURNINGS,  /* borders that an importer watches; exponentials are always felt there */
+    BORDERS = INDICATORS + LAYERS,
+    MODES = 2 + LAYERS + TURNINGS,
+    STAGES = 7,
+    DONE = -1,
+    STUCK = -2
+};
+
+#define GAP 1e-12
+/* A contact law with a root has no values beyond its border: its mode is left before it. */
+#define SHIFT (ROOTED ? 2.0 * GAP : 0.0)
+/* Minus the exponent beyond which an exponential is left out, and how much sooner it is taken in again. */
+#define REACH 36.0
+#define WIDTH 5.0
+#define MOST_STEPS 10000000L
+#define LEAST_STEP 1e-15
+
+typedef struct {
+    double p[PARAMETERS + 1];
+    double mode[MODES];
+    int borders; /* how many are watched: all, or those of an importer */
+    double tolerance;
+} Motion;
+
+typedef struct {
+    double state[STATES];
+    double rate[STATES];
+    double clearance[BORDERS + 1];
+    double change[BORDERS + 1]; /* of the clearances, in time */
+} Point;
+
+/* Rates of a state; where the mode has no continuation, as beyond a root, those of the field everywhere. Not 0: there are none. */
+static int rates(const Motion *it, const double *state, double *rate) {
+    for (int i = 0; i < COORDINATES; i++) {
+        rate[i] = state[COORDINATES + i];
+    }
+    return regime_rhs(state, it->p, it->mode, rate + COORDINATES) && rhs(state, it->p, rate + COORDINATES);
+}
+
+/* Clearances of a point whose rates are known. */
+static int look(const Motion *it, Point *at) {
+    const double *mode = it->mode, *acceleration = at->rate + COORDINATES;
+    double level[2], change[2];
+    int k = 0;
+    if (borders(at->state, it->p, level) || border_rates(at->state, acceleration, it->p, change)) {
+        return 1;
+    }
+    if (LIFTS) {
+        const double sign = 1.0 - 2.0 * mode[0];
+        at->clearance[k] = sign * (level[0] + SHIFT) + GAP;
+        at->change[k++] = sign * change[0];
+    }
+    if (SLIDES) {
+        at->clearance[k] = mode[1] * level[1] + GAP;
+        at->change[k++] = mode[1] * change[1];
+    }
+#if TURNINGS
+    if (turning_borders(at->state, it->p, mode, at->clearance + k) ||
+        turning_rates(at->state, acceleration, it->p, mode, at->change + k)) {
+        return 1;
+    }
+    for (int i = 0; i < TURNINGS; i++) {
+        at->clearance[k++] += GAP;
+    }
+#endif
+#if LAYERS
+    if (it->borders > k) {
+        double depth[LAYERS], deeper[LAYERS];
+        if (layers(at->state, it->p, mode, depth) || layer_rates(at->state, acceleration, it->p, mode, deeper)) {
+            return 1;
+        }
+        for (int i = 0; i < LAYERS; i++) {
+            const double near = mode[2 + i], sign = 1.0 - 2.0 * near;
+            at->clearance[k] = sign * (depth[i] - REACH - WIDTH * near);
+            at->change[k++] = sign * deeper[i];
+        }
+    }
+#endif
+    return 0;
+}
+
+/* The mode on the other side of a border. */
+static void cross(double *mode, int border) {
+    if (border < LIFTS) {
+        mode[0] = 1.0 - mode[0];
+    } else if (border < EVENTS) {
+        mode[1] = -mode[1];
+    } else if (border < INDICATORS) {
+        mode[2 + LAYERS + border - EVENTS] *= -1.0;
+    } else {
+        mode[2 + border - INDICATORS] = 1.0 - mode[2 + border - INDICATORS];
+    }
+}
+
+/* The mode of a state, which on a border may be on either side. */
+static int begin(Motion *it, const double *state) {
+    double level[2];
+    if (borders(state, it->p, level)) {
+        return 1;
+    }
+    for (int i = 0; i < MODES; i++) {
+        it->mode[i] = 1.0;
+    }
+    it->mode[0] = (!LIFTS || level[0] <= -SHIFT) ? 1.0 : 0.0;
+    it->mode[1] = (!SLIDES || level[1] >= 0.0) ? 1.0 : -1.0;
+#if TURNINGS
+    double forward[TURNINGS], backward[TURNINGS], ways[MODES];
+    for (int i = 0; i < MODES; i++) {
+        ways[i] = -1.0;
+    }
+    if (turning_borders(state, it->p, it->mode, forward) || turning_borders(state, it->p, ways, backward)) {
+        return 1;
+    }
+    for (int i = 0; i < TURNINGS; i++) {
+        it->mode[2 + LAYERS + i] = (forward[i] >= backward[i]) ? 1.0 : -1.0;
+    }
+#endif
+#if LAYERS
+    if (it->borders > INDICATORS) {
+        double depth[LAYERS];
+        if (layers(state, it->p, it->mode, depth)) {
+            return 1;
+        }
+        for (int i = 0; i < LAYERS; i++) {
+            it->mode[2 + i] = (depth[i] <= REACH) ? 1.0 : 0.0;
+        }
+    }
+#endif
+    return 0;
+}
+
+/* Leaves every mode whose border the point has reached, but for rounding, and gives the point its rates and clearances. */
+static int settle(Motion *it, Point *at) {
+    for (int round = 0; round <= 2 * BORDERS; round++) {
+        int left = 0;
+        if (rates(it, at->state, at->rate) || look(it, at)) {
+            return 1;
+        }
+        for (int k = 0; k < it->borders; k++) {
+            if (at->clearance[k] <= 0.1 * GAP) {
+                cross(it->mode, k);
+                left = 1;
+            }
+        }
+        if (!left) {
+            return 0;
+        }
+    }
+    return 0;
+}
+
+/* One step by the method of Dormand and Prince, of fifth order, and its error in tolerances by the embedded one of fourth. */
+static int step(const Motion *it, const Point *from, double h, Point *to, double *error) {
+    static const double share[STAGES][STAGES - 1] = {
+        {0.0},
+        {1.0 / 5},
+        {3.0 / 40, 9.0 / 40},
+        {44.0 / 45, -56.0 / 15, 32.0 / 9},
+        {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+        {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+        {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
+    };
+    static const double off[STAGES] = {
+        71.0 / 57600, 0.0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40,
+    };
+    double slope[STAGES][STATES], sum = 0.0;
+    memcpy(slope[0], from->rate, sizeof slope[0]);
+    for (int stage = 1; stage < STAGES; stage++) {
+        for (int i = 0; i < STATES; i++) {
+            double moved = 0.0;
+            for (int j = 0; j < stage; j++) {
+                moved += share[stage][j] * slope[j][i];
+            }
+            to->state[i] = from->state[i] + h * moved;
+        }
+        if (rates(it, to->state, slope[stage])) {
+            return 1;
+        }
+    }
+    memcpy(to->rate, slope[STAGES - 1], sizeof to->rate);
+    for (int i = 0; i < STATES; i++) {
+        double wrong = 0.0;
+        for (int j = 0; j < STAGES; j++) {
+            wrong += off[j] * slope[j][i];
+        }
+        wrong *= h / (it->tolerance * (1e-3 + fmax(fabs(from->state[i]), fabs(to->state[i]))));
+        sum += wrong * wrong;
+    }
+    *error = sqrt(sum / STATES);
+    return !isfinite(*error) || look(it, to);
+}
+
+/* The least clearance of the borders that are watched. */
+static double nearest(const Motion *it, const Point *at, int *border) {
+    int found = 0;
+    for (int k = 1; k < it->borders; k++) {
+        if (at->clearance[k] < at->clearance[found]) {
+            found = k;
+        }
+    }
+    *border = found;
+    return it->borders ? at->clearance[found] : 1.0;
+}
+
+/* Shortens a step that ends beyond a border to where it first meets one: by steps of its own, which are as accurate as any. */
+static int shorten(const Motion *it, const Point *from, double *h, Point *to) {
+    int border, side = 0;
+    double near = 0.0, far = *h, inside = nearest(it, from, &border), beyond = nearest(it, to, &border);
+    for (int i = 0; i < 100 && nearest(it, to, &border) < -1e-3 * GAP; i++) {
+        const double middle = near + 0.5 * (far - near), secant = near + (far - near) * inside / (inside - beyond);
+        const double trial = (i % 4 == 3 || !(secant > near && secant < far)) ? middle : secant;
+        Point at;
+        double error, clear;
+        if (trial <= near || trial >= far) {
+            break;
+        }
+        if (step(it, from, trial, &at, &error)) {
+            return 1;
+        }
+        clear = nearest(it, &at, &border);
+        if (clear > 0.0) {
+            near = trial;
+            inside = clear;
+            beyond *= (side > 0) ? 0.5 : 1.0;
+            side = 1;
+        } else {
+            far = trial;
+            beyond = clear;
+            inside *= (side < 0) ? 0.5 : 1.0;
+            side = -1;
+            *to = at;
+        }
+    }
+    *h = far;
+    return 0;
+}
+
+/* Whether a step dips below a border between its ends, by the extremum of the clearance; then it is shortened to there. */
+static int dips(const Motion *it, const Point *from, double *h, Point *to) {
+    for (int k = 0; k < it->borders; k++) {
+        double near = 0.0, far = *h, falling = from->change[k], rising = to->change[k];
+        const double depth = 0.5 * falling * falling / (rising - falling) * *h;
+        if (!(falling < 0.0 && rising > 0.0 && from->clearance[k] < 2.0 * depth)) {
+            continue;
+        }
+        for (int i = 0; i < 8; i++) {
+            const double lowest = near + (far - near) * falling / (falling - rising);
+            Point at;
+            double error;
+            if (!(lowest > near && lowest < far) || step(it, from, lowest, &at, &error)) {
+                break;
+            }
+            if (at.clearance[k] <= 0.0) {
+                *h = lowest;
+                *to = at;
+                return 1;
+            }
+            if (at.change[k] < 0.0) {
+                near = lowest;
+                falling = at.change[k];
+            } else {
+                far = lowest;
+                rising = at.change[k];
+            }
+        }
+    }
+    return 0;
+}
+
+/* Carries a state on for a while, or to the first event: DONE, the border that it has reached, or STUCK. */
+static int carry(Motion *it, double *state, double duration, double *length, double *elapsed) {
+    Point from, to;
+    double error, t = 0.0;
+    int border = DONE;
+    memcpy(from.state, state, sizeof from.state);
+    if (settle(it, &from)) {
+        return STUCK;
+    }
+    for (long steps = 0; t < duration; steps++) {
+        double h = *length, next;
+        const int last = t + h >= duration;
+        if (last) {
+            h = duration - t;
+        }
+        if (steps >= MOST_STEPS) {
+            return STUCK;
+        }
+        const double whole = h;
+        const int failed = step(it, &from, h, &to, &error);
+        if (failed || error > 1.0) {
+            *length = h * (failed ? 0.25 : fmax(0.2, 0.9 * pow(error, -0.2)));
+            if (*length < LEAST_STEP) {
+                return STUCK;
+            }
+            continue;
+        }
+        next = h * fmin(5.0, 0.9 * pow(fmax(error, 1e-10), -0.2));
+        *length = last ? fmax(*length, next) : next;
+        if ((nearest(it, &to, &border) <= 0.0 || dips(it, &from, &h, &to)) && shorten(it, &from, &h, &to)) {
+            *length = 0.25 * whole;
+            continue;
+        }
+        t = (last && h == whole) ? duration : t + h;
+        from = to;
+        if (nearest(it, &from, &border) > 0.0) {
+            border = DONE;
+        } else if (border < EVENTS) {
+            break;
+        } else if (settle(it, &from)) {
+            return STUCK;
+        }
+        border = DONE;
+    }
+    memcpy(state, from.state, sizeof from.state);
+    *elapsed = t;
+    return border;
+}

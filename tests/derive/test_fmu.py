@@ -1,0 +1,126 @@
+"""The FMU target: FMPy has nothing to say and simulates as Python does, in units too; bad calls get their status."""
+
+from __future__ import annotations
+
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("sympy")
+pytest.importorskip("fmpy", reason="FMPy is not installed: pip install fmpy")
+
+import fmpy
+from fmpy.validation import validate_fmu
+
+import spragsym as ss
+from spragsym.cli import main
+from spragsym.models.load import shipped
+from tests.shown import DOCS, programs, run
+from tests.support import ROOT, few
+
+CC = shutil.which("cc") or ""
+pytestmark = pytest.mark.skipif(not CC, reason="there is no C compiler on this machine")
+BRAKE = ROOT / "spragsym" / "report" / "brake.toml"
+
+
+def exported(folder: Path, *options: str) -> str:
+    """What the command writes, with nothing for FMPy to find wrong."""
+    out = folder / "brake.fmu"
+    with pytest.raises(SystemExit, match="0"):
+        main(["export", "--language", "fmu", *options, "--out", str(out)])
+    assert validate_fmu(str(out)) == []
+    return str(out)
+
+
+def instance(file: str, kind: str, values: dict[str, float], **options: Any) -> tuple[Any, dict[str, int]]:
+    """An instance of an FMU that has begun, and value references by name."""
+    description, folder = fmpy.read_model_description(file), fmpy.extract(file)
+    references = {one.name: one.valueReference for one in description.modelVariables}
+    fmu = fmpy.simulation.instantiate_fmu(folder, description, kind, **options)
+    fmu.enterInitializationMode(tolerance=1e-12, startTime=0.0)
+    fmu.setFloat64([references[name] for name in values], list(values.values()))
+    fmu.exitInitializationMode()
+    return fmu, references
+
+
+def stepped(file: str, values: dict[str, float], names: list[str], t_end: float) -> tuple[list[float], list[float]]:
+    """The state at the end, by steps of Co-Simulation, and times of events, each of which turns one of the flags."""
+    fmu, references = instance(file, "CoSimulation", values, early_return_allowed=True, event_mode_used=True)
+    flags = [place for name, place in references.items() if name.startswith("mode.")]
+    t, events = 0.0, []
+    fmu.enterStepMode()
+    while t < t_end:
+        needed, _, _, t = fmu.doStep(t, min(1.0, t_end - t))
+        if needed:
+            before = fmu.getBoolean(flags)
+            fmu.enterEventMode()
+            fmu.updateDiscreteStates()
+            events += [t] * (fmu.getBoolean(flags) != before)
+            fmu.enterStepMode()
+    return fmu.getFloat64([references[name] for name in names]), events
+
+
+@pytest.mark.parametrize("name", few(shipped(), "sprag_rod"))
+def test_an_fmu_moves_as_python_does(name: str, tmp_path: Path) -> None:
+    """Lift-off, reversals of the slip and a torsion spring that is counted on among them; Model Exchange as FMPy's solver can."""
+    model, file = ss.load(name), exported(tmp_path, "--model", name)
+    values = {one: 0.9 for one in model.parameters if one not in model.base}
+    start = dict.fromkeys((*model.coordinates, *model.rates), 0.05)
+    tr = ss.simulate(model.Parameters(**values), start=list(start.values()), t_end=100.0, rtol=1e-13)
+    state, events = stepped(file, values | start, [*start], 100.0)
+    np.testing.assert_allclose(state, tr.state[:, -1], rtol=1e-7, atol=1e-7)
+    assert tr.events is not None
+    np.testing.assert_allclose(events, tr.events.t[tr.events.t > 0], rtol=0, atol=1e-8)
+    options = {"fmi_type": "ModelExchange", "stop_time": 100.0, "output_interval": 0.1, "relative_tolerance": 1e-12}
+    found = fmpy.simulate_fmu(file, start_values=values | start, **options)
+    np.testing.assert_allclose([found[one][-1] for one in start], tr.state[:, -1], atol=1e-5)
+
+
+@pytest.fixture(scope="module")
+def brake(tmp_path_factory: pytest.TempPathFactory) -> str:
+    return exported(tmp_path_factory.mktemp("brake"), "--data", str(BRAKE))
+
+
+def test_a_brake_has_its_units(brake: str, tmp_path: Path) -> None:
+    study = ss.Study.from_file(BRAKE)
+    given = {one.name: (float(one.start), one.unit) for one in fmpy.read_model_description(brake).modelVariables if one.start}
+    assert (given["k"], given["theta0"], given["m"]) == ((180.0, "N/mm"), (52.0, "deg"), (0.35, "kg"))
+    state, _ = stepped(brake, {}, ["x", "vx"], 100.0 * study.scales.time)
+    tr = ss.simulate(study.dimensionless, t_end=100.0, rtol=1e-13)
+    units = study.scales.length / np.array([1.0, study.scales.time])
+    np.testing.assert_allclose(state, units * [tr.x[-1], tr.vx[-1]], rtol=1e-7)
+    assert Path(exported(tmp_path, "--data", str(BRAKE))).read_bytes() == Path(brake).read_bytes()
+    ((program, shown),) = (one for one in programs(DOCS / "howto_languages.md", "python") if "fmpy" in one[0])
+    assert run(f"python -c {shlex.quote(program)}", tmp_path) == shown
+
+
+def test_derivatives_are_those_of_differences(brake: str) -> None:
+    """By states, by parameters in their units, and by the units of measure, on which all else depends."""
+    place = {"x": 2e-3, "y": -1e-4, "vx": 0.3, "vy": -0.1}
+    fmu, references = instance(brake, "ModelExchange", place)
+    rows = [references[name] for name in ("der(x)", "der(vx)", "der(vy)")]
+    for name in (*place, "theta0", "mu0", "F_L", "k_x", "k", "V", "d", "m", "k_c", "L_0"):
+        (here,) = fmu.getFloat64([references[name]])
+        ends = []
+        for moved in (here * (1 + 1e-6), here * (1 - 1e-6), here):
+            fmu.setFloat64([references[name]], [moved])
+            ends.append(np.array(fmu.getFloat64(rows)))
+        ours = np.array(fmu.getDirectionalDerivative(rows, [references[name]], [1.0]))
+        np.testing.assert_allclose(ours, (ends[0] - ends[1]) / (2e-6 * here), rtol=1e-6, atol=1e-6 * np.abs(ours).max())
+
+
+def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) -> None:
+    """Under sanitizers; see fmu_driver.c."""
+    description, sources = fmpy.read_model_description(brake), Path(fmpy.extract(brake)) / "sources"
+    command = [CC, "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-Wall", "-Wextra", "-Werror"]
+    files = [sources / "fmu.c", sources / "kang_nam.c", Path(__file__).with_name("fmu_driver.c")]
+    subprocess.run([*command, *files, "-lm", "-o", tmp_path / "driver"], check=True)
+    references = {one.name: str(one.valueReference) for one in description.modelVariables}
+    given = [description.guid, *map(references.__getitem__, ("x", "der(vx)", "k")), str(len(references))]
+    done = subprocess.run([tmp_path / "driver", *given], capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

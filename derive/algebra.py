@@ -86,13 +86,17 @@ def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: 
     return sp.Add(*(value * base ** (power // order) * root ** (power % order) for (power,), value in terms))
 
 
-def manifestly_positive(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], strict_symbols: tuple[sp.Symbol, ...]) -> bool:
-    """Whether a polynomial is positive for all ``symbols`` ≥ 0 of which the ``strict_symbols`` are > 0.
+def manifestly_positive(polynomial: sp.Expr) -> bool:
+    """Whether a polynomial in symbols that are assumed to be positive, or not negative, is positive.
 
-    No coefficient is negative, and one term holds none but strict symbols. Sufficient, not necessary.
+    No coefficient is negative, and one term holds none but positive symbols. Sufficient, not necessary.
     """
+    symbols = sorted(polynomial.free_symbols, key=str)
     terms = sp.Poly(sp.expand(polynomial), *symbols).terms()
-    strict = [symbol in strict_symbols for symbol in symbols]
-    return all(value.is_number and value > 0 for _, value in terms) and any(
-        all(allowed or power == 0 for allowed, power in zip(strict, powers, strict=True)) for powers, _ in terms
+    return (
+        all(symbol.is_nonnegative for symbol in symbols)
+        and all(value.is_number and value > 0 for _, value in terms)
+        and any(
+            all(symbol.is_positive or power == 0 for symbol, power in zip(symbols, powers, strict=True)) for powers, _ in terms
+        )
     )

@@ -14,10 +14,12 @@ def equations(model: Mechanics) -> list[str]:
     names = _names(model)
     motion = Motion(model)
     accelerations = sp.Matrix(model.coordinates).applyfunc(lambda symbol: sp.Symbol(rf"\ddot{{{names[symbol]}}}"))
+    directions = (*(line.c for line in model.lines), *(line.s for line in model.lines))
     lines = []
     for row, inertia in enumerate(model.mass * accelerations):
         force = sp.expand(-motion.pull[row])
-        lines.append(f"{_latex(inertia, names)} {_signed(_latex(_collected(model, force), names))} = 0")
+        text = _latex(sp.collect(force, (*model.coordinates, *model.rates, *directions)), names)
+        lines.append(f"{_latex(inertia, names)} {text if text.startswith('-') else f'+ {text}'} = 0")
     for line in model.lines:
         for cosine, vector in ((line.c, line.dx), (line.s, line.dy)):
             lines.append(f"{names[line.l]} {names[cosine]} = {_latex(vector, names)}")
@@ -33,12 +35,6 @@ def equations(model: Mechanics) -> list[str]:
     if not model.in_coordinates and model.gap is not None:
         lines.append(rf"\delta = {_latex(-model.gap, names)}")
     return lines
-
-
-def _collected(model: Mechanics, force: sp.Expr) -> sp.Expr:
-    return sp.collect(
-        force, (*model.coordinates, *model.rates, *(line.c for line in model.lines), *(line.s for line in model.lines))
-    )
 
 
 def _names(model: Mechanics) -> dict[sp.Symbol, str]:
@@ -58,7 +54,3 @@ def _names(model: Mechanics) -> dict[sp.Symbol, str]:
 
 def _latex(expression: sp.Expr, names: dict[sp.Symbol, str]) -> str:
     return str(sp.latex(expression, symbol_names=names))
-
-
-def _signed(text: str) -> str:
-    return text if text.startswith("-") else f"+ {text}"

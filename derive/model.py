@@ -220,11 +220,11 @@ class Page:
             isinstance(base, bool) or not isinstance(base, int | float | sp.Expr) or not sp.sympify(base).is_number
         ):
             raise _refused(f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
-        number = None if base is None else float(base)
-        if number is not None and not _within(domain, number):
+        number, allowed = None if base is None else float(base), interval(domain)
+        if number is not None and not allowed.holds(number):
             turn = "; angles are in radians: 45 degrees are pi/4" if unit == "rad" else ""
             raise _refused(f"the base value {base} of {name} is not in its domain {domain}{turn}")
-        if unit == "rad" and _beyond_a_turn(domain):
+        if unit == "rad" and 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf:  # as one in degrees is
             raise _refused(f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)")
         for other in self.parameters:
             if other.becomes == (becomes or name):
@@ -422,16 +422,3 @@ def _assumptions(domain: str) -> dict[str, bool]:
     if allowed.low > 0 or (allowed.low == 0 and allowed.low_open):
         return {"positive": True}
     return {"nonnegative": True} if allowed.low == 0 else {"real": True}
-
-
-def _beyond_a_turn(domain: str) -> bool:
-    """Whether a bounded domain of an angle is wider than 2 π, as one in degrees is."""
-    allowed = interval(domain)
-    return 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf
-
-
-def _within(domain: str, value: float) -> bool:
-    allowed = interval(domain)
-    above = value > allowed.low or (value == allowed.low and not allowed.low_open)
-    below = value < allowed.high or (value == allowed.high and not allowed.high_open)
-    return math.isfinite(value) and above and below

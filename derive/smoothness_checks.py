@@ -9,14 +9,13 @@ from __future__ import annotations
 import sympy as sp
 
 from . import laws
+from .emit.python.algebra import KNOWN
 from .mechanics import DEPTH, Mechanics
 from .model import FUNCTIONS, WRITTEN, PageError, expression_of
 from .statement_checks import statements
 
 #: Functions with a kink or a step, of which a sum of smooth forces has none.
 _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
-#: What stands between functions.
-_ALGEBRA = (sp.Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 #: Largest denominator of an exponent.
 LARGEST_ROOT = 1000
 
@@ -64,7 +63,7 @@ def _check_known(value: sp.Expr, what: str, line: int) -> None:
                 f"{what} holds {node}: an exponent is a fraction of two integers, as in {node.base}**Rational(4, 3), and no other; "
                 "what varies in it is said by exp and log",
             )
-        if not isinstance(node, (*_ALGEBRA, *WRITTEN)):
+        if not isinstance(node, (*KNOWN, *WRITTEN)):
             raise PageError(
                 line,
                 f"{what} holds {node}, which generated code does not know; it knows {', '.join(FUNCTIONS)}, sqrt and powers: write what "

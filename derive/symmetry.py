@@ -54,12 +54,10 @@ class Mirror:
 
 def mirror(model: Mechanics) -> Mirror:
     """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is none."""
-    found = [one for turned in _subsets(model.coordinates) for one in _about(model, turned)]
+    sizes = range(1, len(model.coordinates) + 1)
+    subsets = itertools.chain.from_iterable(itertools.combinations(model.coordinates, size) for size in sizes)
+    found = [one for turned in subsets for one in _about(model, turned)]
     return min(found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Mirror({}, ()))
-
-
-def _subsets(symbols: tuple[sp.Symbol, ...]) -> Iterator[tuple[sp.Symbol, ...]]:
-    return itertools.chain.from_iterable(itertools.combinations(symbols, size) for size in range(1, len(symbols) + 1))
 
 
 def _about(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> Iterator[Mirror]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .language import KernelError, Kinds, Routine, Source
 
@@ -23,10 +23,11 @@ class Syntax:
     primitives: Mapping[str, str]  #: names of the functions that stand for the language's primitives but ``where``
     logic: Mapping[type[ast.operator] | type[ast.unaryop], str]  #: the signs for ``&``, ``|`` and ``~``
     algebra: Callable[[str], str]  #: how a generated function is called
-    routine: Callable[[str], str]  #: how a function of the kernel is called
-    arithmetic: Mapping[str, str]  #: signs for + − * / that differ, as ``.*`` for arrays
-    comparisons: Mapping[str, str]  #: signs for comparisons that differ
-    ternary: bool  #: whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names
+    routine: Callable[[str], str] = str  #: how a function of the kernel is called
+    signs: Mapping[str, str] = field(
+        default_factory=dict
+    )  #: for + − * / and comparisons, where they differ, as ``.*`` for arrays
+    ternary: bool = True  #: whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names
 
 
 @dataclass(frozen=True)
@@ -61,8 +62,7 @@ class Expressions:
                 return self._binary(left, op, right)
             case ast.Compare(left=left, ops=[op], comparators=[right]):
                 sign = _COMPARISONS[type(op)]
-                sign = self.syntax.comparisons.get(sign, sign)
-                return f"{self.print(left, SUM)} {sign} {self.print(right, SUM)}", _COMPARE
+                return f"{self.print(left, SUM)} {self.syntax.signs.get(sign, sign)} {self.print(right, SUM)}", _COMPARE
             case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if self.syntax.ternary:
                 return f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}", _CHOICE
             case ast.Call(func=ast.Name(id=name), args=[argument]) if hands_back(self.source.routines.get(name)):
@@ -85,8 +85,7 @@ class Expressions:
             sides = self.print(left, strength if chained else _ATOM), self.print(right, _ATOM)
             return f"{sides[0]} {self.syntax.logic[type(op)]} {sides[1]}", strength
         sign = _ARITHMETIC[type(op)]
-        sign = self.syntax.arithmetic.get(sign, sign)
-        return f"{self.print(left, strength)} {sign} {self.print(right, strength + 1)}", strength
+        return f"{self.print(left, strength)} {self.syntax.signs.get(sign, sign)} {self.print(right, strength + 1)}", strength
 
 
 def hands_back(routine: Routine | None) -> bool:

@@ -17,6 +17,12 @@ class Interval:
     low_open: bool = True
     high_open: bool = True
 
+    def holds(self, value: float) -> bool:
+        """Whether a finite number is allowed."""
+        above = value > self.low or (value == self.low and not self.low_open)
+        below = value < self.high or (value == self.high and not self.high_open)
+        return math.isfinite(value) and above and below
+
 
 @dataclass(frozen=True)
 class Quantity:

@@ -15,6 +15,9 @@ class Printer:
     """Prints one routine; a target says below how each kind of statement is written, in lines that end with a newline."""
 
     step: ClassVar[str] = "  "  #: how much further the statements of a loop are indented
+    begin: ClassVar[str]  #: of a loop, with ``{}`` for the number of passes
+    end: ClassVar[str] = "}"  #: of a loop
+    gives: ClassVar[str] = "return {};"  #: what is returned
 
     def __init__(self, it: Routine, source: Source, syntax: Syntax) -> None:
         self.it, self.source = it, source
@@ -44,24 +47,23 @@ class Printer:
                 return self.unpacking(target, value, indent)
             case ast.For(body=body):
                 inside = "".join(self._explained(statement, indent + self.step) for statement in body)
-                return self.loop(passes(node), inside, indent)
+                return f"{indent}{self.begin.format(passes(node))}\n{inside}{indent}{self.end}\n"
             case ast.Return(value=ast.Call(func=ast.Name(id=name), args=values)) if name in self.source.records:
                 return self.record(name, values, indent)
             case ast.Return(value=ast.Tuple(elts=values)):
                 return self.several(values, indent)
             case ast.Return(value=ast.expr() as value):
-                return self.value(value, indent)
+                return self.line(self.gives.format(self.expressions.print(value)), indent)
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
 
-    #: What a target writes for a comment, for an assignment, for results of generated algebra that are given names, for a loop with
-    #: its statements, and for what is returned: a record, several results, or one.
+    #: What a target writes for a statement that may be too long for a line, for a comment, for an assignment, for results of generated
+    #: algebra that are given names, and for what is returned: a record or several results.
+    line: Callable[[str, str], str]
     comment: Callable[[str, str], str]
     assignment: Callable[[str, ast.expr, str], str]
     unpacking: Callable[[ast.Tuple, ast.Call, str], str]
-    loop: Callable[[int, str, str], str]
     record: Callable[[str, list[ast.expr], str], str]
     several: Callable[[list[ast.expr], str], str]
-    value: Callable[[ast.expr, str], str]
 
 
 def assigned(node: ast.stmt) -> Iterator[str]:

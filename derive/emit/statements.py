@@ -81,12 +81,8 @@ def straight_line(function: Function) -> Body:
         _place(root, available, ordered)
     operations = sum(int(sp.count_ops(expression)) for expression in [*ordered.values(), *outputs])
     of_powers = {second.get(symbol, symbol) for symbol in definitions} | again.definitions.keys()
-    whole = {symbol for symbol in of_powers & ordered.keys() if ordered[symbol].is_Mul or _is_square(ordered[symbol])}
+    whole = {it for it in of_powers & ordered.keys() if ordered[it].is_Mul or (ordered[it].is_Pow and ordered[it].exp == 2)}
     return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), operations, frozenset(whole))
-
-
-def _is_square(expression: sp.Expr) -> bool:
-    return isinstance(expression, sp.Pow) and expression.exp == 2
 
 
 def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:

@@ -6,11 +6,8 @@ import hashlib
 import json
 import os
 import shutil
-import signal
 import tempfile
-import threading
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -100,8 +97,7 @@ def write(files: dict[str, str], target: Path, mark: str = "files.json") -> None
             path = fresh / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
-        with _undisturbed():
-            _exchange(sorted(files, key=lambda name: name == mark), sorted(before - files.keys()), fresh, target)
+        _exchange(sorted(files, key=lambda name: name == mark), sorted(before - files.keys()), fresh, target)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
         with suppress(OSError):
@@ -147,19 +143,3 @@ def _remove_left(target: Path) -> None:
         number = path.name.removeprefix(_LEFT).partition("-")[0]
         if number.isdigit() and os.name == "posix" and not Path(f"/proc/{number}").exists() and Path("/proc/self").exists():
             shutil.rmtree(path, ignore_errors=True)
-
-
-@contextmanager
-def _undisturbed() -> Iterator[None]:
-    """Hold Ctrl-C back while the folders change places, and raise it afterwards."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    pending: list[int] = []
-    previous = signal.signal(signal.SIGINT, lambda number, frame: pending.append(number))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, previous)
-    if pending:
-        raise KeyboardInterrupt

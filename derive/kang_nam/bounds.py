@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -49,7 +49,7 @@ class Counted:
         return self
 
     def __sub__(self, other: Any) -> Counted:
-        return _cancelling(self + other)
+        return replace(self + other, cancels=True)
 
     __rsub__ = __sub__
 
@@ -69,10 +69,6 @@ class Counted:
 
     def __rtruediv__(self, other: Any) -> Counted:
         return counted(other) / self
-
-
-def _cancelling(value: Counted) -> Counted:
-    return Counted(value.size, value.count, True)
 
 
 def counted(value: Any) -> Counted:
@@ -130,15 +126,11 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
 def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     """Every count that the kernel names, with ``known`` the generated functions by name."""
     kernel = _runnable(source)
-    symbols = {name: sp.Symbol(name) for name in ("t", "c", "s")}
     exact = {symbol: Counted(sp.Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
-    angle0 = (
-        Counted(sp.Symbol("cos0_size"), _IN_DIRECTION),
-        Counted(sp.Symbol("sin0_size"), _IN_DIRECTION),
-    )
+    angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), _IN_DIRECTION) for name in ("cos", "sin"))
     # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of cos θ and sin θ are relative.
-    at = kernel["direction"](Counted(symbols["t"]))
-    c, s = Counted(symbols["c"], at.cosine.count), Counted(symbols["s"], at.sine.count)
+    at = kernel["direction"](Counted(sp.Symbol("t")))
+    c, s = Counted(sp.Symbol("c"), at.cosine.count), Counted(sp.Symbol("s"), at.sine.count)
 
     # The common factor of a balance changes no root: only the product with it rounds.
     coefficients = follow(known["f_coefficients"], (*angle0, *exact.values()))

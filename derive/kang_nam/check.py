@@ -14,11 +14,13 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import mpmath
 import sympy as sp
 
 from . import article, unit_circles, elimination, equilibrium, explanations, mechanics, stability
 from . import nomenclature as nm
 from .article import Printed
+from .free_body import DIGITS, Point
 
 #: Statuses of a row that passes the check.
 SOUND = ("confirmed", "misprint", "approximation", "definition")
@@ -49,14 +51,9 @@ class Row:
     consequence: str = ""
     limit: str = ""
 
-    def as_dict(self) -> dict[str, str]:
-        """For JSON."""
-        return asdict(self)
-
     def recorded(self) -> dict[str, str]:
         """As the ledger has it: without what is empty, and without a derived form that is the printed one."""
-        entries = {name: text for name, text in self.as_dict().items() if text}
-        return entries if self.derived != self.printed else {name: text for name, text in entries.items() if name != "derived"}
+        return {name: text for name, text in asdict(self).items() if text and (name, text) != ("derived", self.printed)}
 
 
 @dataclass(frozen=True)
@@ -128,22 +125,18 @@ def _misprint(id: str, components: tuple[sp.Expr, ...], derived: Derived, differ
     correction = explanations.CORRECTIONS[id]
     if not differs:
         return _failed(base, "explained as a misprint, but the difference is zero")
-    gaps = _differences(components, derived)
-    explained = (correction.gap.subs(list(derived.terms[0])),)
-    if not all(unit_circles.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
+    (gap,) = _differences(components, derived)
+    if not unit_circles.equal(gap, correction.gap.subs(list(derived.terms[0]))):
         return _failed(base, "the difference is not the one that the correction explains")
     if not _is_derived(correction.expression, derived):
         return _failed(base, "the right form given for this misprint is not the derived one")
-    holds, evidence = correction.evidence()
-    if not holds:
-        return _failed(base, f"the second derivation disagrees: {evidence}")
-    return Row(
-        status="misprint",
-        cause=correction.cause,
-        evidence=evidence,
-        consequence=correction.consequence(),
-        **base | {"derived": correction.latex},
-    )
+    with mpmath.workdps(DIGITS):
+        holds, evidence = correction.evidence()
+        if not holds:
+            return _failed(base, f"the second derivation disagrees: {evidence}")
+        consequence = correction.consequence(Point())
+    said = {"cause": correction.cause, "evidence": evidence, "consequence": consequence, "derived": correction.latex}
+    return Row(status="misprint", **base | said)
 
 
 def _is_derived(expression: article.Expression, derived: Derived) -> bool:
@@ -253,6 +246,8 @@ def _quartic_forms() -> dict[str, Derived]:
     # Printed in b₁ … b₄; what those stand for is checked by the rows A10–A13.
     sides = (*b.subs(equilibrium.CONTACT), *b.subs(equilibrium.LIFTOFF))
     right_sides = tuple(zip((nm.b1, nm.b2, nm.b3, nm.b4), sides, strict=True))
+    # (20) and (23) for any invertible D and any b, so that the printed form is checked as an identity.
+    any_pair = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
     forms: dict[str, Derived] = {}
     for equation, vector_names, case, names in (
         ((20, 21), (nm.b1, nm.b2), equilibrium.CONTACT, ("A1-c0", "A2", "A3", "A4", "A5")),
@@ -261,7 +256,7 @@ def _quartic_forms() -> dict[str, Derived]:
         matrix, vector = D.subs(case), b.subs(case)
         coefficients = tuple(value.subs(case) for value in quartic)
         scaled = matrix.adjugate() * vector
-        forms[f"eq-{equation[0]}"] = _unit_norm_form()
+        forms[f"eq-{equation[0]}"] = Derived(elimination.unit_norm(*any_pair), elimination.unit_norm, any_pair)
         forms[f"eq-{equation[1]}"] = Derived(
             (sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), elimination.quartic_in_L, coefficients
         )
@@ -269,7 +264,7 @@ def _quartic_forms() -> dict[str, Derived]:
         in_names = {
             nm.b1: vector_names[0],
             nm.b2: vector_names[1],
-            **({nm.M: sp.S.Zero} if case[nm.nbar] == 0 else {nm.M: nm.mu0}),
+            nm.M: nm.mu0 * case[nm.nbar],
         }
         spelled = {nm.p: nm.alpha + nm.sigma, nm.q: nm.beta + case[nm.nbar] + nm.sigma}
         for id, value, full in zip(names, shorthand, coefficients, strict=True):
@@ -280,12 +275,6 @@ def _quartic_forms() -> dict[str, Derived]:
         for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):
             forms[id] = Derived(value, equilibrium.matrix_form)
     return forms
-
-
-def _unit_norm_form() -> Derived:
-    """(20) and (23) for any invertible D and any b, so that the printed form is checked as an identity."""
-    D, b = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
-    return Derived(elimination.unit_norm(D, b), elimination.unit_norm, (D, b))
 
 
 def _stability_forms() -> dict[str, Derived]:

@@ -29,8 +29,9 @@ class Correction:
     #: Printed form less right form. Only this difference is explained; any other misprint in the row still fails the check.
     gap: sp.Expr
     cause: str
+    #: Both are asked with :data:`.free_body.DIGITS` digits.
     evidence: Callable[[], tuple[bool, str]]
-    consequence: Callable[[], str]
+    consequence: Callable[[Point], str]
 
 
 @dataclass(frozen=True)
@@ -49,27 +50,18 @@ class Approximation:
 # ------------------------------------------------------------------------------------------------ corrections
 
 
-def _at_base(function: Callable[[Point], str]) -> Callable[[], str]:
-    def evaluated() -> str:
-        with mpmath.workdps(DIGITS):
-            return function(Point())
-
-    return evaluated
-
-
 def _below(value: mpmath.mpf) -> str:
     """A rounding error for the ledger: its size varies with machine and version, so a small one is reported as small, without its digits."""
     return "below 1e-40" if abs(value) < mpmath.mpf(10) ** -40 else show(value, 3)
 
 
 def _length_evidence() -> tuple[bool, str]:
-    with mpmath.workdps(DIGITS):
-        point = Point(theta0_deg=Fraction(62))
-        x, y = mpmath.mpf(3) / 10, -mpmath.mpf(1) / 7
-        theta0 = point.number("theta0")
-        pythagoras = mpmath.sqrt((mpmath.cos(theta0) - x) ** 2 + (mpmath.sin(theta0) - y) ** 2)
-        gap = abs(pythagoras - free_body.spring_length(point, x, y))
-        return gap < mpmath.mpf(10) ** (5 - DIGITS), "the distance in the complex plane agrees to 45 digits"
+    point = Point(theta0_deg=Fraction(62))
+    x, y = mpmath.mpf(3) / 10, -mpmath.mpf(1) / 7
+    theta0 = point.number("theta0")
+    pythagoras = mpmath.sqrt((mpmath.cos(theta0) - x) ** 2 + (mpmath.sin(theta0) - y) ** 2)
+    gap = abs(pythagoras - free_body.spring_length(point, x, y))
+    return gap < mpmath.mpf(10) ** (5 - DIGITS), "the distance in the complex plane agrees to 45 digits"
 
 
 def _length_consequence(point: Point) -> str:
@@ -83,11 +75,10 @@ def _length_consequence(point: Point) -> str:
 
 
 def _preload_evidence() -> tuple[bool, str]:
-    with mpmath.workdps(DIGITS):
-        point = Point(theta0_deg=Fraction(71), beta=Fraction(1, 3))
-        x, y, one = mpmath.mpf(2) / 7, -mpmath.mpf(1) / 9, mpmath.mpf(1)
-        gap = abs(free_body.forces(point, x, y, one)[1] - free_body.energy_slope_y(point, x, y, one))
-        return gap < mpmath.mpf(10) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
+    point = Point(theta0_deg=Fraction(71), beta=Fraction(1, 3))
+    x, y, one = mpmath.mpf(2) / 7, -mpmath.mpf(1) / 9, mpmath.mpf(1)
+    gap = abs(free_body.forces(point, x, y, one)[1] - free_body.energy_slope_y(point, x, y, one))
+    return gap < mpmath.mpf(10) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
 
 
 def _preload_consequence(point: Point) -> str:
@@ -138,13 +129,12 @@ def _liftoff_polynomial(point: Point, constant: str) -> list[mpmath.mpf]:
 
 
 def _constant_evidence() -> tuple[bool, str]:
-    with mpmath.workdps(DIGITS):
-        point = Point()
-        lengths = [free_body.spring_length(point, x, y) for x, y in free_body.equilibria(point, contact=0)]
-        residuals = {
-            reading: max(abs(mpmath.polyval(_liftoff_polynomial(point, reading), length)) for length in lengths)
-            for reading in ("right", "printed")
-        }
+    point = Point()
+    lengths = [free_body.spring_length(point, x, y) for x, y in free_body.equilibria(point, contact=0)]
+    residuals = {
+        reading: max(abs(mpmath.polyval(_liftoff_polynomial(point, reading), length)) for length in lengths)
+        for reading in ("right", "printed")
+    }
     return (
         bool(lengths) and residuals["right"] < mpmath.mpf(10) ** -40 and residuals["printed"] > 1e-6,
         f"at the lift-off equilibrium of the free body the quartic is {_below(residuals['right'])} with the right d_0 and "
@@ -174,7 +164,7 @@ CORRECTIONS: dict[str, Correction] = {
         gap=_DISTANCE.subs({nm.c0: nm.c, nm.s0: nm.s}) - _DISTANCE,
         cause="the index o of θ_o is missing: (4) and (5), squared and added, give the form with θ_o",
         evidence=_length_evidence,
-        consequence=_at_base(_length_consequence),
+        consequence=_length_consequence,
     ),
     "eq-9": Correction(
         latex=r"y'' + \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
@@ -182,7 +172,7 @@ CORRECTIONS: dict[str, Correction] = {
         gap=-nm.kappa,
         cause="the preload F_L of (2) is lost on the way; it is back in (15) as −κ",
         evidence=_preload_evidence,
-        consequence=_at_base(_preload_consequence),
+        consequence=_preload_consequence,
     ),
     "eq-13": Correction(
         latex=r"F_y = \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
@@ -190,7 +180,7 @@ CORRECTIONS: dict[str, Correction] = {
         gap=-nm.kappa,
         cause="copied from (9) with the preload missing; (15) has it as −κ",
         evidence=_preload_evidence,
-        consequence=_at_base(_preload_consequence),
+        consequence=_preload_consequence,
     ),
     "def-n": Correction(
         latex=r"n = N/(k_c L_o)",
@@ -198,7 +188,7 @@ CORRECTIONS: dict[str, Correction] = {
         gap=nm.N / nm.k_c - nm.N / (nm.k_c * nm.L_0),
         cause="L_o is missing: every force is scaled by k_c L_o, as κ = F_L/(k_c L_o) shows",
         evidence=_force_scale_evidence,
-        consequence=_at_base(_force_scale_consequence),
+        consequence=_force_scale_consequence,
     ),
     "A1-d0": Correction(
         latex=r"d_0 = \left(b_3^2 + b_4^2\right)\sigma^2 - \sigma^4",
@@ -206,7 +196,7 @@ CORRECTIONS: dict[str, Correction] = {
         gap=(nm.b1**2 + nm.b2**2 - nm.b3**2 - nm.b4**2) * nm.sigma**2,
         cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand in contact",
         evidence=_constant_evidence,
-        consequence=_at_base(_constant_consequence),
+        consequence=_constant_consequence,
     ),
 }
 

@@ -41,11 +41,7 @@ def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     weight, constant, along = turning_line()
     square = 1 - nm.s**2
     lean = nm.kappa * nm.p - nm.fa * nm.s**3 - nm.p * nm.B * nm.s * square
-    slope = (
-        nm.sigma * lean,
-        nm.sigma * nm.p * nm.B - _threshold() * lean - nm.q * nm.s * square * weight,
-        -nm.p * nm.B * _threshold(),
-    )
+    slope, circle = arranged_quadratics(weight, constant, along, _threshold(), square, lean)
     along_fold, _ = catastrophe.fold_residuals()
     (friction,) = sp.solve(along_fold, nm.M)
     cosine0 = (constant + along * nm.s0) / (weight * nm.c)
@@ -55,18 +51,20 @@ def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
     gap = sp.numer(sp.together((derived - arranged).subs(in_parameters).subs(POLES)))
     unit_circles.require(sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) == 0, "f_θ₀ on a fold")
-    circle = (
-        constant**2 - square * weight**2,
-        2 * constant * along,
-        along**2 + square * weight**2,
-    )
     return slope, circle
 
 
-@cache
-def turning_sine() -> tuple[sp.Expr, sp.Expr]:
-    """Numerator and denominator of the common root sin θ₀ of :func:`turning_quadratics`: sin² θ₀ is eliminated."""
-    one, two = turning_quadratics()
+def arranged_quadratics(
+    weight: sp.Expr, constant: sp.Expr, along: sp.Expr, threshold: sp.Expr, square: sp.Expr, lean: sp.Expr
+) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """Their coefficients in terms of parts that have names."""
+    middle = nm.sigma * nm.p * nm.B - threshold * lean - nm.q * nm.s * square * weight
+    slope = nm.sigma * lean, middle, -nm.p * nm.B * threshold
+    return slope, (constant**2 - square * weight**2, 2 * constant * along, along**2 + square * weight**2)
+
+
+def common_sine(one: tuple[sp.Expr, ...], two: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr]:
+    """Numerator and denominator of the common root sin θ₀ of two quadratics: sin² θ₀ is eliminated."""
     return -_minor(one, two, 2, 0), _minor(one, two, 2, 1)
 
 
@@ -141,8 +139,8 @@ def _start() -> tuple[Step, ...]:
 def _inclined_backward() -> tuple[Step, ...]:
     """θ₀ ≥ π/2: the followed state ends nowhere."""
     relations, f = catastrophe.fold_relations(), elimination.f_form
-    a, rise, push, friction = sp.symbols("a rise push friction", nonnegative=True)
-    lean, sine = sp.symbols("lean sine", positive=True)  # −cos θ and sin θ
+    a, rise, friction = sp.symbols("a rise friction", nonnegative=True)
+    lean, sine, push = sp.symbols("lean sine push", positive=True)  # −cos θ, sin θ and −M q y
     in_friction = {nm.fm: nm.M * nm.sigma}
     pull = relations[nm.fd] - elimination.f_coefficients()[nm.fd].subs(nm.c0, 0)  # q α cos θ₀ on a fold
     parts = -nm.fa * nm.c**3 + nm.fm * nm.s * nm.c**2, -nm.M * nm.q * elimination.state()[nm.y]
@@ -158,16 +156,14 @@ def _inclined_backward() -> tuple[Step, ...]:
             "on a fold q α cos θ₀ = −a cos³ θ + m s cos² θ − M q y: where cos θ ≤ 0 and μ₀ > 0, so that a > 0 and −M q y > 0, this is "
             "positive: such a fold has θ₀ < π/2, and with α = 0 there is none",
             unit_circles.equal(pull.subs(in_friction), sum(parts).subs(in_friction))
-            and manifestly_positive(turned, (a, lean, sine, friction, push), strict_symbols=(push,)),
+            and manifestly_positive(turned),
         ),
         Step(
             "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference state has cos θ ≤ 0, friction moves "
             "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f = cos θ (a s + b) has the sign of −cos θ",
             sp.expand((f - nm.c * (nm.fa * nm.s + nm.fb)).subs(elimination.f_coefficients()).subs({nm.M: 0, nm.c0: 0})) == 0
             and sp.expand(upright + bound + sigma * (beta + 1) * (1 - sine)) == 0
-            and manifestly_positive(
-                bound + sigma * (beta + 1) * rise, (kappa, sigma, alpha, beta, sine, rise), strict_symbols=(kappa, sigma)
-            ),
+            and manifestly_positive(bound + sigma * (beta + 1) * rise),
         ),
     )  # fmt: skip
 

@@ -44,12 +44,8 @@ def in_contact(expression: sp.Expr) -> sp.Expr:
 
 def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
     """Numerator and denominator of L(θ)."""
-    return sp.fraction(sp.together(elimination.state()[nm.L]))
-
-
-def _penetration() -> sp.Expr:
-    """−q y(θ), positive in contact."""
-    return -nm.q * elimination.state()[nm.y]
+    numerator, denominator = map(in_contact, sp.fraction(sp.together(elimination.state()[nm.L])))
+    return numerator, denominator
 
 
 def _changes(signs: Iterable[int]) -> int:
@@ -66,7 +62,7 @@ def _quartic() -> tuple[Step, ...]:
     return (
         Step(
             "−b is positive: a polynomial with positive coefficients in κ, σ, s₀ > 0 and α, β ≥ 0",
-            manifestly_positive(in_contact(-nm.fb), (kappa, sigma, s0, alpha, beta), strict_symbols=(kappa, sigma, s0)),
+            manifestly_positive(in_contact(-nm.fb)),
         ),
         Step(
             "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive at ±∞, so that it has an "
@@ -78,7 +74,7 @@ def _quartic() -> tuple[Step, ...]:
             "the first positive the coefficients change sign once, which by Descartes' rule leaves one positive root",
             sp.expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
             and quartic[2] == -4 * nm.fm
-            and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction), (sigma, friction), strict_symbols=(sigma, friction))
+            and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction))
             and all(_changes((-1, e1, e2, e3, 1)) == 1 for e1 in (-1, 0) for e2 in (-1, 0) for e3 in (-1, 0, 1)),
         ),
         Step(
@@ -87,7 +83,7 @@ def _quartic() -> tuple[Step, ...]:
         ),
         Step(
             "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is then B s₀ + κ > 0",
-            manifestly_positive(in_contact(across.subs(nm.s, 0)), (kappa, s0, beta), strict_symbols=(kappa,)),
+            manifestly_positive(in_contact(across.subs(nm.s, 0))),
         ),
         Step("t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0),
     )
@@ -97,29 +93,23 @@ def _threshold_below_zero() -> tuple[Step, ...]:
     """s* ≤ 0: the equilibria in contact are exactly the roots with t > 0."""
     s, u = sp.symbols("s u", positive=True)
     depth = sp.Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
-    numerator, denominator = (in_contact(part) for part in _length_fraction())
-    every = (kappa, sigma, s0, alpha, beta)
-    penetration = in_contact(_penetration())
+    numerator, denominator = _length_fraction()
+    penetration = in_contact(-nm.q * elimination.state()[nm.y])  # −q y(θ), positive in contact
     # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the second.
     conflict = (numerator - penetration).subs(nm.s, -u)
     return (
         Step(
             "s > 0 gives L > 0",
-            manifestly_positive(numerator.subs(nm.s, s), (s, *every), strict_symbols=(s, sigma))
-            and manifestly_positive(denominator.subs(nm.s, s), (s, *every), strict_symbols=(s, sigma)),
+            manifestly_positive(numerator.subs(nm.s, s)) and manifestly_positive(denominator.subs(nm.s, s)),
         ),
         Step(
             "s > 0 ≥ s* gives y < 0",
-            manifestly_positive(
-                penetration.subs(nm.s, s).subs(kappa, sigma * (s0 + depth)),
-                (s, depth, sigma, s0),
-                strict_symbols=(s, sigma),
-            ),
+            manifestly_positive(penetration.subs(nm.s, s).subs(kappa, sigma * (s0 + depth))),
         ),
         Step(
             "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ (s − s₀) + κ positive, "
             "but the first is larger than the second by (B + σ) s₀",
-            manifestly_positive(conflict, (sigma, s0, beta), strict_symbols=(sigma, s0)),
+            manifestly_positive(conflict),
         ),
     )
 
@@ -129,7 +119,7 @@ def _threshold_above_zero() -> tuple[Step, ...]:
     threshold, excess, stretch, surplus = sp.symbols("s_star excess stretch surplus", positive=True)
     level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
     on_arc = {s0: threshold + excess, kappa: sigma * excess}  # s₀ − s* = κ/σ
-    numerator, denominator = (in_contact(part).subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
+    numerator, denominator = (part.subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
 
     along, _ = equilibrium.balance()
     P = nm.sigma - nm.p * nm.L
@@ -142,20 +132,12 @@ def _threshold_above_zero() -> tuple[Step, ...]:
         Step("there F_x = P cos θ + α cos θ₀ with P = σ − p L, whatever the friction", sp.expand(at_end) == 0),
         Step(
             "−P > α, since −P − α = p (L − 1)",
-            manifestly_positive(
-                in_contact(-P).subs(nm.L, 1 + stretch) - alpha,
-                (stretch, sigma, alpha),
-                strict_symbols=(stretch, sigma),
-            ),
+            manifestly_positive(in_contact(-P).subs(nm.L, 1 + stretch) - alpha),
         ),
         Step(
             "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² − s*²: F_x has the sign of "
             "−cos θ at either end, so that there is an odd number of roots between, all with t > 0 and L > 0: one or three",
-            manifestly_positive(
-                (alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2) - alpha**2 * level,
-                (alpha, surplus, level, threshold, excess),
-                strict_symbols=(surplus, threshold, excess),
-            ),
+            manifestly_positive((alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2) - alpha**2 * level),
         ),
     )
 
@@ -174,7 +156,7 @@ def _middle() -> tuple[Step, ...]:
             "θ = 0 and −b at θ = π",
             f.subs({nm.s: 0, nm.c: 1}) == nm.fb
             and f.subs({nm.s: 0, nm.c: -1}) == -nm.fb
-            and manifestly_positive(in_contact(-nm.fb), (kappa, sigma, s0, alpha, beta), strict_symbols=(kappa, sigma, s0)),
+            and manifestly_positive(in_contact(-nm.fb)),
         ),
         Step(
             "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and positive after the last: at the "
@@ -208,14 +190,13 @@ def smallest_without_friction() -> tuple[Step, ...]:
     slope = sp.expand(
         equilibrium.spell_out(slope).subs(POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0}) * (cosine * sine) ** 2
     )
-    every = (kappa, sigma, s0, alpha, beta, cosine, sine, cosine0)
     x = elimination.state()[nm.x].subs(nm.c, -cosine)
     length = sp.together(in_contact(elimination.state()[nm.L]).subs(nm.s, sine))
     return (
         Step("f = s c (a + b/s + d/c) at μ₀ = 0", sp.simplify(f - nm.s * nm.c * (nm.fa + nm.fb / nm.s + nm.fd / nm.c)) == 0),
         Step(
             "the bracket rises with θ where sin θ, cos θ > 0: times s² c² its slope is a polynomial with positive coefficients",
-            manifestly_positive(slope, every, strict_symbols=(kappa, sigma, s0, cosine, sine)),
+            manifestly_positive(slope),
         ),
         Step(
             "at cos θ = 0 f is q α cos θ₀ sin θ, and x is cos θ₀",
@@ -224,8 +205,7 @@ def smallest_without_friction() -> tuple[Step, ...]:
         ),
         Step(
             "where cos θ < 0, x exceeds cos θ₀ by L |cos θ|, and L > 0",
-            sp.expand(x - nm.c0 - nm.L * cosine) == 0
-            and all(manifestly_positive(part, every, strict_symbols=(sigma, sine)) for part in sp.fraction(length)),
+            sp.expand(x - nm.c0 - nm.L * cosine) == 0 and all(manifestly_positive(part) for part in sp.fraction(length)),
         ),
     )
 
@@ -235,7 +215,6 @@ def _signs_at_the_ends(f: sp.Expr) -> bool:
     threshold, excess = sp.symbols("s_star excess", positive=True)
     level = sp.Symbol("level", nonnegative=True)
     on_arc = {s0: threshold + excess, kappa: sigma * excess}  # s₀ − s* = κ/σ
-    every, strict = (sigma, alpha, beta, threshold, excess, level), (sigma, threshold, excess)
     P = sigma - (sigma + alpha) * (threshold + excess) / threshold  # L = s₀/s*
     force, mirrored = (P * nm.c + sign * alpha * nm.c0 for sign in (1, -1))
     factor = in_contact(nm.q) * threshold
@@ -245,7 +224,7 @@ def _signs_at_the_ends(f: sp.Expr) -> bool:
     product = sp.expand(force * mirrored).subs(squares)
     return (
         sp.simplify(at_end - factor * force) == 0
-        and manifestly_positive(factor, every, strict)
-        and manifestly_positive(sp.simplify(-P * threshold), every, strict)
-        and manifestly_positive(sp.simplify(product * threshold**2), every, strict)
+        and manifestly_positive(factor)
+        and manifestly_positive(sp.simplify(-P * threshold))
+        and manifestly_positive(sp.simplify(product * threshold**2))
     )

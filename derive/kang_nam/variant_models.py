@@ -8,7 +8,8 @@ before a row is judged.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import itertools
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -69,10 +70,10 @@ class _Compared:
             raise NoMeaning(f"the model has no coordinate {name}")
         return self.places[name]
 
-    @property
-    def rows(self) -> list[int]:
-        """The numbers of x and y."""
-        return [self.row(name) for name in ("x", "y")]
+    def pairs(self) -> Iterator[tuple[str, int, int]]:
+        """Indices of a matrix, and the numbers of the coordinates that they mean."""
+        numbers = [(str(place), self.row(name)) for place, name in enumerate(("x", "y"), 1)]
+        return ((i + j, row, column) for (i, row), (j, column) in itertools.product(numbers, repeat=2))
 
     @cached_property
     def line(self) -> Line:
@@ -90,15 +91,23 @@ class _Compared:
             special |= {self.line.c: nm.c, self.line.s: nm.s, self.line.l: nm.L}
         return expression.subs(names | special, simultaneous=True)
 
+    def polar(self, expression: sp.Expr) -> sp.Expr:
+        """With x and y by the direction and the length of the inclined spring."""
+        known = dict(zip((nm.x, nm.y), equilibrium.displacement(), strict=True)) if self.model.lines else {}
+        return sp.expand(expression.subs(known, simultaneous=True))
+
     def gap(self, ours: sp.Expr, theirs: sp.Expr) -> sp.Expr:
-        """Model less article, x and y by the direction and the length of the inclined spring; 0 if equal."""
-        polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s} if self.model.lines else {}
+        """Model less article in these; 0 if equal."""
         circles = (*nm.UNIT_CIRCLES, *((line.c, line.s) for line in self.model.lines[1:]))
-        left, right = (
-            sp.expand(side.subs(polar, simultaneous=True).subs(self.always)) for side in (self.named(ours), sp.sympify(theirs))
-        )
+        left, right = (self.polar(side.subs(self.always)) for side in (self.named(ours), sp.sympify(theirs)))
         found = algebra.difference(left, right, circles)
         return sp.S.Zero if found == 0 else sp.factor_terms(sp.expand(found))
+
+    def at_rest(self, row: int, pushing: int) -> sp.Expr:
+        """The balance along x or y. Friction is μ₀ times the contact force, as in the article: the model's μ is a row of its own."""
+        it = self.model
+        force = it.residuals[self.row("xy"[row])].subs({PUSHING: pushing, MU: nm.mu0})
+        return self.named(force if it.gap is None else force.subs(DEPTH, -it.gap))
 
     # ------------------------------------------------------------------------------------------------ aspects
 
@@ -140,12 +149,8 @@ class _Compared:
 
     def balance(self, row: int, pushing: int) -> dict[str, sp.Expr]:
         """F_x or F_y."""
-        it = self.model
-        # At rest friction is μ₀ times the contact force in the article; what the model has for μ is a row of its own.
-        ours = it.residuals[self.row("xy"[row])].subs({PUSHING: pushing, MU: nm.mu0})
-        ours = ours.subs(DEPTH, -it.gap) if it.gap is not None else ours
         theirs = equilibrium.balance_cartesian()[row].subs(nm.nbar, pushing)
-        return {("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(ours, theirs)}
+        return {("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(self.at_rest(row, pushing), theirs)}
 
     def linear(self, pushing: int) -> dict[str, sp.Expr]:
         """That the balance is linear in cos θ and sin θ, without which there are no D and b."""
@@ -156,55 +161,39 @@ class _Compared:
             raise NoMeaning(f"the balance has {len(it.coordinates)} unknowns: there are no D and b")
         if len(it.lines) != 1:
             raise NoMeaning(f"there are {len(it.lines)} inclined springs: the balance is not linear in one direction")
-        polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
-        for row in self.rows:
-            ours = it.residuals[row].subs({PUSHING: pushing, MU: nm.mu0})
-            ours = sp.expand(self.named(ours.subs(DEPTH, -it.gap) if it.gap is not None else ours).subs(polar, simultaneous=True))
+        for row in (0, 1):
+            ours = self.polar(self.at_rest(row, pushing))
             if ours.has(*it.turned) or any(sp.diff(ours, one, other) != 0 for one in (nm.c, nm.s) for other in (nm.c, nm.s)):
                 raise NoMeaning("the balance is not linear in cos θ and sin θ: there are no D and b, and no quartic in L")
         return {}
 
     def matrix(self, pushing: int) -> dict[str, sp.Expr]:
         """D: the part of the balance that is linear in cos θ and sin θ."""
-        return self._parts(pushing)[0]
-
-    def side(self, name: str) -> dict[str, sp.Expr]:
-        """A component of the right side."""
-        return {name: self._parts(1 if name in ("b_1", "b_2") else 0)[1][name]}
-
-    def _parts(self, pushing: int) -> tuple[dict[str, sp.Expr], dict[str, sp.Expr]]:
         self.linear(pushing)
-        D, b = (part.subs(nm.nbar, pushing) for part in equilibrium.matrix_form())
-        polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
-        of_matrix, of_side = {}, {}
-        for row, place in enumerate(self.rows):
-            ours = self.model.residuals[place].subs({PUSHING: pushing, MU: nm.mu0})
-            ours = sp.expand(self.named(ours).subs(polar, simultaneous=True))
-            for column, symbol in enumerate((nm.c, nm.s)):
-                of_matrix[f"D_{row + 1}{column + 1}"] = sp.factor_terms(sp.expand(sp.diff(ours, symbol) - D[row, column]))
-            rest = -ours.subs({nm.c: 0, nm.s: 0})
-            name = f"b_{row + 1 if pushing else row + 3}"
-            of_side[name] = sp.S.Zero if algebra.difference(rest, b[row], nm.UNIT_CIRCLES) == 0 else sp.simplify(rest - b[row])
-        return of_matrix, of_side
+        D = equilibrium.matrix_form()[0].subs(nm.nbar, pushing)
+        ours = sp.Matrix([self.polar(self.at_rest(row, pushing)) for row in (0, 1)]).jacobian([nm.c, nm.s])
+        return {f"D_{i + 1}{j + 1}": sp.factor_terms(sp.expand(ours[i, j] - D[i, j])) for i in (0, 1) for j in (0, 1)}
+
+    def side(self, row: int, pushing: int) -> dict[str, sp.Expr]:
+        """A component of the right side."""
+        self.linear(pushing)
+        theirs = equilibrium.matrix_form()[1].subs(nm.nbar, pushing)[row]
+        ours = -self.polar(self.at_rest(row, pushing)).subs({nm.c: 0, nm.s: 0})
+        same = algebra.difference(ours, theirs, nm.UNIT_CIRCLES) == 0
+        return {f"b_{row + 1 if pushing else row + 3}": sp.S.Zero if same else sp.simplify(ours - theirs)}
 
     def stiffness(self) -> dict[str, sp.Expr]:
         """K."""
-        rows, K = statics.jacobian(self.model), stability.stiffness()
-        found = {}
-        for i, row in enumerate(self.rows):
-            for j, column in enumerate(self.rows):
-                ours = rows[row][column].subs(MU, nm.mu0)
-                found[f"K_{i + 1}{j + 1}"] = self.gap(ours, K[i, j])
-        return found
+        rows = statics.jacobian(self.model)
+        found = {f"K_{index}": rows[i][j].subs(MU, nm.mu0) for index, i, j in self.pairs()}
+        return dict(zip(found, map(self.gap, found.values(), stability.stiffness()), strict=True))
 
     def damping(self) -> dict[str, sp.Expr]:
         """C, and the masses."""
-        damped, C = linearization.damping(self.model), stability.damping()
-        found = {}
-        for i, row in enumerate(self.rows):
-            for j, column in enumerate(self.rows):
-                found[f"C_{i + 1}{j + 1}"] = self.gap(damped[row, column], C[i, j])
-                found[f"M_{i + 1}{j + 1}"] = sp.expand(self.named(self.model.mass[row, column]) - int(i == j))
+        damped, found = linearization.damping(self.model), {}
+        for (index, i, j), theirs in zip(self.pairs(), stability.damping(), strict=True):
+            found[f"C_{index}"] = self.gap(damped[i, j], theirs)
+            found[f"M_{index}"] = sp.expand(self.named(self.model.mass[i, j]) - int(i == j))
         return found
 
     def alone(self) -> dict[str, sp.Expr]:
@@ -215,12 +204,10 @@ class _Compared:
 
     def group(self, name: str) -> dict[str, sp.Expr]:
         """A dimensionless quantity, or a scale, by the quantities with units."""
-        page = self.model.page
-        ours = physical_checks.groups(page).get(name)
-        symbol = nm.quantities()[name].symbol
+        ours = physical_checks.groups(self.model.page).get(name)
         if ours is None:
             raise NoMeaning(f"the model has no {name}")
-        dimensional, scale = mechanics.groups()[symbol]
+        dimensional, scale = mechanics.groups()[nm.quantities()[name].symbol]
         return {name: _quotient_gap(ours, dimensional / scale)}
 
     def length_of(self, name: str) -> dict[str, sp.Expr]:
@@ -232,7 +219,7 @@ class _Compared:
         return self.scale("length")
 
     def scale(self, name: str) -> dict[str, sp.Expr]:
-        ours = physical_checks.scale(self.model.page, {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}[name])
+        ours = physical_checks.scale(self.model.page, getattr(units, name.upper()))
         if ours is None:
             raise NoMeaning(f"the model has no unit of {name}")
         return {f"unit of {name}": _quotient_gap(ours, mechanics.scales()[name])}
@@ -272,7 +259,7 @@ _ALONG, _ACROSS = (_of(_C.motion, row) for row in (0, 1))
 _BALANCE_X, _BALANCE_Y = (_of(_C.balance, row, 1) for row in (0, 1))
 _LINEAR, _MATRIX = _of(_C.linear, 1), _of(_C.matrix, 1)
 _LINEAR_LIFTED, _MATRIX_LIFTED = _of(_C.linear, 0), _of(_C.matrix, 0)
-_B1, _B2, _B3, _B4 = (_of(_C.side, f"b_{place}") for place in (1, 2, 3, 4))
+_B1, _B2, _B3, _B4 = (_of(_C.side, row, pushing) for pushing in (1, 0) for row in (0, 1))
 _CONTACT_QUARTIC = (_LINEAR, _MATRIX)
 _LIFTED_QUARTIC = (_LINEAR_LIFTED, _MATRIX_LIFTED)
 

@@ -150,22 +150,17 @@ def test_a_fold_counts_twice() -> None:
 # ------------------------------------------------------------------------------ each part of a step is needed
 
 
-def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[tuple[sp.Expr, tuple[sp.Symbol, ...]]]:
-    """The polynomials that a part asks to be positive, each with its symbols."""
-    asked: list[tuple[sp.Expr, tuple[sp.Symbol, ...]]] = []
-
-    def remember(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], *_: Any, **__: Any) -> bool:
-        asked.append((polynomial, symbols))
-        return True
-
-    monkeypatch.setattr(theorem, "manifestly_positive", remember)
+def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[sp.Expr]:
+    """The polynomials that a part asks to be positive."""
+    asked: list[sp.Expr] = []
+    monkeypatch.setattr(theorem, "manifestly_positive", lambda polynomial: asked.append(polynomial) is None)
     part()
     return asked
 
 
 def test_the_slope_without_friction_is_that_of_the_force(monkeypatch: pytest.MonkeyPatch) -> None:
     """s² c² times the slope of q F_x/cos θ = f/(sin θ cos θ), from the balance of forces and by differences in many digits."""
-    polynomial, symbols = _asked(theorem.smallest_without_friction, monkeypatch)[0]
+    polynomial = _asked(theorem.smallest_without_friction, monkeypatch)[0]
     with mpmath.workdps(40):
         for given in ((0.7, 1.1, 0.3, 0.25, 0.01, 0.5), (1.4, 0.2, 0.02, 2.0, 3.0, 0.0), (0.1, 0.9, 1.7, 0.6, 0.0, 1.5)):
             theta0, theta, kappa, sigma, alpha, beta = map(mpmath.mpf, given)
@@ -178,6 +173,7 @@ def test_the_slope_without_friction_is_that_of_the_force(monkeypatch: pytest.Mon
                 return q * (sigma * (1 - L) * c + alpha * (c0 - L * c)) / c
 
             c, s = mpmath.cos(theta), mpmath.sin(theta)
-            here = dict(zip(symbols, (kappa, sigma, s0, alpha, beta, c, s, c0), strict=True))
-            value = sp.lambdify(symbols, polynomial, "mpmath")(*(here[symbol] for symbol in symbols))
+            here = {"kappa": kappa, "sigma": sigma, "s_0": s0, "alpha": alpha, "beta": beta, "c": c, "s": s, "c_0": c0}
+            symbols = sorted(polynomial.free_symbols, key=str)
+            value = sp.lambdify(symbols, polynomial, "mpmath")(*(here[symbol.name] for symbol in symbols))
             assert abs(value - (c * s) ** 2 * mpmath.diff(force, theta)) < 1e-20

@@ -15,7 +15,7 @@ from ..quantities import Quantity
 from ..statements import Body, straight_line
 
 #: What is printed: algebra, and functions by their names.
-KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
+KNOWN = (sp.Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 BY_NAME: Mapping[type[sp.Basic], str] = {
     sp.exp: "exp", sp.log: "log", sp.tanh: "tanh", sp.atan: "atan", sp.cos: "cos", sp.sin: "sin", sp.atan2: "atan2",
     sp.Abs: "abs", sp.sign: "sign",
@@ -82,9 +82,6 @@ class AlgebraPrinter(StrPrinter):
         over = sp.Add(*(constant.q * term for term in sp.Add.make_args(rest)), constant.p)
         return f"({super()._print_Add(over, order)})/{constant.q}"
 
-    def _print_Float(self, expression: sp.Float) -> str:
-        raise ArithmeticError(f"the float {expression} has no place in exact algebra")
-
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
         if expression.exp == -1:
             return str(super()._print_Pow(expression, rational=rational))
@@ -109,7 +106,7 @@ class AlgebraPrinter(StrPrinter):
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
     """Source text of one generated module: its symbols with meanings and units once, then its functions."""
-    meanings = {name: _meaning(quantity) for name, quantity in quantities.items()}
+    meanings = {name: it.meaning + (f" [{it.unit}]" if it.unit != "1" else "") for name, it in quantities.items()}
     return whole(module, meanings, header, ["from ._broadcast import broadcasting"], map(definition, module.functions))
 
 
@@ -129,10 +126,6 @@ def listed(opening: str, items: Iterable[str], closing: str) -> str:
     """A list between brackets, on as many lines as it needs."""
     inside = textwrap.fill(", ".join(items), _WIDTH - 2, initial_indent="    ", subsequent_indent="    ")
     return f"{opening}\n{inside},\n{closing}"
-
-
-def _meaning(quantity: Quantity) -> str:
-    return quantity.meaning + (f" [{quantity.unit}]" if quantity.unit != "1" else "")
 
 
 def definition(function: Function) -> str:

@@ -50,6 +50,7 @@ def module() -> Module:
     state = elimination.state()
     along, across = equilibrium.balance()
     f = elimination.f_form
+    r0, r1, r2, _ = elimination.resolvent_cubic()
     return Module(
         "equilibrium",
         "The balance of forces at steady sliding (n̄ = 1) and in lift-off (n̄ = 0), and the polynomials that hold its roots.",
@@ -80,7 +81,7 @@ def module() -> Module:
             Function("t_quartic", "Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = tan(θ/2).",
                      "(12), (13) eliminated", F_COEFFICIENTS, elimination.quartic_in_t(), "e0, e1, e2, e3, e4"),
             Function("resolvent", "Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t.",
-                     "(12), (13) eliminated", F_COEFFICIENTS, _resolvent(), "r0, r1, r2"),
+                     "(12), (13) eliminated", F_COEFFICIENTS, (sp.factor(r0), sp.factor(r1), r2), "r0, r1, r2"),
             Function("state", "Spring length and displacement at an equilibrium with direction θ.", "(4), (5), (13) or (15)",
                      (*ANGLE, *ANGLE0, nm.kappa, nm.sigma, nm.beta, nm.nbar), (nm.L, state[nm.x], state[nm.y]), "L, x, y",
                      {**shorthands(None, nm.B, nm.q), nm.L: state[nm.L]}),
@@ -88,13 +89,6 @@ def module() -> Module:
                      (*ANGLE, nm.L, *ANGLE0, *nm.PARAMETERS, nm.nbar), _residuals(along, across), "F_x, F_y"),
         ),
     )  # fmt: skip
-
-
-def _resolvent() -> tuple[sp.Expr, ...]:
-    r0, r1, r2, one = elimination.resolvent_cubic()
-    if one != 1:
-        raise ArithmeticError("the resolvent is not monic")
-    return sp.factor(r0), sp.factor(r1), r2
 
 
 def _magnitudes() -> tuple[sp.Expr, sp.Expr]:

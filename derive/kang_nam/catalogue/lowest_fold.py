@@ -26,9 +26,10 @@ def functions() -> tuple[Function, ...]:
 
 def _turning_sine() -> tuple[sp.Expr, sp.Expr, dict[sp.Symbol, sp.Expr]]:
     """By the coefficients of two quadratics in sin θ₀, each named."""
-    w, l0, l1, v, lean, width = sp.symbols("w_line l_0 l_1 v lean width")
-    a0, a1, a2, c0, c1, c2 = sp.symbols("a_0 a_1 a_2 c_0 c_1 c_2")
+    w, l0, l1, v, width, lean = sp.symbols("w_line l_0 l_1 v width lean")
+    first, second = sp.symbols("a_:3"), sp.symbols("c_:3")
     s, sigma = nm.s, nm.sigma
+    slope, circle = lowest_fold.arranged_quadratics(w, l0, l1, v, width, lean)
     names = {
         **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa),
         w: nm.kappa * nm.p + nm.alpha * sigma * s,
@@ -37,18 +38,14 @@ def _turning_sine() -> tuple[sp.Expr, sp.Expr, dict[sp.Symbol, sp.Expr]]:
         l1: -nm.alpha * s * v,
         width: 1 - s**2,
         lean: nm.kappa * nm.p - nm.fa * s**3 - nm.p * nm.B * s * width,
-        a0: sigma * lean,
-        a1: sigma * nm.p * nm.B - v * lean - nm.q * s * width * w,
-        a2: -nm.p * nm.B * v,
-        c0: l0**2 - width * w**2,
-        c1: 2 * l0 * l1,
-        c2: l1**2 + width * w**2,
+        **dict(zip((*first, *second), (*slope, *circle), strict=True)),
     }
-    numerator, denominator = a0 * c2 - a2 * c0, a2 * c1 - a1 * c2
+    numerator, denominator = lowest_fold.common_sine(first, second)
     local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
     for _ in range(3):
         local = {name: sp.sympify(value).subs(local) for name, value in local.items()}
-    derived = tuple(value.subs(elimination.f_coefficients()) for value in lowest_fold.turning_sine())
+    derived = lowest_fold.common_sine(*lowest_fold.turning_quadratics())
+    derived = tuple(value.subs(elimination.f_coefficients()) for value in derived)
     require_same("sine of a turning point", (numerator, denominator), derived, local)
     return numerator, denominator, names
 

@@ -6,7 +6,6 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from ...definitions import Definition
 from ...expressions import hands_back, printed
 from ...language import Kinds, Routine, Source
 from .. import Material, runtime, spoken
@@ -23,7 +22,8 @@ def render(material: Material) -> dict[str, str]:
     own = material.runtime.get("c", {})
     definitions = "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE)
     known = material.algebra
-    used = _called(material, known) | {name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known}
+    calls = {name for it in material.kernel.routines.values() for name in Kinds(material.kernel).calls(it)}
+    used = (calls & known.keys()) | {name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known}
     statics = [algebra.static(f"algebra_{name}", known[name]) for name in known if name in used]
     public = [known[name] for name in material.public]
     parts = {
@@ -73,11 +73,6 @@ def _filled(text: str, parts: Mapping[str, str]) -> str:
     for name, part in parts.items():
         text = text.replace(f"/* @{name}@ */\n", f"{part}\n" if part else "")
     return text
-
-
-def _called(material: Material, known: Mapping[str, Definition]) -> set[str]:
-    kinds = Kinds(material.kernel)
-    return {name for it in material.kernel.routines.values() for name in kinds.calls(it) if name in known}
 
 
 def _kernel(material: Material, definitions: str) -> str:

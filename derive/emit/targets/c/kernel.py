@@ -35,13 +35,13 @@ def routine(it: Routine, kinds: Kinds, prefix: str) -> str:
 
 def _syntax(prefix: str) -> Syntax:
     return Syntax(
-        primitives=PRIMITIVES, logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "!"}, algebra=lambda name: f"{prefix}{name}",
-        routine=lambda name: name, arithmetic={}, comparisons={}, ternary=True,
+        primitives=PRIMITIVES, logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "!"}, algebra=lambda name: f"{prefix}{name}"
     )  # fmt: skip
 
 
 class _Printer(Printer):
     step = "    "
+    begin = "for (int i = 0; i < {}; i++) {{"
 
     def __init__(self, it: Routine, kinds: Kinds, prefix: str) -> None:
         super().__init__(it, kinds.source, _syntax(prefix))
@@ -54,6 +54,9 @@ class _Printer(Printer):
         unused = "".join(f"    (void){name};\n" for name, _ in self.it.arguments if name not in self.used)
         return f"{comment(self.it.summary)}{definition(broken(head), unused + self.body('    '))}"
 
+    def line(self, text: str, indent: str) -> str:
+        return f"{broken(indent + text)}\n"
+
     def comment(self, text: str, indent: str) -> str:
         return comment(text, indent)
 
@@ -62,7 +65,7 @@ class _Printer(Printer):
         known = name in self.names
         self.names[name] = kind
         start = name if known else f"{'' if self.written[name] > 1 else 'const '}{declared(kind)} {name}"
-        return broken(f"{indent}{start} = {self.expressions.print(value)};") + "\n"
+        return self.line(f"{start} = {self.expressions.print(value)};", indent)
 
     def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
         """From an array, and double-doubles from a record."""
@@ -73,29 +76,23 @@ class _Printer(Printer):
             record = self.source.records[self.source.routines[name].returns]
             fields = [f"{results}.{field}" for field, _ in record.fields]
             kind = record.fields[0][1]
-            lines = [f"{indent}const {record.name} {results} = {function}({self.expressions.listed(called.args)});"]
+            lines = [f"const {record.name} {results} = {function}({self.expressions.listed(called.args)});"]
         else:
             fields = [f"{results}[{place}]" for place in range(len(names))]
             kind = REAL
             passed = ", ".join([*map(self.expressions.print, called.args), results])
-            lines = [f"{indent}double {results}[{len(names)}];", f"{indent}{function}({passed});"]
+            lines = [f"double {results}[{len(names)}];", f"{function}({passed});"]
         self.names |= dict.fromkeys(names, kind)
         unpacked = ", ".join(f"{name} = {field}" for name, field in zip(names, fields, strict=True) if name in self.used)
-        lines.append(f"{indent}const {declared(kind)} {unpacked};")
-        return "\n".join(map(broken, lines)) + "\n"
-
-    def loop(self, count: int, inside: str, indent: str) -> str:
-        return f"{indent}for (int i = 0; i < {count}; i++) {{\n{inside}{indent}}}\n"
+        lines.append(f"const {declared(kind)} {unpacked};")
+        return "".join(self.line(line, indent) for line in lines)
 
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
         listed = ", ".join(self.expressions.print(value, SUM) for value in values)
-        return f"{broken(f'{indent}const {name} result = {{{listed}}};')}\n{indent}return result;\n"
+        return self.line(f"const {name} result = {{{listed}}};", indent) + self.line("return result;", indent)
 
     def several(self, values: list[ast.expr], indent: str) -> str:
         return self.record(self.it.returns, values, indent)
-
-    def value(self, value: ast.expr, indent: str) -> str:
-        return broken(f"{indent}return {self.expressions.print(value)};") + "\n"
 
 
 def constants(values: Mapping[str, tuple[float, str]]) -> str:

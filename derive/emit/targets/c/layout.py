@@ -6,6 +6,7 @@ ones. Text inside further brackets stays on one line, however long.
 
 from __future__ import annotations
 
+import itertools
 import re
 import textwrap
 import unicodedata
@@ -29,7 +30,8 @@ def broken(line: str) -> str:
     """A statement, or the head of a function, on as many lines as it needs."""
     indent = line[: len(line) - len(line.lstrip())] + _INDENT
     lines = [""]
-    for part in _parts(line):
+    for start, end in itertools.pairwise([0, *_places(line), len(line)]):
+        part = line[start:end]
         if lines[-1] and len(lines[-1].rstrip()) + len(part.rstrip()) > WIDTH:
             lines.append(indent)
         lines[-1] += part
@@ -42,16 +44,8 @@ def definition(head: str, body: str) -> str:
     return f"{line}\n" if body.count("\n") == 1 and len(line) <= WIDTH else f"{head}\n{body}}}\n"
 
 
-def _parts(line: str) -> Iterator[str]:
-    """The line, cut where it may be broken."""
-    start = 0
-    for place in _places(line):
-        yield line[start:place]
-        start = place
-    yield line[start:]
-
-
 def _places(line: str) -> list[int]:
+    """Where the line may be broken."""
     depths = list(_depths(line))
     outside = "".join(character if depth == 0 else "_" for character, depth in zip(line, depths, strict=True))
     first = max(outside.find(" = "), 0) + 1
@@ -97,9 +91,6 @@ def _ascii(character: str) -> str:
         return letter[2].lower() if letter[1] == "SMALL" else letter[2].capitalize()
     if unicodedata.combining(character):
         return ""
-    without = (
-        "".join(filter(str.isascii, unicodedata.normalize("NFKD", character)))
-        if character.isalpha() or character.isdigit()
-        else ""
-    )
+    lettered = character.isalpha() or character.isdigit()
+    without = "".join(filter(str.isascii, unicodedata.normalize("NFKD", character))) if lettered else ""
     return without or f"[{name.lower()}]"

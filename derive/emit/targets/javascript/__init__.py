@@ -36,7 +36,8 @@ def render(material: Material) -> dict[str, str]:
         f"{library}.d.mts": runtime(__file__, "library.d.mts"),
         **{name: text for name, text in own.items() if name == _EXAMPLE},
     }
-    return {name: _spoken(text, words) for name, text in texts.items()}
+    marked = re.compile(r"// @(\w+)@\n|@(\w+)@")
+    return {name: marked.sub(lambda at: words.get(at[1] or at[2], at[0]), text) for name, text in texts.items()}
 
 
 def _words(material: Material) -> dict[str, str]:
@@ -57,10 +58,6 @@ def _words(material: Material) -> dict[str, str]:
         "algebra": "\n".join(map(algebra.definition, functions.values())),
         "members": "".join(algebra.declaration(it) for it in functions.values()),
     }
-
-
-def _spoken(text: str, words: dict[str, str]) -> str:
-    return re.sub(r"// @(\w+)@\n|@(\w+)@", lambda place: words.get(place[1] or place[2], place[0]), text)
 
 
 def _ranges(material: Material) -> str:

@@ -16,10 +16,10 @@ def definition(function: Definition) -> str:
     """One method of the algebra: one result is returned as a number, several as an array, nested as in Python."""
     given = [f"{name} = 0" if name in function.further else name for name in function.accepted]
     return "\n".join([
-        _comment(f"{function.summary} Source: {function.equations}. Operations: {function.operations}.", "  "),
-        _wrapped(f"  {function.name}({', '.join(given)}) {{"),
-        *(_wrapped(f"    const {name} = {_printed(expression)};") for name, expression in function.statements),
-        _wrapped(f"    return {nested(function.results, '[]', _printed)};"),
+        comment(f"{function.summary} Source: {function.equations}. Operations: {function.operations}.", "  "),
+        wrapped(f"  {function.name}({', '.join(given)}) {{"),
+        *(wrapped(f"    const {name} = {_printed(expression)};") for name, expression in function.statements),
+        wrapped(f"    return {nested(function.results, '[]', _printed)};"),
         "  },\n",
     ])  # fmt: skip
 
@@ -30,10 +30,11 @@ def _printed(expression: str) -> str:
 
 def meanings(functions: Iterable[Definition], quantities: Mapping[str, Quantity]) -> str:
     """What every argument of the algebra is, as a comment."""
-    return "".join(f"{_comment(f'{name}: {quantities[name].meaning}')}\n" for name in symbols(functions))
+    return "".join(f"{comment(f'{name}: {quantities[name].meaning}')}\n" for name in symbols(functions))
 
 
-def _comment(text: str, indent: str = "") -> str:
+def comment(text: str, indent: str = "") -> str:
+    """Lines of a comment."""
     return textwrap.fill(text, _WIDTH, initial_indent=f"{indent}// ", subsequent_indent=f"{indent}// ")
 
 
@@ -44,5 +45,6 @@ def declaration(function: Definition) -> str:
     return f"{said}\n  {function.name}({given}): {nested(function.results, '[]', lambda _: 'number')};\n"
 
 
-def _wrapped(line: str) -> str:
-    return textwrap.fill(line, _WIDTH, subsequent_indent="      ", break_long_words=False, break_on_hyphens=False)
+def wrapped(line: str, further: str = "      ") -> str:
+    """A statement on as many lines as it needs."""
+    return textwrap.fill(line, _WIDTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)

@@ -5,24 +5,20 @@ from __future__ import annotations
 import ast
 import math
 import re
-import textwrap
 
 from ...expressions import Syntax, number, printed
 from ...language import Routine, Source
 from ...routines import Printer
 from .. import Material
+from .algebra import comment, wrapped
 
-_WIDTH = 130
 _SYNTAX = Syntax(
     primitives={
         "maximum": "larger", "minimum": "smaller", "absolute": "Math.abs", "sqrt": "Math.sqrt", "cube_root": "cube_root",
     },
     logic={ast.BitAnd: "&&", ast.BitOr: "||", ast.Invert: "!"},
     algebra=lambda name: f"algebra.{name}",
-    routine=lambda name: name,
-    arithmetic={},
-    comparisons={"==": "==="},
-    ternary=True,
+    signs={"==": "==="},
 )  # fmt: skip
 
 
@@ -33,54 +29,50 @@ def render(material: Material) -> str:
     lines += [f"const {name} = {number(value)};\n" for name, value in material.counts.items()]
     for it in source.constants:
         value = "Infinity" if math.isinf(it.value) else number(it.value)
-        lines.append(f"{_comment(it.comment, '')}const {it.name} = {value};\n")
+        lines.append(f"{_said(it.comment)}const {it.name} = {value};\n")
     own = re.sub(r"//[^\n]*|/\*.*?\*/", "", "".join(material.runtime.get("javascript", {}).values()), flags=re.DOTALL)
     asked = source.routines.keys() & set(re.findall(r"\w+", own))
     return "".join(lines) + "\n" + "\n".join(_Printer(it, source).definition() for it in printed(source, asked))
 
 
-def _comment(text: str, indent: str) -> str:
-    if not text:
-        return ""
-    start = f"{indent}// "
-    return textwrap.fill(text, _WIDTH, initial_indent=start, subsequent_indent=start) + "\n"
+def _said(text: str, indent: str = "") -> str:
+    return f"{comment(text, indent)}\n" if text else ""
 
 
 class _Printer(Printer):
+    begin = "for (let pass = 0; pass < {}; pass++) {{"
+
     def __init__(self, it: Routine, source: Source) -> None:
         super().__init__(it, source, _SYNTAX)
         self.declared = {name for name, _ in it.arguments}
 
     def definition(self) -> str:
-        said = "//\n".join(_comment(paragraph, "") for paragraph in self.it.summary.split("\n\n"))
+        said = "//\n".join(map(_said, self.it.summary.split("\n\n")))
         arguments = ", ".join(name for name, _ in self.it.arguments)
         return f"{said}function {self.it.name}({arguments}) {{\n{self.body('  ')}}}\n"
 
+    def line(self, text: str, indent: str) -> str:
+        return f"{wrapped(indent + text, indent + '  ')}\n"
+
     def comment(self, text: str, indent: str) -> str:
-        return _comment(text, indent)
+        return _said(text, indent)
 
     def assignment(self, name: str, value: ast.expr, indent: str) -> str:
         kind = "" if name in self.declared else "let " if self.written[name] > 1 else "const "
         self.declared.add(name)
-        return _line(f"{kind}{name} = {self.expressions.print(value)};", indent)
+        return self.line(f"{kind}{name} = {self.expressions.print(value)};", indent)
 
     def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
-        return _line(f"const {self._pattern(target)} = {self.expressions.print(called)};", indent)
-
-    def loop(self, count: int, inside: str, indent: str) -> str:
-        return f"{indent}for (let pass = 0; pass < {count}; pass++) {{\n{inside}{indent}}}\n"
+        return self.line(f"const {self._pattern(target)} = {self.expressions.print(called)};", indent)
 
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
         fields = (field for field, _ in self.source.records[name].fields)
         pairs = ((field, self.expressions.print(value)) for field, value in zip(fields, values, strict=True))
         listed = ", ".join(field if text == field else f"{field}: {text}" for field, text in pairs)
-        return _line(f"return {{ {listed} }};", indent)
+        return self.line(f"return {{ {listed} }};", indent)
 
     def several(self, values: list[ast.expr], indent: str) -> str:
-        return _line(f"return [{self.expressions.listed(values)}];", indent)
-
-    def value(self, value: ast.expr, indent: str) -> str:
-        return _line(f"return {self.expressions.print(value)};", indent)
+        return self.line(f"return [{self.expressions.listed(values)}];", indent)
 
     def _pattern(self, target: ast.expr) -> str:
         """Names for the results of generated algebra, which come in an array; an empty place for one that is not used."""
@@ -89,9 +81,3 @@ class _Printer(Printer):
         assert isinstance(target, ast.Name)
         self.declared.add(target.id)
         return target.id if target.id in self.used else ""
-
-
-def _line(text: str, indent: str) -> str:
-    further = indent + "  "
-    return textwrap.fill(f"{indent}{text}", _WIDTH, subsequent_indent=further, break_long_words=False,
-                         break_on_hyphens=False) + "\n"  # fmt: skip

@@ -42,13 +42,14 @@ def _syntax(library: str) -> Syntax:
         logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "~"},
         algebra=lambda name: f"{library}.algebra.{name}",
         routine=lambda name: f"{inside}{method_name(name)}",
-        arithmetic={"*": ".*", "/": "./"},
-        comparisons={},
+        signs={"*": ".*", "/": "./"},
         ternary=False,
     )  # fmt: skip
 
 
 class _Printer(Printer):
+    begin, end, gives = "for pass = 1:{}", "end", "result = {};"
+
     def __init__(self, it: Routine, source: Source, material: Material, said: set[str]) -> None:
         super().__init__(it, source, _syntax(material.library))
         self.said = said
@@ -83,11 +84,14 @@ class _Printer(Printer):
                 beside = f"{line}  % {said}" if said else line
                 yield from [beside] if len(beside) <= WIDTH else [*(f"  {above}" for above in comment(said, " ")), line]
 
+    def line(self, text: str, indent: str) -> str:
+        return _joined(wrapped(f"{indent}{text}"))
+
     def comment(self, text: str, indent: str) -> str:
         return _joined([f"{indent}{line}" for line in comment(text, " ")])
 
     def assignment(self, name: str, value: ast.expr, indent: str) -> str:
-        return _joined(wrapped(f"{indent}{name} = {self.expressions.print(value)};"))
+        return self.line(f"{name} = {self.expressions.print(value)};", indent)
 
     def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
         names = [name if name in self.used else "~" for name in places(target)]
@@ -95,19 +99,13 @@ class _Printer(Printer):
             names.pop()
         return self.assignment(f"[{', '.join(names)}]", called, indent)
 
-    def loop(self, count: int, inside: str, indent: str) -> str:
-        return f"{indent}for pass = 1:{count}\n{inside}{indent}end\n"
-
     def record(self, name: str, values: list[ast.expr], indent: str) -> str:
         fields = zip((field for field, _ in self.source.records[name].fields), map(self.expressions.print, values), strict=True)
         listed = ", ".join(f"'{field}', {value}" for field, value in fields)
-        return _joined(wrapped(f"{indent}result = struct({listed});"))
+        return self.line(f"result = struct({listed});", indent)
 
     def several(self, values: list[ast.expr], indent: str) -> str:
         return "".join(self.assignment(f"result{place}", value, indent) for place, value in enumerate(values, 1))
-
-    def value(self, value: ast.expr, indent: str) -> str:
-        return self.assignment("result", value, indent)
 
 
 def _joined(lines: list[str]) -> str:

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from ..numerics.determinants import Polynomial, cofactor, determinant, hurwitz, of_pencil, resultant, trimmed
 from ..numerics.interval_arrays import stacked
 from ..numerics.jets import Jet
-from .defining_systems import Condition, State
+from ..statics.mechanics.state import State
+from .defining_systems import Condition
 
 #: A slope of the friction law that is as good as 0.
 FLAT = 1e-100

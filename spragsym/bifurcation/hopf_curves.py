@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -184,15 +184,22 @@ class _Plane(Family):
         found = on_lines(self, HOPF if only is None else undamped_mode(only), n, ends[:, ~free])
         curves, changes = list[Curve](), list[list[float]]()
         for chain in found.chains:
-            for states in self.oscillating(chain, _at_ends(found.curves, chain, ends[:, ~free])):
+            # At a Bogdanov–Takens point both are 0, and rounding would say what they are: it belongs to the curve.
+            kept = _at_ends(found.curves, chain, ends[:, ~free])
+            omega = map(stability.frequency, self.roots(chain))
+            for states, each in _pieces(chain, [[one] if one or end else [] for one, end in zip(omega, kept, strict=True)]):
                 forms = self.forms(found.curves, states)
-                curves.append(self.curve(states, self.omegas(states), forms))
+                curves.append(self.curve(states, each, forms))
                 changes += self.changes(found.curves, states, forms)
         undecided, whole, said = found.undecided, found.whole, found.remarks
         if only is not None and balance.model.about["dampers"]:
             flat = on_lines(self, no_damping(only), n, ends[:, free])
             for chain in flat.chains:
-                curves += self.of_all_pairs(chain, _at_ends(flat.curves, chain, ends[:, free]))
+                kept, modes = _at_ends(flat.curves, chain, ends[:, free]), list[list[float]]()
+                for roots, end in zip(self.roots(chain), kept, strict=True):
+                    others = roots[np.argsort(np.abs(roots))[2:]]
+                    modes.append([0.0, *frequencies(others)] if end else frequencies(roots))
+                curves += itertools.starmap(self.curve, _pieces(chain, modes))
             undecided, whole, said = np.concatenate([undecided, flat.undecided]), whole and flat.whole, said + flat.remarks
         elif only is not None:
             slope = slope_over(balance, self.over)
@@ -213,9 +220,8 @@ class _Plane(Family):
             return self.told(False, (), points, (), {}, True, np.empty((0, balance.n + 2, 2)), ())
         found = on_lines(self, FLUTTER, n, np.empty((balance.n + 2, 0)))
         for chain in found.chains:
-            omega = np.array([sum(meeting(*each)) for each in zip(*matrices(self, chain), strict=True)])
-            parts = np.split(np.arange(omega.size), np.flatnonzero(np.diff(omega > 0)) + 1)
-            curves += [self.curve(chain[:, part], omega[part], [UNPROVED] * len(part)) for part in parts if omega[part].any()]
+            modes = [meeting(*each) for each in zip(*matrices(self, chain), strict=True)]
+            curves += itertools.starmap(self.curve, _pieces(chain, modes))
         complete = found.whole and not len(found.undecided)
         return self.told(False, curves, points, (), found.lines, complete, found.undecided, found.remarks)
 
@@ -244,37 +250,11 @@ class _Plane(Family):
         """All λ, shape (N, 2 n)."""
         return stability.roots(*matrices(self, states))
 
-    def omegas(self, states: FloatArray) -> FloatArray:
-        """ω of the pair whose sum is the nearest to 0; 0 if it is real."""
-        return np.array([stability.frequency(row) for row in self.roots(states)])
-
     def hardly_damped(self, states: FloatArray) -> NDArray[np.bool_]:
         """Where C is next to nothing beside K."""
         _, C, K = matrices(self, states)
         hardly: NDArray[np.bool_] = np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
         return hardly
-
-    def oscillating(self, states: FloatArray, ends: NDArray[np.bool_]) -> list[FloatArray]:
-        """The parts of a chain on which a pair is imaginary; on the others two real eigenvalues have the sum 0.
-
-        At the ``ends``, Bogdanov–Takens points, both are 0, and rounding would say what they are: it belongs to the curve.
-        """
-        kept = (self.omegas(states) > 0) | ends
-        cuts = np.flatnonzero(np.diff(kept)) + 1
-        return [part for part, on in zip(np.split(states, cuts, axis=1), np.split(kept, cuts), strict=True) if on[:1].any()]
-
-    def of_all_pairs(self, chain: FloatArray, ends: NDArray[np.bool_]) -> list[Curve]:
-        """A curve for each pair, on the parts of a chain of states without damping that have as many."""
-        modes = []
-        for roots, end in zip(self.roots(chain), ends, strict=True):
-            others = roots[np.argsort(np.abs(roots))[2:]]
-            modes.append([0.0, *frequencies(others)] if end else frequencies(roots))
-        cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
-        return [
-            self.curve(chain[:, part], np.array([modes[row][mode] for row in part]), [UNPROVED] * len(part))
-            for part in np.split(np.arange(len(modes)), cuts)
-            for mode in range(len(modes[part[0]]) if len(part) else 0)
-        ]
 
     def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | str]:
         """The normal form at each point, over a box that is proved to hold one, or why there is none."""
@@ -294,9 +274,9 @@ class _Plane(Family):
         except Undecided as reason:
             return str(reason)
 
-    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str]) -> Curve:
-        """The points with what is known of them."""
-        n = self.balance.n
+    def curve(self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | str] = ()) -> Curve:
+        """The points with what is known of them; without forms none has one."""
+        n, forms = self.balance.n, forms or [UNPROVED] * len(omega)
         values: dict[str, NDArray[Any]] = dict(
             zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True)
         )
@@ -329,6 +309,14 @@ class _Plane(Family):
             one, two = (found[:, 0], two) if kind == first else (one, found[:, 0])
         middle, n = 0.5 * (one + two), self.balance.n
         return [*middle[n:], *middle[:n], float(np.abs(two - one).max())]
+
+
+def _pieces(chain: FloatArray, modes: Sequence[Sequence[float]]) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """The parts of a chain of states that have as many frequencies, once for each of these, with that frequency."""
+    cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
+    for part in np.split(np.arange(len(modes)), cuts):
+        for mode in range(len(modes[part[0]]) if len(part) else 0):
+            yield chain[:, part], np.array([modes[row][mode] for row in part])
 
 
 def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> NDArray[np.bool_]:

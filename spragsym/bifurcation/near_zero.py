@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 
 from ..numerics import boxes, certified_roots
-from ..numerics.certified_roots import Roots, concatenated, once
+from ..numerics.certified_roots import Roots, concatenated, distinct
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..statics.mechanics.laws import XP
-from .defining_systems import Augmented, State
+from ..statics.mechanics.state import State
+from .defining_systems import Augmented
 from .degenerate_ends import vanishes
 
 #: Where the range of such a parameter begins.
@@ -67,10 +68,8 @@ def joined(one: Roots, other: Roots) -> Roots:
 
     What the one leaves in the range of the other is decided there.
     """
-    found = concatenated([one.kept(left=-one.left[0, -1] <= LOW), other.kept(left=other.left[1, -1] >= HIGH)], one.ends.shape[1])
-    found = found.kept(np.argsort(-found.alone[0, 0]))
-    keep, unclear = once(found.ends, found.alone, found.point)
-    return found.kept(keep).besides(found.ends[:, :, unclear], found.point[unclear])
+    parts = [one.kept(left=-one.left[0, -1] <= LOW), other.kept(left=other.left[1, -1] >= HIGH)]
+    return distinct(concatenated(parts, one.ends.shape[1]))
 
 
 def _raised(ends: FloatArray) -> FloatArray:

@@ -19,7 +19,8 @@ from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.krawczyk import Digits
 from ..statics.mechanics.precise_balance import PreciseBalance, Spans, settled_by_digits, unsettled
-from .defining_systems import Augmented, State
+from ..statics.mechanics.state import State
+from .defining_systems import Augmented
 
 #: Boxes beyond which they lie around no points.
 MANY = 400

@@ -65,9 +65,7 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
     omega = omega[linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
     every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
-    every = every.kept(np.argsort(-every.alone[0, 0]))
-    keep, _ = certified_roots.once(every.ends, every.alone, every.point)
-    return replace(found, roots=every.kept(keep)), open_, omega
+    return replace(found, roots=certified_roots.distinct(every)), open_, omega
 
 
 def _proved(system: Augmented, given: FloatArray, box: FloatArray) -> FloatArray | None:

@@ -33,9 +33,10 @@ from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.mechanics.border import on_side
 from ..statics.mechanics.parity import follows
 from ..statics.mechanics.precise_balance import PreciseBalance, clusters
+from ..statics.mechanics.state import State
 from ..statics.regions import region
 from .bifurcation_conditions import FOLD
-from .defining_systems import Augmented, State
+from .defining_systems import Augmented
 from .families import Family
 from .points import Found
 

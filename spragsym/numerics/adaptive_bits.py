@@ -82,14 +82,3 @@ def as_numbers(
     if digits is not None and error > Fraction(1, 10**digits):
         raise Undecided(f"an error of {float(error):.1e}")
     return middles, rounded_up(error), rounded_up(radius)
-
-
-def angle(cosine: Interval, sine: Interval) -> Interval:
-    """The angle in (−π, π] with that cosine and sine, from the half that the arc tangent is good at."""
-    low, high = balls.ends(cosine)
-    if low > 0:
-        return balls.atan(sine / cosine)
-    side = decided(sine, "an angle of 0 or π")
-    if high < 0:
-        return balls.atan(sine / cosine) + side * balls.pi()
-    return side * balls.pi() / 2 - balls.atan(cosine / sine)

@@ -107,14 +107,18 @@ def different(found: Roots, regions: FloatArray) -> Roots:
 
     ``regions`` have the shape (2, n, points).
     """
-    order = np.lexsort((-found.alone[0, 0], found.point))
-    found = found.kept(order)
-    keep, unclear = once(found.ends, found.alone, found.point)
+    found = distinct(found)
     around = regions[:, :, found.point]
-    keep = keep[~contractors.apart(found.ends, around)[keep]]
-    border = ~contractors.within(found.ends, around)[keep]
-    open_ = np.concatenate([unclear, keep[border]])
-    return found.kept(keep[~border]).besides(found.ends[:, :, open_], found.point[open_])
+    border = ~contractors.within(found.ends, around)
+    open_ = np.flatnonzero(border & ~contractors.apart(found.ends, around))
+    return found.kept(~border).besides(found.ends[:, :, open_], found.point[open_])
+
+
+def distinct(found: Roots) -> Roots:
+    """Roots, each once, by point and lower end; what can't be told from another is left."""
+    found = found.kept(np.lexsort((-found.alone[0, 0], found.point)))
+    keep, unclear = once(found.ends, found.alone, found.point)
+    return found.kept(keep).besides(found.ends[:, :, unclear], found.point[unclear])
 
 
 def _refined(

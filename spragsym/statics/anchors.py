@@ -179,9 +179,7 @@ def _once_around(found: Roots) -> Roots:
     alone[:, 0, back] += turn - TURN_ERROR
     turned = replace(found, ends=ends, alone=alone)
     inside = Intervals(found.left[:, 0]).mignitude <= HALF_TURN
-    turned = turned.kept(np.lexsort((-alone[0, 0], found.point)), inside)
-    keep, unclear = certified_roots.once(turned.ends, turned.alone, turned.point)
-    return turned.kept(keep).besides(turned.ends[:, :, unclear], turned.point[unclear])
+    return certified_roots.distinct(turned.kept(left=inside))
 
 
 def _possible(system: Polar, ends: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:

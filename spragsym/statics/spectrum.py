@@ -23,6 +23,7 @@ from ..numerics.krawczyk import as_balls, narrowed
 from ..results.equilibria import Stability
 from .mechanics.balance import NOTHING, Balance
 from .mechanics.precise_balance import PreciseBalance
+from .mechanics.state import State
 
 #: Bits of the numbers where intervals of floats do not tell a sign.
 BITS = 256
@@ -56,12 +57,9 @@ def _over(
     balance: Balance, parameters: Intervals, ends: FloatArray
 ) -> tuple[NDArray[np.int8], NDArray[np.int8], NDArray[np.bool_]]:
     """Signs of the elementary symmetric functions and of Hermite's minors over boxes, and where K is symmetric."""
-    shape = ends.shape[2:]
-    q, values = list(Intervals(ends)), balance.arguments(parameters)
-    K = matrix(balance.by_coordinate("forces_jacobian", q, balance.directions(q, values, shape), values), shape)
-    parts = invariants(list(map(list, K)), list(map(list, matrix(balance.mass(q, values), shape))))
-    elementary, minors = (_signs(part, shape) for part in parts)
-    return elementary, minors, without_flutter(balance, parameters)
+    at = State(balance, list(Intervals(ends)), balance.arguments(parameters), ends.shape[2:])
+    elementary, minors = invariants(*(_rows(matrix(part, at.shape)) for part in (at.stiffness(), at.mass())))
+    return _signs(elementary, at.shape), _signs(minors, at.shape), without_flutter(balance, parameters)
 
 
 def without_flutter(balance: Balance, parameters: Intervals) -> NDArray[np.bool_]:
@@ -87,11 +85,8 @@ def decay(
     """
     shape = ends.shape[2:]
     with np.errstate(all="ignore"):
-        q, values = list(Intervals(ends)), balance.arguments(balance.prepared(Intervals.point(given)))
-        directions = balance.directions(q, values, shape)
-        K = matrix(balance.by_coordinate("forces_jacobian", q, directions, values), shape)
-        C = matrix(balance.damping(q, directions, values), shape)
-        M = matrix(balance.mass(q, values), shape)
+        at = State(balance, list(Intervals(ends)), balance.arguments(balance.prepared(Intervals.point(given))), shape)
+        M, C, K = (matrix(part, shape) for part in (at.mass(), at.damping(), at.stiffness()))
         signs = _signs(_routh(*map(_rows, (M, C, K))), shape)
         without = C.magnitude.max(axis=(0, 1)) <= NOTHING
         found = np.where(without & (undamped != 0), undamped, _told_to_decay(signs)).astype(np.int8)
@@ -207,9 +202,7 @@ def _signs_at(
     ask: Callable[[Any, Any, Callable[[], Any]], Sequence[Sequence[Any]]],
 ) -> list[NDArray[np.int8]]:
     """Signs of what ``ask`` makes of M, K and C at a state of balls."""
-    values = precise.arguments
-    directions = balance.plain_directions(q, values, BALLS)
-    K = balance.by_coordinate("forces_jacobian", q, directions, values, BALLS)
-    M, K = (as_balls(part, precise.bits) for part in (balance.mass(q, values, BALLS), K))
-    parts = ask(M, K, lambda: as_balls(balance.damping(q, directions, values, xp=BALLS), precise.bits))
+    at = State(balance, q, precise.arguments, (), xp=BALLS)
+    M, K = (as_balls(part, precise.bits) for part in (at.mass(), at.stiffness()))
+    parts = ask(M, K, lambda: as_balls(at.damping(), precise.bits))
     return [np.array([[balls.sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

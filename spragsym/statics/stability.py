@@ -13,6 +13,7 @@ from ..numerics.interval_arrays import FloatArray
 from ..results.equilibria import Equilibria, Stability
 from . import spectrum
 from .mechanics.balance import Balance
+from .mechanics.state import State
 
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
@@ -128,13 +129,8 @@ def frequency(roots: NDArray[np.complex128]) -> float:
 
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
-    shape, q, values = states.shape[1:], list(states), balance.floats(given)
-    directions = balance.plain_directions(q, values, np)
-    return (
-        filled(balance.mass(q, values, np), shape),
-        filled(balance.damping(q, directions, values, xp=np), shape),
-        filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
-    )
+    at = State(balance, list(states), balance.floats(given), states.shape[1:], xp=np)
+    return filled(at.mass(), at.shape), filled(at.damping(), at.shape), filled(at.stiffness(), at.shape)
 
 
 def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:

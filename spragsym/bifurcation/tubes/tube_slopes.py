@@ -6,7 +6,7 @@ little more is left than slopes really vary by; intervals would take each entry 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,23 +14,28 @@ import numpy as np
 
 from ...numerics import contractors
 from ...numerics.affine import Affine
-from ...numerics.affine_functions import AFFINE
-from ...numerics.interval_arrays import FloatArray, Intervals, stacked
-from ...statics.mechanics.balance import Balance
+from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 
 
 @dataclass(frozen=True)
 class Slopes:
-    """Rows of slopes by q, v and the free parameters, with the ``zero`` of their type, and how they are ``taken`` for intervals.
+    """Rows of slopes by q, v and the free parameters: intervals, or affine numbers that ``Y`` has multiplied.
 
-    ``forces`` makes of forces, shape (n, N), what belongs to these rows, ``solved`` a step of interval Newton from it.
+    ``zero`` is the 0 of their type; what belongs to the rows beside slopes ``Y`` multiplies as well.
     """
 
     rows: Sequence[Sequence[Any]]
     zero: Any
-    taken: Callable[[Any], Intervals]
-    forces: Callable[[Intervals], Intervals]
-    solved: Callable[[Intervals, Intervals, FloatArray, FloatArray], FloatArray]
+    Y: FloatArray | None = None
+
+    def taken(self, value: Any) -> Intervals:
+        """A number of the type as an interval."""
+        interval: Intervals = value if self.Y is None else value.interval()
+        return interval
+
+    def forces(self, found: Intervals) -> Intervals:
+        """Forces, shape (n, N), as these rows have them."""
+        return found if self.Y is None else Intervals(contractors.product(self.Y, found.ends[:, :, None])[:, :, 0])
 
     def image(self, row: int, direction: FloatArray, start: Any = None) -> Any:
         """A row times a vector, shape (n + 1, N), and more: what is 0 for all boxes is left out."""
@@ -40,23 +45,9 @@ class Slopes:
     def newton(self, left: Sequence[Intervals], others: Sequence[int], reach: FloatArray) -> FloatArray:
         """Ends of a step of interval Newton for the unknowns ``others`` from what is left of the forces."""
         shape = reach.shape[1:]
-        entries = [self.taken(row[j]) for row in self.rows for j in others]
-        matrix = Intervals(stacked(entries, shape).ends.reshape(2, len(self.rows), len(others), *shape))
-        return self.solved(stacked(left, shape), matrix, np.zeros_like(reach), reach)
-
-
-def of_intervals(slopes: Intervals) -> Slopes:
-    """Slopes from a matrix of intervals, shape (n, n + 1 + free, N)."""
-
-    def newton(*given: Any) -> FloatArray:
-        return contractors.newton(*given).ends
-
-    rows = [list(row) for row in slopes]
-    return Slopes(rows, Intervals(np.zeros((2, *slopes.shape[2:]))), _same, _same, newton)
-
-
-def _same(value: Any) -> Any:
-    return value
+        entries = matrix([[self.taken(row[j]) for j in others] for row in self.rows], shape)
+        given = stacked(left, shape), entries, np.zeros_like(reach), reach
+        return contractors.newton(*given).ends if self.Y is None else contractors.by_rows(*given)
 
 
 def of_affine(rows: Sequence[Sequence[Any]], others: Sequence[int], shape: tuple[int, ...]) -> Slopes:
@@ -64,28 +55,8 @@ def of_affine(rows: Sequence[Sequence[Any]], others: Sequence[int], shape: tuple
     middles = np.array([[_middle(row[j], shape) for j in others] for row in rows])
     Y, zero = contractors.inverse(middles), Affine(np.zeros(shape), np.zeros((1, *shape)))
     n = range(len(rows))
-    whole = [[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n]
-
-    def forces(found: Intervals) -> Intervals:
-        return Intervals(contractors.product(Y, found.ends[:, :, None])[:, :, 0])
-
-    return Slopes(whole, zero, Affine.interval, forces, contractors.by_rows)
+    return Slopes([[sum((rows[k][j] * Y[i, k] for k in n), zero) for j in range(len(rows[0]))] for i in n], zero, Y)
 
 
 def _middle(entry: Any, shape: tuple[int, ...]) -> FloatArray:
     return np.broadcast_to(entry.value if isinstance(entry, Affine) else float(entry), shape)
-
-
-def affine_rows(
-    balance: Balance, values: dict[str, Any], q: Sequence[Affine], turnings: Sequence[Intervals], names: Sequence[str]
-) -> list[list[Any]]:
-    """Slopes of the forces by the coordinates and by some parameters, of coordinates and parameters that are affine numbers."""
-    arguments = balance.arguments_of(values, AFFINE)
-    directions: list[Any] = []
-    for dx, dy, _ in balance.geometry(q, arguments, AFFINE):
-        length = AFFINE.sqrt(dx * dx + dy * dy)
-        directions += [dx / length, dy / length, length]
-    directions += map(Affine.between, turnings)
-    stiffness = balance.by_coordinate("forces_jacobian", q, directions, arguments, AFFINE)
-    moved = balance.by_parameters(names, q, directions, arguments, AFFINE)
-    return [[*row, *more] for row, more in zip(stiffness, moved, strict=True)]

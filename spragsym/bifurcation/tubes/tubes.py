@@ -20,12 +20,13 @@ from numpy.typing import NDArray
 
 from ...numerics import contractors
 from ...numerics.affine import Affine
+from ...numerics.affine_functions import AFFINE
 from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 from ...statics.mechanics.balance import Balance
 from ...statics.mechanics.border import on_side
 from ...statics.mechanics.laws import XP
 from .tube_regions import UP, Flags, Parts, Place, Region, beside_tube
-from .tube_slopes import Slopes, affine_rows, of_affine, of_intervals
+from .tube_slopes import Slopes, of_affine
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
@@ -78,7 +79,8 @@ class Tubes:
     def over(self, parts: Parts, region: Region, pivot: int) -> Slopes:
         """Slopes over regions, solved for all unknowns but the pivot: affine where parameters have a width."""
         if not parts.half.any():
-            return of_intervals(self.slopes(parts, region.box))
+            slopes = self.slopes(parts, region.box)
+            return Slopes([list(row) for row in slopes], Intervals(np.zeros((2, *slopes.shape[2:]))))
         with np.errstate(all="ignore"):
             return of_affine(self.affine_slopes(parts, region), self._others(pivot), parts.half.shape[1:])
 
@@ -93,15 +95,17 @@ class Tubes:
             terms[1 + k] = apart[k]
             values[name] = Affine(parts.centre[k], terms)
         values[self.vary] = z[self.n]
-        return affine_rows(self.balance, values, z[: self.n], self._turnings(parts, region), self._moving(parts))
+        q, values = z[: self.n], self.balance.arguments_of(values, AFFINE)
+        directions = self.balance.plain_directions(q, values, AFFINE, self._turnings(parts, region))
+        return self._rows(q, directions, values, AFFINE, self._moving(parts))
 
-    def _turnings(self, parts: Parts, region: Region) -> list[Intervals]:
-        """Angles of torsion springs, in intervals."""
+    def _turnings(self, parts: Parts, region: Region) -> list[Affine]:
+        """Angles of torsion springs, from intervals."""
         if not self.balance.torsions:
             return []
         values = self.balance.arguments(self._bounds(parts, region.box[self.n]))
         found = self.balance.directions(list(region.box[: self.n]), values, parts.half.shape[1:])
-        return found[3 * self.balance.springs :]
+        return list(map(Affine.between, found[3 * self.balance.springs :]))
 
     def _rows(self, q: list[Any], directions: list[Any], values: dict[str, Any], xp: Any, names: list[str]) -> list[list[Any]]:
         stiffness = self.balance.by_coordinate("forces_jacobian", q, directions, values, xp)

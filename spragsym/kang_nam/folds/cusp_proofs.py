@@ -9,7 +9,8 @@ from typing import Any
 
 from ...generated import catastrophe as _catastrophe
 from ...numerics import balls, descartes, polynomials
-from ...numerics.adaptive_bits import angle, decided
+from ...numerics.adaptive_bits import decided
+from ...numerics.ball_functions import atan2
 from ...numerics.balls import Interval, sign
 from ...numerics.line_roots import roots_on_the_line
 from .fold_enclosures import Angles, Point, SineRoot, in_contact
@@ -100,7 +101,7 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
 def _angle_or_level(cosine: Interval, sine: Interval, level: bool) -> Interval:
     """The angle in (−π, π], 0 or π where the sine is known to be 0."""
     if not level:
-        return angle(cosine, sine)
+        return atan2(sine, cosine)
     return balls.exact(Fraction(0)) if decided(cosine, "cos θ = 0") > 0 else balls.pi()
 
 

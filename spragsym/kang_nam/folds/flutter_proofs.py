@@ -22,7 +22,8 @@ from typing import Any, NamedTuple
 
 from ...generated import stability as _stability
 from ...numerics import balls, polynomials
-from ...numerics.adaptive_bits import angle, decided, sign_or_zero
+from ...numerics.adaptive_bits import decided, sign_or_zero
+from ...numerics.ball_functions import atan2
 from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.descartes import Root, real_roots
 from ...numerics.half_angle import in_t, on_circle
@@ -211,7 +212,7 @@ def _at_length(
         side = 0 if touches else -decided(change, "the discriminant's slope")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
         branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / sigma, bits // 2)
-        yield Onset(angle(c0, s0), angle(c, s), L, x, y, branch, count, side)
+        yield Onset(atan2(s0, c0), atan2(s, c), L, x, y, branch, count, side)
 
 
 # ------------------------------------------------------------------------------------------------------- rank

@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from ...numerics import polynomials
-from ...numerics.adaptive_bits import angle, as_floats, decided, sign_or_zero
+from ...numerics.adaptive_bits import as_floats, decided, sign_or_zero
+from ...numerics.ball_functions import atan2
 from ...numerics.balls import Interval
 from ..quartic import kernel
 
@@ -63,4 +64,4 @@ def in_contact(angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> I
     kappa, _, sigma, beta = values
     L, x, y = kernel.state(*angles, kappa, sigma, beta, 1)
     if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
-        yield Point((angle(angles.c0, angles.s0), mu0, *values), angle(angles.c, angles.s), L, x, y)
+        yield Point((atan2(angles.s0, angles.c0), mu0, *values), atan2(angles.s, angles.c), L, x, y)

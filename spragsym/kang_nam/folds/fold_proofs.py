@@ -16,7 +16,8 @@ from ...errors import ConvergenceError
 from ...generated import catastrophe as _catastrophe
 from ...models.parameters import NAMES
 from ...numerics import balls, polynomials
-from ...numerics.adaptive_bits import angle, decided, sign_or_zero
+from ...numerics.adaptive_bits import decided, sign_or_zero
+from ...numerics.ball_functions import atan2
 from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.half_angle import in_t, on_circle
 from ...numerics.line_roots import Root, roots_on_the_line
@@ -212,7 +213,7 @@ def _classified(vary: str, point: Point, angles: Angles, direction: _Direction) 
 def _after(point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]) -> tuple[Interval, ...]:
     c, s, _ = on_circle(kernel.landing(direction.t, trig, balls.sqrt))
     kappa, _, sigma, beta = point.parameters[2:]
-    return (angle(c, s), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
+    return (atan2(s, c), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
 
 
 def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:

@@ -194,11 +194,13 @@ class Forces:
             found.append(turning(value, steps[self.torsions[place]], rests[place], shape, side))
         return found
 
-    def plain_directions(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any) -> list[Any]:
-        """Cosine, sine and length of every spring, then turnings, for numbers that are narrow: quotients."""
+    def plain_directions(
+        self, q: Sequence[Any], values: Mapping[str, Any], xp: Any, turnings: Sequence[Any] = ()
+    ) -> list[Any]:  # fmt: skip
+        """Cosine, sine and length of every spring, then turnings if not given, for numbers that are narrow: quotients."""
         directions = [part for dx, dy, _ in self.geometry(q, values, xp) for part in quotients(dx, dy, xp)]
-        if not self.torsions:
-            return directions
+        if len(turnings) == len(self.torsions):
+            return [*directions, *turnings]
         pairs = undecorated(self.model.algebra.turnings)(*q, *directions, *self._listed(values, "statics"), xp=xp)
         return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
 

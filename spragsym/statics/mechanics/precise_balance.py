@@ -34,8 +34,6 @@ TOLERANCE = 1e-12
 CLUSTERS = 24
 #: Parts that are left all over a cluster: more bits do not help.
 ALL_OVER = 32
-#: Next boxes of the same point that a box is compared with at once.
-TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
 AROUND = 2.0**-13
 
@@ -165,41 +163,24 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Pre
 
 
 def clusters(boxes: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Hulls of boxes of the same point, shape (2, n, N), that meet each other, until no two hulls meet; and the point of each."""
-    hulls = boxes
-    while True:
-        label = _meeting(hulls, point)
-        order = np.argsort(label, kind="stable")
-        begins = np.searchsorted(label[order], np.arange(label.max(initial=-1) + 1))
-        if begins.size == label.size:
-            order = np.lexsort((-hulls[0, 0], point))
-            return hulls[:, :, order], point[order]
-        hulls, point = np.maximum.reduceat(hulls[:, :, order], begins, axis=2), point[order][begins]
+    """Hulls of boxes of the same point, shape (2, n, N), that meet each other, until no two hulls meet; and the point of each.
+
+    Two meet if one of them, widened by half of itself, meets the other.
+    """
+    parts, owner = [boxes[:, :, :0]], list[NDArray[np.int64]]()
+    for number in np.unique(point):
+        hulls = boxes[:, :, :0]
+        for box in np.moveaxis(boxes[:, :, point == number], 2, 0):
+            hull = box[:, :, None]
+            while (meet := ~(contractors.apart(_around(hulls), hull) & contractors.apart(hulls, _around(hull)))).any():
+                hull = np.concatenate([hull, hulls[:, :, meet]], axis=2).max(axis=2, keepdims=True)
+                hulls = hulls[:, :, ~meet]
+            hulls = np.concatenate([hulls, hull], axis=2)
+        parts.append(hulls[:, :, np.argsort(-hulls[0, 0], kind="stable")])
+        owner.append(np.full(hulls.shape[2], number))
+    return np.concatenate(parts, axis=2), np.concatenate([point[:0], *owner])
 
 
-def _meeting(boxes: FloatArray, point: NDArray[np.int64]) -> NDArray[np.int64]:
-    """One number for all boxes of a point that meet, directly or through others, each widened by half of itself."""
-    from scipy.sparse import coo_array  # takes as long to import as all else that a first answer needs
-    from scipy.sparse.csgraph import connected_components
-
-    wide = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
-    order = np.lexsort((-wide[0, 0], point))
-    boxes, wide, point = boxes[:, :, order], wide[:, :, order], point[order]
-    pairs = [np.empty((2, 0), dtype=np.int64)]
-    first = np.arange(point.size)
-    for shift in range(1, min(point.size, TOGETHER)):
-        # In the order of the lower ends: what begins beyond the end of a box does not meet it, nor does all that follows.
-        first = first[first + shift < point.size]
-        second = first + shift
-        near = (point[first] == point[second]) & (wide[1, 0, first] + wide[0, 0, second] >= 0)
-        first, second = first[near], second[near]
-        if not first.size:
-            break
-        meet = ~contractors.apart(wide[:, :, first], boxes[:, :, second])
-        meet |= ~contractors.apart(boxes[:, :, first], wide[:, :, second])
-        pairs.append(np.stack([first[meet], second[meet]]))
-    one, two = np.concatenate(pairs, axis=1)
-    graph = coo_array((np.ones(one.size, dtype=np.bool_), (one, two)), shape=(point.size, point.size))
-    label = np.empty(point.size, dtype=np.int64)
-    label[order] = connected_components(graph, directed=False)[1]
-    return label
+def _around(boxes: FloatArray) -> FloatArray:
+    out: FloatArray = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
+    return out

@@ -1,0 +1,66 @@
+"""One evaluation of a model at a state, of any number type: forces, matrices of the linearization, and the gap."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from .balance import Balance
+from .laws import XP
+
+
+@dataclass
+class State:
+    """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
+
+    balance: Balance
+    q: Sequence[Any]
+    values: Mapping[str, Any]
+    shape: tuple[int, ...]
+    upright: Sequence[int] = ()
+    xp: Any = XP
+    sides: Sequence[int] | None = None
+
+    @cached_property
+    def directions(self) -> list[Any]:
+        """Cosine, sine and length of every spring, and turnings."""
+        if self.xp is XP:
+            return self.balance.directions(self.q, self.values, self.shape, self.upright, self.sides)
+        return self.balance.plain_directions(self.q, self.values, self.xp)
+
+    def forces(self) -> Sequence[Any]:
+        """Rows of the balance."""
+        rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values, self.xp)
+        return rows
+
+    def slopes(self) -> list[list[Any]]:
+        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
+        return [list(row) for row in self._slopes]
+
+    @cached_property
+    def _slopes(self) -> Any:
+        return self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
+
+    def stiffness(self) -> list[list[Any]]:
+        """K."""
+        if not self.balance.sums:
+            return self.slopes()
+        return [list(row) for row in self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)]
+
+    def gap(self) -> Any:
+        """The gap of the contact."""
+        return self.balance.gap(self.q, self.values, self.xp)
+
+    def mass(self) -> list[list[Any]]:
+        """M."""
+        return [list(row) for row in self.balance.mass(self.q, self.values, self.xp)]
+
+    def damping(self) -> list[list[Any]]:
+        """C: dampers and slope of the friction law."""
+        return [list(row) for row in self.balance.damping(self.q, self.directions, self.values, xp=self.xp)]
+
+    def slope(self) -> Any:
+        """Slope of the friction law."""
+        return self.balance.slope(self.values, self.xp)

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.integrate import simpson, solve_ivp
 
 import spragsym as ss
-from spragsym.motion import flows, integrators, simulate
+from spragsym.motion import integrators, periodic_orbit, simulate
 from spragsym.motion.classify import classify
 from spragsym.motion.motions import Motions
 from spragsym.motion.problem import Problem
@@ -156,7 +156,7 @@ def overhead_table() -> None:
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
             problem = prepare(p.model, p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
-            motions, flow = Motions.of([problem]), flows.Onward(problem, "heyoka")
+            motions, flow = Motions.of([problem]), periodic_orbit.Onward(problem, "heyoka")
             course = integrators.measure(motions, "heyoka").course(0)
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)

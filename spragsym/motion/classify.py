@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..models.field import SETTLED, TURN
-from . import flows
-from .flows import Onward
 from .measures import Course
 from .motions import Measured, Motions
+from .periodic_orbit import Onward
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
 from .rest import at_rest, is_still
@@ -61,6 +60,6 @@ def classified(
     for row in np.flatnonzero(~aloft & ((measured.maxima >= FEWEST) | turning | is_still(moved, extent, tol))).tolist():
         problem = motions.problem(row)
         try:
-            yield row, classify(measured.course(row), problem, flows.Onward(problem, backend), tol)
+            yield row, classify(measured.course(row), problem, Onward(problem, backend), tol)
         except (ConvergenceError, ArithmeticError) as error:
             yield row, error

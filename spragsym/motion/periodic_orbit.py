@@ -1,16 +1,33 @@
-"""The periodic orbit near a motion, with the derivative of its return map: Newton's method on the flow and its derivatives."""
+"""How a motion goes on, and the periodic orbit near it with the derivative of its return map, by Newton's method."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import Field
+from ..models.field import REACH, Field
 from ..models.parameters import FloatArray
-from .segment import Fly
-from .shooting import Guess, Loop, once_round, rate, solved, through
+from . import batch_heyoka, integrators
+from .flows import Flow
+from .measures import Course
+from .motions import Motions
+from .problem import Problem
+from .segment import Fly, Passage, Turn
+from .shooting import CLOSED, Guess, Loop, once_round, rate, solved, through
+from .with_heyoka import taylor_of
+from .with_scipy import Flight
+
+#: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
+FINE, FINEST = 1e-12, 1e-15
+
+#: Differences of a flow are taken over this; by how much an orbit that is found with them may stay open, at first and in the end.
+STEP, ROUGH, OPEN = 1e-5, 1e-4, 1e-9
+
+#: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap derivatives, and how closely in the end.
+PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN), "scipy": (FINE, OPEN, CLOSED)}
 
 
 @dataclass(frozen=True)
@@ -32,28 +49,81 @@ def section(states: FloatArray, fixed: int) -> FloatArray:
     return kept
 
 
-def closed_orbit(field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, closed: float) -> Closed:
-    """The closed orbit of about a period near a state of a section; ConvergenceError where there is none within ``reach``."""
-    try:
-        loop = nearly_closed(field, fly, state, fixed, period, reach, closed, iterations=12)
-    except (OverflowError, ValueError) as error:
-        raise ConvergenceError("Newton's method left the range of numbers") from error
-    loop = once_round(loop, fly)
-    place = loop.guess.states[0]
-    flow = rate(field, place, loop.constants)
-    if flow[fixed] == 0:
-        raise ConvergenceError("the orbit does not pass through the section")
-    back = np.eye(field.size)
-    back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
-    slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
-    return Closed(place, loop.guess.period, slope, fixed)
+@dataclass(frozen=True)
+class Onward:
+    """How the motion of a problem goes on from any state, by an integrator."""
 
+    problem: Problem
+    backend: str
 
-def nearly_closed(
-    field: Field, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float, *, iterations: int = 9
-) -> Loop:  # fmt: skip
-    """The loop to a precision that begins on the section of a state."""
+    @property
+    def field(self) -> Field:
+        """The field of the motion, with its own constants."""
+        return replace(self.problem.field_of(REACH), constants=lambda *_: self.problem.constants)
 
-    on_section = through(state, np.eye(state.size)[fixed], state.size + 1)
-    guess = Guess(state[None], period, ())
-    return solved(field, fly, guess, on_section, reach=reach, iterations=iterations, precision=precision, closed=precision)
+    def _motions(self, states: FloatArray, duration: float) -> Motions:
+        one = Motions.of([self.problem])
+        return replace(one, constants=one.constants[[0] * len(states)], starts=states, t_end=duration, t_record=0.0)
+
+    def courses(self, states: FloatArray, duration: float) -> list[Course]:
+        """What is measured on the way from each of many states; an error where one of them cannot be continued."""
+        found = integrators.measure(self._motions(states, duration), self.backend)
+        for error in found.errors.values():
+            raise error
+        return [found.course(row) for row in range(len(states))]
+
+    def ends(self, states: FloatArray, duration: float) -> FloatArray:
+        """Where they end."""
+        if self.backend == "heyoka":
+            return batch_heyoka.ends(self._motions(states, duration))
+        return np.array([course.last for course in self.courses(states, duration)])
+
+    def _forward(self, state: FloatArray, _: object, duration: float, __: object) -> Passage:
+        """``fly`` by forward differences of the plain flow."""
+        last, *others = self.ends(np.vstack([state, state + STEP * np.eye(state.size)]), duration)
+        return Passage(last, (np.array(others) - last).T / STEP, np.zeros((state.size, 2)), (), ())
+
+    def _central(self, state: FloatArray, _: object, duration: float, __: object) -> Passage:
+        """``fly`` by central differences of the plain flow; crossings are not reported."""
+        m, off = state.size, STEP * np.eye(state.size)
+        course, *others = self.courses(np.vstack([state, state + off, state - off]), duration)
+        last = np.array([other.last for other in others])
+        unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
+        turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
+        return Passage(course.last, (last[:m] - last[m:]).T / (2 * STEP), np.zeros((m, 2)), (), tuple(turns))
+
+    def _near(
+        self, fly: Fly, state: FloatArray, fixed: int, period: float, reach: float, precision: float, iterations: int
+    ) -> Loop:  # fmt: skip
+        """The closed orbit to a precision that begins on the section of a state."""
+        on_section = through(state, np.eye(state.size)[fixed], state.size + 1)
+        flow, guess = Flow(self.field, self.backend, fly), Guess(state[None], period, ())
+        return solved(flow, guess, on_section, reach=reach, iterations=iterations, precision=precision, closed=precision)
+
+    def roughly(self, state: FloatArray, fixed: int, period: float, reach: float, precision: float = ROUGH) -> Loop:
+        """The closed orbit near a state of a section, where the number at the place ``fixed`` has its value, to some digits."""
+        return self._near(self._forward, state, fixed, period, reach, precision, 9)
+
+    def closed(self, state: FloatArray, fixed: int, period: float, reach: float) -> Closed:
+        """The same to all digits, with the derivative of its return; ConvergenceError where there is none within ``reach``."""
+        rtol, near, precision = PRECISIONS[self.backend]
+        fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
+        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
+        with suppress(ConvergenceError):
+            guess = fine.roughly(state, fixed, period, reach, near).guess
+            state, period = guess.states[0], guess.period
+        fly: Fly = fine._central
+        if self.backend != "compiled":
+            fly = (taylor_of if self.backend == "heyoka" else Flight)(self.field, directions=0).fly
+        try:
+            loop = once_round(self._near(fly, state, fixed, period, reach, precision, 12))
+        except (OverflowError, ValueError) as error:
+            raise ConvergenceError("Newton's method left the range of numbers") from error
+        place = loop.guess.states[0]
+        flow = rate(self.field, place, loop.constants)
+        if flow[fixed] == 0:
+            raise ConvergenceError("the orbit does not pass through the section")
+        back = np.eye(place.size)
+        back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
+        slope = section(section(back @ loop.monodromy, fixed).T, fixed).T
+        return Closed(place, loop.guess.period, slope, fixed)

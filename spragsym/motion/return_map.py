@@ -19,9 +19,8 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError
 from ..models.field import TURN, apart, in_one_turn
 from ..models.parameters import FloatArray
-from .flows import Onward
 from .measures import Course
-from .periodic_orbit import Closed, section
+from .periodic_orbit import Closed, Onward, section
 from .problem import Problem
 from .regimes import Outcome, Regime
 

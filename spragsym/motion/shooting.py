@@ -14,8 +14,9 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import TURN, Field, apart
 from ..models.parameters import FloatArray
+from .flows import Flow
 from .multipliers import Multipliers, multipliers_of
-from .segment import Crossing, Fly, Passage, Turn
+from .segment import Crossing, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.
 CLOSED = 1e-12
@@ -60,10 +61,15 @@ class Guess:
 class Loop:
     """A guess with its stretches integrated."""
 
-    field: Field
+    flow: Flow
     guess: Guess
     constants: tuple[float, ...]
     passages: tuple[Passage, ...]
+
+    @property
+    def field(self) -> Field:
+        """The field."""
+        return self.flow.field
 
     @cached_property
     def gaps(self) -> FloatArray:
@@ -144,8 +150,9 @@ def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
         return np.full(field.size, np.nan)
 
 
-def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
+def looped(flow: Flow, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
     """A guess integrated."""
+    field = flow.field
     try:
         for index in free:
             field.check(field.parameters[index], guess.values[index])
@@ -156,11 +163,11 @@ def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> 
     constants = field.constants(guess.values)
     stretch, directions = guess.period / len(guess.states), np.zeros((2, len(field.parameters)))
     directions[range(len(free)), free] = 1.0
-    return Loop(field, guess, constants, tuple(fly(state, constants, stretch, directions) for state in guess.states))
+    return Loop(flow, guess, constants, tuple(flow.fly(state, constants, stretch, directions) for state in guess.states))
 
 
 def solved(
-    field: Field, fly: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, reach: float = np.inf,
+    flow: Flow, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, reach: float = np.inf,
     iterations: int = 12, precision: float = 1e-13, closed: float = CLOSED,
 ) -> Loop:  # fmt: skip
     """The closed loop near a guess under further conditions, as many as there are free parameters and one.
@@ -169,7 +176,7 @@ def solved(
     ``closed`` is by how much the loop may stay open. Raises ConvergenceError where there is none.
     """
     start, size, before = guess, guess.states.size, np.inf
-    loop = looped(field, fly, guess, free)
+    loop = looped(flow, guess, free)
     for iteration in range(iterations):
         values, rows = conditions(loop)
         residual = np.concatenate([loop.gaps.ravel(), values])
@@ -190,19 +197,17 @@ def solved(
             break
         if not 0.5 < guess.period / start.period < 2:
             break
-        loop, before = looped(field, fly, guess, free), width
+        loop, before = looped(flow, guess, free), width
     raise ConvergenceError("Newton's method finds no closed orbit there")
 
 
-def chorded(
-    field: Field, fly: Fly, plain: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, steps: int = 4
-) -> Guess:  # fmt: skip
+def chorded(flow: Flow, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, steps: int = 4) -> Guess:
     """A guess after steps of Newton's method that keep the first matrix: derivatives cost several times a plain integration.
 
     The steps end once they no longer shrink tenfold; the guess as it was where even the first one is none. Where orbits are small
     in the model's units they come closer than Newton's method does by itself, whose last step may be 1e-13 of 1.
     """
-    loop, begun = looped(field, fly, guess, free), guess
+    loop, begun = looped(flow, guess, free), guess
     values, rows = conditions(loop)
     matrix = np.vstack([loop.slopes(len(free)), rows])
     before = np.inf
@@ -213,7 +218,7 @@ def chorded(
             break
         try:
             ahead = guess.moved(step, free)
-            loop = looped(field, plain, ahead, free)
+            loop = looped(flow.without, ahead, free)
         except ConvergenceError:
             break
         if not np.isfinite(loop.gaps).all():
@@ -240,55 +245,54 @@ def through(place: FloatArray, normal: FloatArray, unknowns: int) -> Conditions:
     return lambda loop: (np.array([normal @ (loop.guess.states[0] - place)]), row)
 
 
-def across(field: Field, state: FloatArray, constants: tuple[float, ...], unknowns: int) -> Conditions:
-    """The plane through ``state`` across the flow there."""
-    normal = rate(field, state, constants)
-    return through(state, normal / np.linalg.norm(normal), unknowns)
+def across(field: Field, guess: Guess) -> Conditions:
+    """The plane through the first state of a guess across the flow there."""
+    normal = rate(field, guess.states[0], field.constants(guess.values))
+    return through(guess.states[0], normal / np.linalg.norm(normal), guess.states.size + 1)
 
 
 def phase(loop: Loop, guess: Guess) -> Conditions:
     """The phase of a guess at an orbit: where the first coordinate is largest, or as it is where that only turns around."""
     unknowns, m = guess.states.size + 1, loop.field.size
     if loop.winding and not any(turn.border == -1 for turn in loop.turns()):
-        return across(loop.field, guess.states[0], loop.constants, unknowns)
+        return across(loop.field, guess)
     return through(np.zeros(m), np.eye(m)[m // 2], unknowns)
 
 
-def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
+def divided(flow: Flow, guess: Guess, pieces: int) -> Guess:
     """The loop cut into ``pieces`` equal stretches, from its first state on."""
-    constants, states = field.constants(guess.values), [guess.states[0]]
-    none = np.zeros((2, len(field.parameters)))
+    constants, states = flow.field.constants(guess.values), [guess.states[0]]
     for _ in range(pieces - 1):
-        states.append(fly(states[-1], constants, guess.period / pieces, none).state)
+        states.append(flow.fly(states[-1], constants, guess.period / pieces).state)
     return Guess(np.array(states), guess.period, guess.values)
 
 
-def recut(loop: Loop, fly: Fly, pieces: int, begin: float = 0.0) -> Guess:
+def recut(loop: Loop, pieces: int, begin: float = 0.0) -> Guess:
     """A closed loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest one before it.
 
     Carried once around from one state, the error of a strongly unstable orbit would grow beyond Newton's reach.
     """
-    guess, none, states = loop.guess, np.zeros((2, len(loop.field.parameters))), []
+    guess, states = loop.guess, []
     stretch = guess.period / len(guess.states)
     for i in range(pieces):
         t = (begin + i * guess.period / pieces) % guess.period
         which = min(int(t / stretch), len(guess.states) - 1)
         left = t - which * stretch
         start = guess.states[which]
-        states.append(fly(start, loop.constants, left, none).state if left > 1e-14 * stretch else start)
+        states.append(loop.flow.fly(start, loop.constants, left).state if left > 1e-14 * stretch else start)
     return Guess(np.array(states), guess.period, guess.values)
 
 
-def split(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
+def split(flow: Flow, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
     """A guess integrated, in as many stretches as its growth asks for."""
-    loop, pieces = looped(field, fly, guess, free), len(guess.states)
+    loop, pieces = looped(flow, guess, free), len(guess.states)
     while growth(loop) > LARGEST_GROWTH and pieces < SPLIT:
         pieces *= 2
-        loop = looped(field, fly, divided(field, fly, Guess(guess.states[:1], guess.period, guess.values), pieces), free)
+        loop = looped(flow, divided(flow, Guess(guess.states[:1], guess.period, guess.values), pieces), free)
     return loop
 
 
-def once_round(loop: Loop, fly: Fly) -> Loop:
+def once_round(loop: Loop) -> Loop:
     """The orbit over its least period: rounds are one if they differ by no more than the orbit's error.
 
     Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little.
@@ -311,17 +315,17 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
                 continue
             guess = Guess(first.state[None], period / round(share), loop.guess.values)
             with suppress(ConvergenceError):
-                return solved(loop.field, fly, guess, phase(loop, guess), reach=1e-3)
+                return solved(loop.flow, guess, phase(loop, guess), reach=1e-3)
             with suppress(ConvergenceError):  # where nothing damps orbits are not isolated, and Newton's matrix is singular
-                shorter = looped(loop.field, fly, guess)
+                shorter = looped(loop.flow, guess)
                 if shorter.missed <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
                     return shorter
     return loop
 
 
-def difference(loop: Loop, plain: Fly) -> float:
-    """By how much another integrator's stretches end elsewhere: what the step control of either has missed."""
-    other = looped(loop.field, plain, loop.guess)
+def difference(loop: Loop) -> float:
+    """By how much the stretches end elsewhere without derivatives: what the step control of either has missed."""
+    other = looped(loop.flow.without, loop.guess)
     return max(float(np.abs(a.state - b.state).max()) for a, b in zip(loop.passages, other.passages, strict=True))
 
 

@@ -19,11 +19,12 @@ from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, a
 from ..names import hint
 from ..results.result import Result
 from ..statics.search import rest_index
-from . import flows, pictures, spectra
+from . import pictures, spectra
 from .classify import classify
 from .events import Events
 from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
+from .periodic_orbit import Onward
 from .problem import Event
 from .problems import prepare
 from .regimes import Outcome, Regime
@@ -176,7 +177,7 @@ class Trajectory(Result):
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
         problem = prepare(self.model, self.p, start=start, t_end=length, rtol=self.rtol)
-        found = classify(late.course(), problem, flows.Onward(problem, self.backend), as_number("tol", tol, POSITIVE))
+        found = classify(late.course(), problem, Onward(problem, self.backend), as_number("tol", tol, POSITIVE))
         return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest)))) if found.rest else found
 
     def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.segment import Fly
+from ..motion.flows import Flow
 from ..motion.shooting import (
     LARGEST_GROWTH,
     MOST_STRETCHES,
@@ -37,17 +37,25 @@ LEAST_SHARE = 1e-3
 class Setting:
     """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length.
 
-    ``plain`` is the integrator without derivatives, where that is much cheaper. ``event`` is what holds along a curve of events:
-    ``event(loop)`` the test function's equation near a loop, and whether it says where the loop begins too.
+    ``event`` is what holds along a curve of events: ``event(loop)`` the test function's equation near a loop, and whether it says
+    where the loop begins too. With ``plain`` most steps of Newton's method do without derivatives, where those cost much.
     """
 
-    field: Field
-    fly: Fly
+    flow: Flow
     free: tuple[int, ...]
     period: float
     spans: tuple[float, ...]
-    plain: Fly | None = None
+    plain: bool = False
     event: Callable[[Loop], tuple[Conditions, bool]] | None = None
+
+    @property
+    def field(self) -> Field:
+        """The model."""
+        return self.flow.field
+
+    def looped(self, guess: Guess) -> Loop:
+        """A guess integrated, with derivatives by what is free."""
+        return looped(self.flow, guess, self.free)
 
     def weights(self, stretches: int) -> FloatArray:
         """Weights of states, period and parameters in the length of the arc."""
@@ -114,9 +122,9 @@ def corrected(setting: Setting, point: Point, length: float, *, reach: float = n
         values, rows = others(loop)
         return np.append(values, arc @ (loop.guess.coordinates(setting.free) - target)), np.vstack([rows, arc])
 
-    if setting.plain is not None:
-        guess = chorded(setting.field, setting.fly, setting.plain, guess, conditions, setting.free)
-    loop = solved(setting.field, setting.fly, guess, conditions, setting.free, reach=reach, iterations=iterations)
+    if setting.plain:
+        guess = chorded(setting.flow, guess, conditions, setting.free)
+    loop = solved(setting.flow, guess, conditions, setting.free, reach=reach, iterations=iterations)
     return point_of(setting, loop, point.tangent)
 
 
@@ -127,8 +135,7 @@ def fixed(setting: Setting, loop: Loop) -> Loop:
     def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:
         return phase @ (now.guess.coordinates(()) - target[:-1]), phase
 
-    found = solved(setting.field, setting.fly, loop.guess, conditions)
-    return looped(setting.field, setting.fly, found.guess, setting.free)
+    return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 
 def placed(setting: Setting, point: Point, step: FloatArray, value: float) -> Point:
@@ -136,7 +143,7 @@ def placed(setting: Setting, point: Point, step: FloatArray, value: float) -> Po
     moved = point.loop.guess.moved(step, setting.free)
     values = list(moved.values)
     values[setting.free[0]] = value  # exactly, since there may be no parameters beyond
-    near = looped(setting.field, setting.fly, Guess(moved.states, moved.period, tuple(values)), setting.free)
+    near = setting.looped(Guess(moved.states, moved.period, tuple(values)))
     return point_of(setting, fixed(setting, near), point.tangent)
 
 
@@ -172,7 +179,7 @@ def cut_finer(setting: Setting, point: Point) -> Point:
     pieces = len(loop.guess.states)
     if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
         return point
-    finer = looped(setting.field, setting.fly, recut(loop, setting.fly, 2 * pieces), setting.free)
+    finer = setting.looped(recut(loop, 2 * pieces))
     # The old tangent by its first state, period and parameter.
     along = np.zeros(finer.guess.states.size + 1 + len(setting.free))
     size = setting.field.size
@@ -211,7 +218,7 @@ def aligned(setting: Setting, one: Point, other: Point) -> float:
 
 def started(setting: Setting, guess: Guess) -> Point:
     """The first point of a branch, from a closed orbit."""
-    loop = looped(setting.field, setting.fly, guess, setting.free)
+    loop = setting.looped(guess)
     if loop.missed > 1e-9:
         raise ConvergenceError("a branch begins at a closed orbit")
     return point_of(setting, loop)

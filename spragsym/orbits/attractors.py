@@ -12,15 +12,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import ConvergenceError
-from ..models.field import Field, apart
+from ..models.field import apart
 from ..models.parameters import FloatArray
-from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime
-from ..motion.simulation import motion_of
 from .arclength import Setting, along, started
 from .finding import cycle_at
 from .orbit import Cycle, cycle_of
-from .saddles import equilibrium_at, linearization, rounding_of
+from .saddles import rounding_of
+from .system import System
 
 #: A motion is judged at the first of these times, and again at the next as long as it is undecided.
 JUDGED = (2000.0, 10_000.0, 40_000.0)
@@ -80,14 +79,11 @@ class Verdict:
         return "lift-off" if self.kind == Regime.LIFT_OFF else f"nothing that is decided by t = {self.t:g}"
 
 
-def judged(
-    field: Field, values: tuple[float, ...], start: FloatArray, backend: str, *, times: Sequence[float] = JUDGED,
-    rtol: float = 1e-12,
-) -> Verdict:  # fmt: skip
+def judged(system: System, start: FloatArray, *, times: Sequence[float] = JUDGED, rtol: float = 1e-12) -> Verdict:
     """What the motion from a state comes to, looked at later and later as long as that is undecided."""
-    state, begun = np.asarray(start, dtype=float), 0.0
+    state, begun = start, 0.0
     for t_end in times:
-        motion = motion_of(field, values, state, t_end - begun, backend=backend, rtol=rtol)
+        motion = system.motion(state, t_end - begun, rtol=rtol)
         verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
         if verdict.decided:
             break
@@ -95,10 +91,7 @@ def judged(
     return verdict
 
 
-def surely(
-    field: Field, values: tuple[float, ...], start: FloatArray, verdict: Verdict, backend: str,
-    alike: Callable[[Verdict], bool],
-) -> Verdict:  # fmt: skip
+def surely(system: System, start: FloatArray, verdict: Verdict, alike: Callable[[Verdict], bool]) -> Verdict:
     """A verdict, or an undecided one where rounding decides it.
 
     That is where motions by two tolerances part on their way, as irregular ones do, and the finer one, or one of some that
@@ -107,13 +100,13 @@ def surely(
     if not verdict.decided:
         return verdict
     times = np.arange(0.0, verdict.t)
-    one, other = (motion_of(field, values, start, verdict.t, backend=backend, rtol=rtol)(times) for rtol in TOLERANCES)
+    one, other = (system.motion(start, verdict.t, rtol=rtol)(times) for rtol in TOLERANCES)
     if not np.abs(one - other).max() > PARTED:
         return verdict
     for i in range(BESIDE + 1):
-        beside = judged(field, values, start + i * TOLERANCES[0], backend, rtol=TOLERANCES[0] if i else TOLERANCES[1])
+        beside = judged(system, start + i * TOLERANCES[0], rtol=TOLERANCES[0] if i else TOLERANCES[1])
         if not beside.decided:  # it may only take longer
-            later = judged(field, values, beside.end, backend)
+            later = judged(system, beside.end)
             beside = replace(later, t=beside.t + later.t)
         if not beside.decided or not alike(beside):
             return replace(verdict, otherwise=beside.told())
@@ -125,37 +118,37 @@ class Attractor:
     """A stable equilibrium or cycle; of lift-off the kind alone, which all of it shares."""
 
     kind: Regime
-    values: tuple[float, ...]
+    system: System
     state: FloatArray
     orbit: Cycle | None = None
 
 
-def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> Attractor:
+def attractor(system: System, verdict: Verdict) -> Attractor:
     """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the one that was told."""
     found = verdict.outcome
     if verdict.kind == Regime.LIFT_OFF:
-        return Attractor(verdict.kind, values, verdict.end)
+        return Attractor(verdict.kind, system, verdict.end)
     if verdict.kind == Regime.EQUILIBRIUM:
-        return _at_rest(field, values, equilibrium_at(field, values, np.array([*found.rest, *[0.0] * len(found.rest)])))
+        return _at_rest(system, system.equilibrium(np.array(found.rest)))
     if verdict.kind != Regime.LIMIT_CYCLE:
         raise ConvergenceError(f"the motion comes to {verdict.told()}")
-    orbit = cycle_at(field, values, np.array(found.cycle), found.period, backend)
+    orbit = cycle_at(system, np.array(found.cycle), found.period)
     if abs(orbit.period / found.period - 1) > 1e-3:
         raise ConvergenceError(f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}")
-    return _stable(Attractor(verdict.kind, values, orbit.state, orbit))
+    return _stable(Attractor(verdict.kind, system, orbit.state, orbit))
 
 
-def followed(field: Field, known: Attractor, values: tuple[float, ...], backend: str) -> Attractor:
+def followed(known: Attractor, system: System) -> Attractor:
     """The attractor continued to another value of one parameter; ConvergenceError where it ends or is lost on the way."""
-    if known.kind == Regime.LIFT_OFF or known.values == values:
-        return Attractor(known.kind, values, known.state, known.orbit)
+    if known.kind == Regime.LIFT_OFF or known.system == system:
+        return replace(known, system=system)
     if known.orbit is not None:
-        orbit = followed_cycle(field, known.orbit, values, backend)
-        return _stable(Attractor(known.kind, values, orbit.state, orbit))
-    begin, end = np.array(known.values), np.array(values)
+        orbit = followed_cycle(known.orbit, system.values)
+        return _stable(Attractor(known.kind, system, orbit.state, orbit))
+    begin, end = np.array(known.system.values), np.array(system.values)
 
     def at(share: float, near: FloatArray) -> FloatArray:
-        return equilibrium_at(field, tuple(((1 - share) * begin + share * end).tolist()), near)
+        return replace(system, values=tuple(((1 - share) * begin + share * end).tolist())).equilibrium(near)
 
     state, share, step = known.state, 0.0, 1.0
     while share < 1:
@@ -173,27 +166,26 @@ def followed(field: Field, known: Attractor, values: tuple[float, ...], backend:
             raise ConvergenceError("the equilibrium ends on the way")
         else:
             step /= 2
-    return _at_rest(field, values, state)
+    return _at_rest(system, state)
 
 
-def followed_cycle(field: Field, known: Cycle, values: tuple[float, ...], backend: str) -> Cycle:
+def followed_cycle(known: Cycle, values: tuple[float, ...]) -> Cycle:
     """The cycle continued to another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
     (index,) = (i for i, (now, then) in enumerate(zip(known.values, values, strict=True)) if now != then)
-    fly, name = carrier(field, backend)
-    setting = Setting(field, fly, (index,), known.period, (abs(values[index] - known.values[index]),))
-    return cycle_of(along(setting, started(setting, known.loop.guess), values[index]).loop, fly, name)
+    setting = Setting(known.loop.flow, (index,), known.period, (abs(values[index] - known.values[index]),))
+    return cycle_of(along(setting, started(setting, known.loop.guess), values[index]).loop)
 
 
-def settled(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> tuple[str, FloatArray, FloatArray]:
+def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArray]:
     """The kind of attractor that a decided motion comes to, its Lyapunov exponents, largest first, and their errors.
 
     Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is known. NaN for lift-off.
     """
-    kind, known = KINDS[verdict.kind], attractor(field, values, verdict, backend)
+    kind, known = KINDS[verdict.kind], attractor(system, verdict)
     if known.kind == Regime.LIFT_OFF:
-        return kind, np.full(field.size, np.nan), np.full(field.size, np.nan)
+        return kind, np.full(known.state.size, np.nan), np.full(known.state.size, np.nan)
     if known.orbit is None:
-        rates = np.asarray(np.linalg.eigvals(linearization(field, known.values, known.state)).real, dtype=float)
+        rates = np.asarray(np.linalg.eigvals(system.linearization(known.state)).real, dtype=float)
         errors = np.zeros(len(rates))
     else:
         sizes = np.abs(known.orbit.multipliers)
@@ -206,12 +198,12 @@ def settled(field: Field, values: tuple[float, ...], verdict: Verdict, backend: 
     return kind, np.asarray(rates[order], dtype=float), np.asarray(errors[order], dtype=float)
 
 
-def same(field: Field, one: Attractor, other: Attractor) -> bool:
+def same(one: Attractor, other: Attractor) -> bool:
     """Whether two attractors at the same values of the parameters are one."""
     if one.kind != other.kind or one.kind == Regime.LIFT_OFF:
         return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
-        return bool(np.abs(apart(one.state, other.state, field.around)).max() < SAME * (1 + np.abs(one.state).max()))
+        return bool(np.abs(apart(one.state, other.state, one.system.field.around)).max() < SAME * (1 + np.abs(one.state).max()))
     return same_cycle(one.orbit, other.orbit)
 
 
@@ -223,11 +215,11 @@ def same_cycle(one: Cycle, other: Cycle) -> bool:
     return bool(np.abs(apart(one.samples.states.T, other.state, one.field.around)).max(axis=1).min() < ON * size)
 
 
-def _at_rest(field: Field, values: tuple[float, ...], state: FloatArray) -> Attractor:
-    matrix = linearization(field, values, state)
+def _at_rest(system: System, state: FloatArray) -> Attractor:
+    matrix = system.linearization(state)
     if np.linalg.eigvals(matrix).real.max() > rounding_of(matrix):
         raise ConvergenceError("the equilibrium loses its stability on the way")
-    return Attractor(Regime.EQUILIBRIUM, values, state)
+    return Attractor(Regime.EQUILIBRIUM, system, state)
 
 
 def _stable(found: Attractor) -> Attractor:

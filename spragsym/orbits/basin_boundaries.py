@@ -10,16 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
-from ..motion.flows import carrier, flow
-from ..motion.segment import Fly
 from ..motion.simulation import state_of
 from ..progress import doing
-from ..questions import model_of
 from ..results.result import Result
+from ..statics.equilibria import equilibria
 from .attractors import Verdict, attractor, judged, same, surely
 from .saddles import Saddle, saddle_near
+from .system import System
 
 #: Equilibria that differ by less than this are one.
 SAME = 1e-9
@@ -139,23 +137,21 @@ def basin_boundary(
     >>> found.boundary.tolist(), found.sides[0].tolist()
     ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
-    model, p = model_of(p), p.given(V=V, d=d)
-    field, values, names = model.field, p.scalars(*p.ranges), (*model.coordinates, *model.rates)
+    system, model = System.of(p, backend, V=V, d=d), p.model
+    names = (*model.coordinates, *model.rates)
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
     if len(plane) != 2 or plane[0] == plane[1] or any(name not in names for name in plane):
         raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
     axes = (names.index(plane[0]), names.index(plane[1]))
-    known = _saddle(model, p, values, saddle)
-    fly, name = carrier(field, backend)
-    widths = [3.0 if axis < len(field.coordinates) else 1.0 for axis in axes]
+    known = _saddle(system, p.given(V=V, d=d), saddle)
+    widths = [3.0 if axis < len(model.coordinates) else 1.0 for axis in axes]
     ranges = to or tuple((known.state[a] - w, known.state[a] + w) for a, w in zip(axes, widths, strict=True))
-    plain = flow(field, name, derivatives=False).fly
     step, points = as_number("step", step, POSITIVE), as_count("points", points)
-    walk = _Walk(field, fly, plain, values, known, axes, ranges, step, points)
+    walk = _Walk(system, known, axes, ranges, step, points)
     first, error, span = walk.begun(state_of(model, start))
     ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
     found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
-    sides = [_told_sides(walk, name, each, span) for each, _ in found]
+    sides = [_told_sides(walk, each, span) for each, _ in found]
     return BasinBoundary(
         plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]),
         np.array([differ for differ, _ in sides]), np.array([told for _, told in sides]), known.state, known.growth,
@@ -163,54 +159,52 @@ def basin_boundary(
     )  # fmt: skip
 
 
-def _told_sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tuple[bool, list[str]]:
+def _told_sides(walk: _Walk, state: FloatArray, span: float) -> tuple[bool, list[str]]:
     """Whether the sides of a point lie in different basins, also nearer by, and what starts there come to, in words."""
-    field, values = walk.field, walk.values
-    both = _sides(walk, backend, state, span, ASIDE)
+    both = _sides(walk, state, span, ASIDE)
     told = [each.told() for each in both]
-    if not _differ(field, values, *both, backend):
+    if not _differ(walk.system, *both):
         return False, told
-    nearer = _sides(walk, backend, state, span, NEARER * ASIDE)
-    other = [not near.decided or _differ(field, values, one, near, backend) for one, near in zip(both, nearer, strict=True)]
+    nearer = _sides(walk, state, span, NEARER * ASIDE)
+    other = [not near.decided or _differ(walk.system, one, near) for one, near in zip(both, nearer, strict=True)]
     also = (f", and nearer by {near.told()}" if differs else "" for near, differs in zip(nearer, other, strict=True))
     return not any(other), [text + more for text, more in zip(told, also, strict=True)]
 
 
-def _sides(walk: _Walk, backend: str, state: FloatArray, span: float, aside: float) -> tuple[Verdict, Verdict]:
+def _sides(walk: _Walk, state: FloatArray, span: float, aside: float) -> tuple[Verdict, Verdict]:
     """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
     normal = walk.off(state, span)[1]
     across = np.zeros_like(state)
     across[list(walk.axes)] = aside * normal / np.linalg.norm(normal)
-    one, other = (_surely(walk, state + sign * across, backend) for sign in (-1, 1))
+    one, other = (_surely(walk.system, state + sign * across) for sign in (-1, 1))
     return one, other
 
 
-def _surely(walk: _Walk, start: FloatArray, backend: str) -> Verdict:
+def _surely(system: System, start: FloatArray) -> Verdict:
     """What a motion comes to, unless rounding decides that."""
-    found = judged(walk.field, walk.values, start, backend)
-    there = walk.field, walk.values
-    return surely(*there, start, found, backend, lambda beside: not _differ(*there, found, beside, backend))
+    found = judged(system, start)
+    return surely(system, start, found, lambda beside: not _differ(system, found, beside))
 
 
-def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdict, backend: str) -> bool:
+def _differ(system: System, one: Verdict, other: Verdict) -> bool:
     """Whether two motions are seen to come to different attractors."""
     if not (one.decided and other.decided):
         return False
     try:
-        return not same(field, *(attractor(field, values, each, backend) for each in (one, other)))
+        return not same(*(attractor(system, each) for each in (one, other)))
     except ConvergenceError:  # one that Newton's method does not find again decides nothing
         return False
 
 
-def _saddle(model: Any, p: ParameterSet, values: tuple[float, ...], near: Any) -> Saddle:
+def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
-    n, places = len(model.coordinates), [as_numbers("saddle", near)] if near is not None else _places(model, p)
+    n, places = len(p.model.coordinates), [as_numbers("saddle", near)] if near is not None else _places(p)
     if any(place.shape not in ((n,), (2 * n,)) for place in places):
         raise ParameterError(f"saddle has the shape {places[0].shape}; give the {n} coordinates of a place near it")
     found: list[Saddle] = []
     for place in places:
         with suppress(ConvergenceError):
-            known = saddle_near(model.field, values, place)
+            known = saddle_near(system, place)
             if known is not None and not any(np.abs(known.state - other.state).max() < SAME for other in found):
                 found.append(known)
     if len(found) != 1:
@@ -223,12 +217,10 @@ def _saddle(model: Any, p: ParameterSet, values: tuple[float, ...], near: Any) -
     return found[0]
 
 
-def _places(model: Any, p: ParameterSet) -> Any:
+def _places(p: ParameterSet) -> Any:
     """Where the equilibria of steady sliding are, shape (k, n)."""
-    from ..statics.equilibria import equilibria
-
     found = equilibria(p)
-    columns = np.array([getattr(found, name) for name in model.coordinates]).T
+    columns = np.array([getattr(found, name) for name in p.model.coordinates]).T
     return columns[np.isfinite(columns).all(axis=1)]
 
 
@@ -236,10 +228,7 @@ def _places(model: Any, p: ParameterSet) -> Any:
 class _Walk:
     """One curve on the manifold."""
 
-    field: Field
-    fly: Fly
-    plain: Fly
-    values: tuple[float, ...]
+    system: System
     saddle: Saddle
     axes: tuple[int, int]
     to: Any
@@ -248,7 +237,7 @@ class _Walk:
 
     def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
         """How far a motion has come along the direction of growth, and the derivative of that in the plane."""
-        passage = self.fly(state, self.field.constants(self.values), span, np.zeros((2, len(self.field.parameters))))
+        passage = self.system.flow.fly(state, self.system.constants, span)
         measure = self.saddle.measure
         return float(measure @ (passage.state - self.saddle.state)), (measure @ passage.by_state)[list(self.axes)]
 
@@ -279,11 +268,10 @@ class _Walk:
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:
         """To which side a motion leaves, and when: the sign of its part along the direction of growth, once that is large."""
-        none = np.zeros((2, len(self.field.parameters)))
-        constants, reach = self.field.constants(self.values), 0.1 * float(np.abs(self.saddle.measure).max())
+        constants, reach = self.system.constants, 0.1 * float(np.abs(self.saddle.measure).max())
         part, clock = 0.0, 0.0
         for _ in range(20):
-            state = self.plain(state, constants, 1 / self.saddle.growth, none).state
+            state = self.system.flow.plain(state, constants, 1 / self.saddle.growth).state
             clock += 1 / self.saddle.growth
             part = float(self.saddle.measure @ (state - self.saddle.state))
             if abs(part) > reach:

@@ -11,7 +11,7 @@ from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..bifurcation.onsets import Onsets
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.parameters import POSITIVE, as_number
-from ..motion.flows import carrier
+from ..motion.flows import Flow
 from ..motion.shooting import Guess, Loop, solved, split
 from ..numerics.balls import Undecided
 from ..numerics.interval_arrays import FloatArray
@@ -49,6 +49,7 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     if amplitude is not None:
         amplitude = as_number("amplitude", amplitude, POSITIVE)
     given, state, radius = _of_the_motion(model, onsets.given(row), onsets.state(row), place, form)
+    flow = Flow.of(model.field, backend)
     try:
         form = normal_form(model, given, state, vary, np.full(state.size + 1, radius), law="friction_at_speed")
     except Undecided as reason:
@@ -69,7 +70,7 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
 
     for _ in range(ROUNDS):
         try:
-            found = _along(model, given, state, place, form, z, backend)
+            found = _along(flow, given, state, place, form, z)
         except ConvergenceError as error:
             asked = 2 * z * size if amplitude is None else amplitude
             raise ConvergenceError(f"no cycle of the amplitude {asked:.3g} was found: {error}; {smaller(asked)}") from error
@@ -81,18 +82,15 @@ def born_at(onsets: Onsets, index: int, amplitude: float | None, backend: str | 
     raise ConvergenceError(f"no cycle of the amplitude {amplitude:g} was found: {told}")
 
 
-def _along(
-    model: Model, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float, backend: str | None
-) -> Cycle:  # fmt: skip
+def _along(flow: Flow, given: FloatArray, state: FloatArray, place: int, form: NormalForm, z: float) -> Cycle:
     """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first order."""
-    field, n = model.field, len(state)
+    n = len(state)
     known = abs(form.lyapunov) > form.lyapunov_error
     aside = -form.omega * form.lyapunov * z**2 / form.crossing if known else 0.0
     rest = np.append(state, np.zeros(n))
     first = rest + form.along * aside + 2 * z * form.q.real + z**2 * (form.square.real + form.mean)
     start = given.copy()
     start[place] += aside
-    fly, name = carrier(field, backend)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         seen = form.p.conjugate() @ (loop.guess.states[0] - rest)
@@ -103,8 +101,8 @@ def _along(
     guess = Guess(first[None], 2 * math.pi / form.omega, tuple(start.tolist()))
     # What is asked of the first state: its part along q, as the normal form has it.
     wanted = float((form.p.conjugate() @ (first - rest)).real)
-    guess = split(field, fly, guess, (place,)).guess
-    return cycle_of(solved(field, fly, guess, conditions, (place,), reach=4 * z), fly, name)
+    guess = split(flow, guess, (place,)).guess
+    return cycle_of(solved(flow, guess, conditions, (place,), reach=4 * z))
 
 
 def _of_the_motion(

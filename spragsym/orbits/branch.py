@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FINITE, POSITIVE, FloatArray, as_count, as_number
-from ..motion.flows import carrier, flow
 from ..motion.shooting import Loop, extent, rate
 from ..progress import doing
 from ..remarks import At, Remark
@@ -212,11 +211,9 @@ def cycle_branch(
     value = cycle.values[index]
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
-    fly, backend = carrier(model, cycle.backend)
-    plain = flow(model, backend, derivatives=False).fly if backend == "heyoka" else None
-    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,), plain)
+    setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,), plain=cycle.backend == "heyoka")
     start = started(setting, in_halves(cycle.loop, setting).guess)
-    trace = _Trace(setting, (low, high), points, longest, backend)
+    trace = _Trace(setting, (low, high), points, longest)
     back = list(trace.follow(start, -1.0))
     forth = list(trace.follow(start, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
@@ -231,8 +228,8 @@ def cycle_branch(
     lowest, highest = np.array([range_of(loop) for loop in loops]).T
     return CycleBranch(
         vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
-        np.array([moments(loop, backend)[1] for loop in loops]), lowest, highest,
-        np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops), fly, backend), tuple(events), (low, high),
+        np.array([moments(loop)[1] for loop in loops]), lowest, highest,
+        np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops)), tuple(events), (low, high),
         tuple(places),
     )  # fmt: skip
 
@@ -245,7 +242,6 @@ class _Trace:
     to: tuple[float, float]
     points: int
     longest: float
-    backend: str
 
     def value(self, loop: Loop) -> float:
         """Values of the free parameter."""
@@ -258,7 +254,7 @@ class _Trace:
             how = self.setting.field.borders[found.border].name
         if found.crossed is not None:
             how = CROSSES
-        cycle = cycle_of(found.loop, self.setting.fly, self.backend)
+        cycle = cycle_of(found.loop)
         value = self.value(found.loop) if found.value is None else found.value
         vary = self.setting.field.parameters[self.setting.free[0]]
         return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop, found.crossed, vary)
@@ -426,8 +422,8 @@ class _Trace:
         if extent(loop) < LEAST * min(1.0, extent(start.loop)):
             return Finding("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
         error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
-        if loop.guess.period > LONG * self.setting.period and stillest(loop, self.backend)[0] < STILL:
-            return Finding("homoclinic", loop, error, how=_rests(loop, self.backend))
+        if loop.guess.period > LONG * self.setting.period and stillest(loop)[0] < STILL:
+            return Finding("homoclinic", loop, error, how=_rests(loop))
         if count > 10 and self._passes(start, point, ahead):
             return Finding("closed", loop, 0.0)
         return None
@@ -456,12 +452,12 @@ class _Trace:
 
     def _shape(self, loop: Loop) -> tuple[float, ...]:
         """What does not depend on where a round begins: range and averages."""
-        return (*range_of(loop), *moments(loop, self.backend))
+        return (*range_of(loop), *moments(loop))
 
     def _lost(self, point: Point, error: ConvergenceError) -> Finding:
         loop = point.loop
-        if loop.guess.period > 2 * self.setting.period and stillest(loop, self.backend)[0] < STILL:
-            return Finding("homoclinic", loop, 1e-6, how=_rests(loop, self.backend))
+        if loop.guess.period > 2 * self.setting.period and stillest(loop)[0] < STILL:
+            return Finding("homoclinic", loop, 1e-6, how=_rests(loop))
         return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
@@ -470,15 +466,15 @@ def _reach(point: Point) -> float:
     return min(FAR, SHARE * extent(point.loop))
 
 
-def stillest(loop: Loop, backend: str) -> tuple[float, FloatArray]:
+def stillest(loop: Loop) -> tuple[float, FloatArray]:
     """Least size of the field at the turns of an orbit, or all along one that only turns around, and where that is."""
-    states = [turn.state for turn in loop.turns()] or list(sampled(loop, backend).states.T)
+    states = [turn.state for turn in loop.turns()] or list(sampled(loop).states.T)
     sizes = [float(np.linalg.norm(rate(loop.field, state, loop.constants))) for state in states]
     return min(sizes), states[int(np.argmin(sizes))]
 
 
-def _rests(loop: Loop, backend: str) -> str:
+def _rests(loop: Loop) -> str:
     """Where an orbit of a very long period hardly moves, without the sign of a zero."""
-    names, place = loop.field.coordinates, np.round(stillest(loop, backend)[1], 6) + 0.0
+    names, place = loop.field.coordinates, np.round(stillest(loop)[1], 6) + 0.0
     told = [At(name, (float(value),), "g", " rad" * loop.field.is_angle(name)) for name, value in zip(names, place, strict=False)]
     return Remark(f"it comes to rest near {', '.join(['{}'] * len(told))}", *told)

@@ -27,7 +27,7 @@ from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
 from .finding import cycle_near
-from .saddles import equilibrium_at
+from .system import System
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -343,7 +343,7 @@ def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tup
         for i, j in np.argwhere(np.isfinite(places).all(axis=-1)).tolist():
             values = p.replace(**{vary: float(grid[i])}).scalars(*model.parameters)
             try:
-                state = equilibrium_at(motion, values, places[i, j])
+                state = System.of(p.replace(**{vary: float(grid[i])}), None).equilibrium(places[i, j])
             except ConvergenceError:
                 continue
             rest = _Rest(motion, values, index, state.tolist(), to, contact)
@@ -432,7 +432,7 @@ def _cycles(
             remarks.append(Remark("no cycle was found at the Hopf point {}: {}", at, error))
     for start in starts:
         try:
-            yield start if isinstance(start, Cycle) else cycle_near(motion, p.scalars(*model.parameters), start)
+            yield start if isinstance(start, Cycle) else cycle_near(System.of(p, None), start)
         except ConvergenceError as error:
             remarks.append(f"no cycle was found from {start}: {error}")
 

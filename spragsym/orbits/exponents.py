@@ -10,14 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
-from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
-from ..motion.flows import carrier
 from ..motion.simulation import state_of
-from ..questions import model_of
 from ..results.result import Result
 from .attractors import judged, settled
 from .growth_rates import PROVED, rates_along
+from .system import System
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,16 +106,15 @@ def lyapunov(
     >>> bool(abs(found.exponents.sum() - found.trace) < 1e-9)
     True
     """
-    model, values = model_of(p), p.given(V=V, d=d).scalars(*p.ranges)
-    field, state, t_end = model.field, state_of(model, start), as_number("t_end", t_end, POSITIVE)
-    fly, name = carrier(field, backend)
-    whole = rates_along(field, fly, values, state, t_end)
+    system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
+    t_end = as_number("t_end", t_end, POSITIVE)
+    whole = rates_along(system, state, t_end)
     late = whole.part(len(whole.logs) // 2)
     times = late.stretch * np.arange(1, len(late.logs) + 1)
     order = np.argsort(-late.exponents, kind="stable")
     zero = np.abs(late.exponents) <= PROVED * late.error
     zero[0] |= late.moves
-    kind, why, limit = _kind(field, values, state, t_end, name)
+    kind, why, limit = _kind(system, state, t_end)
     if not kind:
         why = late.undecided(t_end - late.span)
         kind = "undecided" if why else "chaotic"
@@ -129,11 +126,11 @@ def lyapunov(
     )  # fmt: skip
 
 
-def _kind(field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str) -> tuple[str, str, FloatArray]:
+def _kind(system: System, state: FloatArray, t_end: float) -> tuple[str, str, FloatArray]:
     """What a motion is by the attractor that it comes to, why, and the exponents of that; empty where none is found."""
-    verdict = judged(field, values, state, backend, times=(t_end,))
+    verdict = judged(system, state, times=(t_end,))
     if verdict.decided:
         with suppress(ConvergenceError):
-            kind, limit, _ = settled(field, values, verdict, backend)
+            kind, limit, _ = settled(system, verdict)
             return kind, f"it comes to {verdict.told()}", limit
-    return "", "", np.full(field.size, np.nan)
+    return "", "", np.full(state.size, np.nan)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import insort
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
@@ -15,16 +15,29 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field, apart
 from ..models.parameters import FloatArray, ParameterSet, as_numbers
-from ..motion.integrators import OF_ANY_MODEL, choose
 from ..motion.regimes import Outcome, Regime, same_limit
-from ..motion.simulation import motion_of, state_of
+from ..motion.simulation import state_of
 from ..progress import doing
 from ..questions import model_of
 from ..results.result import Result
-from .attractors import JUDGED, PARTED, TOLERANCES, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle, surely
+from .attractors import (
+    JUDGED,
+    PARTED,
+    TOLERANCES,
+    Attractor,
+    Verdict,
+    attractor,
+    followed,
+    followed_cycle,
+    judged,
+    same,
+    same_cycle,
+    surely,
+)  # fmt: skip
 from .branch import MERGES, cycle_branch
 from .finding import cycle_at
 from .saddles import growth_of_cycle, saddle_near
+from .system import System
 
 #: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
 LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
@@ -167,15 +180,8 @@ def fate_boundary(
     if given.shape != (2,):
         raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
     low, high = sorted(given.tolist())
-    values = p.given(V=V, d=d).replace(**{vary: low}).scalars(*p.ranges)
-    field, index = model.field, model.field.parameters.index(vary)
-    name = choose(backend, OF_ANY_MODEL)
-
-    def at(value: float) -> tuple[float, ...]:
-        field.check(vary, value)
-        return (*values[:index], value, *values[index + 1 :])
-
-    asked = _Asked(field, at, vary, state_of(model, start), name)
+    system = System.of(p.given(V=V, d=d).replace(**{vary: low}), backend)
+    asked = _Asked(system, vary, state_of(model, start))
     ends = asked.surely(asked.ask(low)), asked.surely(asked.ask(high))
     for share in LOOKED_AT:
         asked.ask(low + share * (high - low))
@@ -208,13 +214,15 @@ class _Fate:
 class _Asked:
     """Fates by value, as far as was asked; to which values no attractor could be followed."""
 
-    field: Field
-    at: Callable[[float], tuple[float, ...]]
+    system: System
     vary: str
     start: FloatArray
-    backend: str
     known: list[_Fate] = attribute(default_factory=list)
     lost: list[float] = attribute(default_factory=list)
+
+    def at(self, value: float) -> System:
+        """The system at a value."""
+        return self.system.at(self.vary, value)
 
     def ask(self, value: float, way: tuple[float, float] = ROUGH) -> _Fate:
         """The fate at a value, by a tolerance, from a start that is moved by so much."""
@@ -224,7 +232,7 @@ class _Asked:
         if sum(each.verdict.t for each in self.known) > LONGEST:
             raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
         with doing("the motion at {} = {:.12g}, after {} others", self.vary, value, len(self.known)):
-            verdict = judged(self.field, self.at(value), self.start + way[1], self.backend, rtol=way[0])
+            verdict = judged(self.at(value), self.start + way[1], rtol=way[0])
         found = _Fate(value, way, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
         return found
@@ -233,9 +241,9 @@ class _Asked:
         """A fate, or an undecided one where rounding decides it."""
         if fate.label >= 0:
             verdict = surely(
-                self.field, self.at(fate.value), self.start, fate.verdict, self.backend,
+                self.at(fate.value), self.start, fate.verdict,
                 # whatever labels they have: two may turn out to be one later
-                lambda beside: same_limit(fate.verdict.outcome, beside.outcome, self.field.around)
+                lambda beside: same_limit(fate.verdict.outcome, beside.outcome, self.system.field.around)
                 or self._label(fate.value, beside) == fate.label,
             )  # fmt: skip
             if not verdict.decided:
@@ -250,29 +258,25 @@ class _Asked:
         alike = [each for each in self.known if each.verdict.kind == verdict.kind]
         nearest = {each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))}
         for label, each in nearest.items():
-            if same_limit(each.verdict.outcome, verdict.outcome, self.field.around):
+            if same_limit(each.verdict.outcome, verdict.outcome, self.system.field.around):
                 return label
         likely = sorted(nearest, key=lambda label: _unlike(nearest[label].verdict.outcome, verdict.outcome))
         for label in likely[:1] if len(self.lost) < LOST else ():
             if _unlike(nearest[label].verdict.outcome, verdict.outcome) < UNLIKE:
                 try:
-                    if same(self.field, self.followed(nearest[label], value), self.attractor_of(value, verdict)):
+                    if same(self.followed(nearest[label], value), attractor(self.at(value), verdict)):
                         return label
                 except ConvergenceError:
                     self.lost.append(value)
         return 1 + max((each.label for each in self.known), default=-1)
 
-    def followed(self, fate: _Fate, value: float) -> Any:
+    def followed(self, fate: _Fate, value: float) -> Attractor:
         """The attractor of a fate, at another value."""
-        return followed(self.field, self.attractor(fate), self.at(value), self.backend)
+        return followed(self.attractor(fate), self.at(value))
 
-    def attractor(self, fate: _Fate) -> Any:
+    def attractor(self, fate: _Fate) -> Attractor:
         """The attractor of a fate."""
-        return self.attractor_of(fate.value, fate.verdict)
-
-    def attractor_of(self, value: float, verdict: Verdict) -> Any:
-        """The attractor of a verdict at a value."""
-        return attractor(self.field, self.at(value), verdict, self.backend)
+        return attractor(self.at(fate.value), fate.verdict)
 
     def merge(self, one: int, other: int) -> None:
         """Two attractors have turned out to be one."""
@@ -388,7 +392,7 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
     for one, other in ((low, high), (high, low)):
         try:
-            met = same(asked.field, asked.followed(one, other.value), asked.attractor(other))
+            met = same(asked.followed(one, other.value), asked.attractor(other))
         except ConvergenceError as why:
             raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
         if met:
@@ -404,7 +408,7 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
     others = {(a, b) for a, b in away if b < value - error or a > value + error}  # what the error reaches is this one
     return FateBoundary(
         asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
-        np.array(sorted(others)).reshape(-1, 2), asked.field,
+        np.array(sorted(others)).reshape(-1, 2), asked.system.field,
     )  # fmt: skip
 
 
@@ -444,11 +448,13 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
         single, double = asked.attractor(short), asked.attractor(long)
         # Beyond where the other one is, since the range tells how long steps are as well.
         bounds = (low.value, asked.known[-1].value) if long is low else (asked.known[0].value, high.value)
+        assert single.orbit
+        assert double.orbit
         branch = cycle_branch(double.orbit, asked.vary, bounds, points=FOLLOWED)
         between = (branch.values >= low.value) & (branch.values <= high.value)
         for end in branch.of("end"):
             if end.how == MERGES and low.value < end.value < high.value and branch.stable[between].all():
-                met = followed_cycle(asked.field, single.orbit, asked.at(end.value), asked.backend)
+                met = followed_cycle(single.orbit, asked.at(end.value).values)
                 return same_cycle(met, end.cycle)
     except ConvergenceError:
         pass  # what can't be followed between is not known to be one attractor, and both fates stay
@@ -457,28 +463,28 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
 
 def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:
     """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
-    field, values = asked.field, asked.at((low + high) / 2)
+    system, around = asked.at((low + high) / 2), asked.system.field.around
     hovering, parted = _hovering(asked, low, high)
     best: tuple[str, FloatArray, float, float] = ("unknown", hovering[-1], float("nan"), float("inf"))
     for state in hovering:
         try:
-            saddle = saddle_near(field, values, state)
+            saddle = saddle_near(system, state)
         except ConvergenceError:
             continue
         if saddle is None or not saddle.attracts:
             continue
-        if (off := float(np.abs(apart(state, saddle.state, field.around)).max())) < best[3]:
+        if (off := float(np.abs(apart(state, saddle.state, around)).max())) < best[3]:
             best = ("equilibrium", saddle.state, saddle.growth, off)
     if best[3] < CLOSE:
         return best
     extent = float(np.ptp(hovering, axis=0).max())
-    for state, period, off in _returns(hovering, parted, extent, field.around):
+    for state, period, off in _returns(hovering, parted, extent, around):
         try:
-            cycle = cycle_at(field, values, state, period, asked.backend)
+            cycle = cycle_at(system, state, period)
         except ConvergenceError:
             continue
         growth = growth_of_cycle(cycle)
-        near = float(np.abs(apart(cycle.samples.states.T, state, field.around)).max(axis=1).min())
+        near = float(np.abs(apart(cycle.samples.states.T, state, around)).max(axis=1).min())
         if growth is not None and near < CLOSE * extent:
             return "cycle", cycle.state, growth, max(off, near)
     return "unknown", hovering[-1], float("nan"), float("nan")
@@ -486,8 +492,8 @@ def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, fl
 
 def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:
     """States where the first coordinate is largest while motions of the two values are on one way, and the times of these."""
-    span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE[0]}
-    one, other = (motion_of(asked.field, asked.at(value), asked.start, span, **settings) for value in (low, high))
+    span = JUDGED[0]
+    one, other = (asked.at(value).motion(asked.start, span, rtol=FINE[0]) for value in (low, high))
     times = np.linspace(0.0, span, int(10 * span) + 1)
     parted = np.abs(one(times) - other(times)).max(axis=0) > PARTED
     until = float(times[int(np.argmax(parted))]) if parted.any() else span

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -13,14 +13,13 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..models.field import Field
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_number
 from ..motion import Trajectory
-from ..motion.flows import carrier, follower
+from ..motion.flows import Flow
 from ..motion.regimes import Outcome, Regime
-from ..motion.segment import Fly, Turn
+from ..motion.segment import Turn
 from ..motion.shooting import Guess, Loop, across, error_of, extent, rate, solved, split
-from ..motion.simulation import motion_of
-from ..questions import model_of
 from .births import born_at
 from .orbit import Cycle, cycle_of
+from .system import System
 
 #: Returns of a motion are looked at over this time, then over longer ones.
 STAGES = (400.0, 3000.0, 20000.0)
@@ -119,80 +118,74 @@ def cycle(
         return born_at(onset, index, amplitude, backend)
     if p is None:
         raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
-    return cycle_near(model_of(p).field, p.given(V=V, d=d).scalars(*p.ranges), near, backend, patient=patient)
+    return cycle_near(System.of(p, backend, V=V, d=d), near, patient=patient)
 
 
-def cycle_near(
-    field: Field, values: Sequence[float], near: Any = None, backend: str | None = None, *, patient: bool = True
-) -> Cycle:  # fmt: skip
-    """:func:`cycle` of any field."""
-    fly, name = carrier(field, backend)
-    values = tuple(float(value) for value in values)
+def cycle_near(system: System, near: Any = None, *, patient: bool = True) -> Cycle:
+    """:func:`cycle` of any system."""
+    field, flow = system.field, system.flow
     if isinstance(near, Cycle):
         near.require(field, "near")
-        return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
+        return _checked(_towards(flow, near.loop.guess, system.values))
     settled = isinstance(near, Trajectory)
     approached = near is None or settled
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
-    constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
+    constants = system.constants
     if not np.isfinite(rate(field, start, constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
-    follow = follower(field, name)
     for stage in STAGES if patient or settled else STAGES[:1]:
         try:
-            passage = follow.fly(start, constants, stage, none)
+            passage = flow.plain(start, constants, stage, loose=True)
         except ConvergenceError as error:
-            raise ConvergenceError(f"the motion can't be followed: {error}{_steep(field, values)}") from error
-        found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
+            raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
+        found = _by_returns(system, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
         if found is not None:
-            return _checked(found, fly, name)
+            return _checked(found)
         # A cycle whose period is longer than the stage may not have turned yet: it moves on all the same.
         late = [turn.state for turn in passage.turns[-4:]] if len(passage.turns) > 1 else [start, passage.state]
         start = passage.state
         if np.ptp(late, axis=0).max() < STANDS:
             break
     try:
-        outcome = motion_of(field, values, start, 2000.0).outcome(1000.0)
+        outcome = system.motion(start, 2000.0).outcome(1000.0)
     except ConvergenceError as error:
         raise ConvergenceError(f"no cycle was found near the motion, which could not be followed: {error}") from error
     if outcome.limit == Regime.LIMIT_CYCLE and (patient or settled):
         with suppress(ConvergenceError):
-            return cycle_at(field, values, np.array(outcome.cycle), outcome.period, backend)
-    raise ConvergenceError(_why(field, values, start, stage, outcome))
+            return cycle_at(system, np.array(outcome.cycle), outcome.period)
+    raise ConvergenceError(_why(system, start, stage, outcome))
 
 
-def cycle_at(field: Field, values: Sequence[float], state: FloatArray, period: float, backend: str | None = None) -> Cycle:
+def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
     """The cycle of about a period near a state: Newton's method and nothing else."""
-    fly, name = carrier(field, backend)
-    guess = Guess(np.asarray(state, dtype=float)[None], period, tuple(float(value) for value in values))
-    return _checked(_from_guess(field, fly, guess), fly, name)
+    return _checked(_from_guess(system.flow, Guess(state[None], period, system.values)))
 
 
-def _steep(field: Field, values: tuple[float, ...]) -> str:
+def _steep(system: System) -> str:
     """What may be too much for an integrator."""
-    value, name = max((abs(value), name) for name, value in zip(field.parameters, values, strict=True))
+    value, name = max((abs(value), name) for name, value in system.named())
     return f"; {name} = {value:g} is larger than it can carry: give a smaller one" if value > STEEP else ""
 
 
-def _towards(field: Field, fly: Fly, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
+def _towards(flow: Flow, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
     """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
     try:
-        return _from_guess(field, fly, Guess(known.states, known.period, values))
+        return _from_guess(flow, Guess(known.states, known.period, values))
     except ConvergenceError:
         if halvings == 0 or values == known.values:
             raise
     middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
-    between = _towards(field, fly, known, middle, halvings - 1)
-    return _towards(field, fly, between.guess, values, halvings - 1)
+    between = _towards(flow, known, middle, halvings - 1)
+    return _towards(flow, between.guess, values, halvings - 1)
 
 
-def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
+def _checked(loop: Loop) -> Cycle:
     if _rests(loop):
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
             f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
         )
-    return cycle_of(loop, fly, name)
+    return cycle_of(loop)
 
 
 def _rests(loop: Loop) -> bool:
@@ -207,9 +200,7 @@ def _state(field: Field, near: Any) -> FloatArray:
     return np.array([as_number("near", value, FINITE) for value in state.tolist()])
 
 
-def _by_returns(
-    field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
-) -> Loop | None:
+def _by_returns(system: System, turns: list[Turn], *, from_start: bool, stable: bool) -> Loop | None:
     """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
     tried = 0
     for first, second in _pairs([turn for turn in turns if turn.border == -1], from_start):
@@ -217,7 +208,7 @@ def _by_returns(
         if tried > TRIES:
             break
         try:
-            loop = _from_guess(field, fly, Guess(first.state[None], second.t - first.t, values))
+            loop = _from_guess(system.flow, Guess(first.state[None], second.t - first.t, system.values))
         except ConvergenceError:
             continue
         # What a motion approaches is stable; near a state that is given there may be either.
@@ -250,22 +241,21 @@ def _pairs(turns: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]:
             yield highest[-2 - k], highest[-1]
 
 
-def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
+def _from_guess(flow: Flow, guess: Guess) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
-    loop = split(field, fly, guess)
+    loop = split(flow, guess)
     turns = [turn.state for turn in loop.turns()]
     # A guess that begins at a turn may count it at neither end.
     reach = 0.5 * float(np.ptp([loop.guess.states[0], *turns], axis=0).max()) if turns else np.inf
-    condition = across(field, loop.guess.states[0], loop.constants, loop.guess.states.size + 1)
-    return solved(field, fly, loop.guess, condition, reach=reach)
+    return solved(flow, loop.guess, across(flow.field, loop.guess), reach=reach)
 
 
-def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float, outcome: Outcome) -> str:
+def _why(system: System, state: FloatArray, span: float, outcome: Outcome) -> str:
     """What became of a motion that no cycle was found for."""
     told = "no cycle was found near the motion"
-    if still := stands_still(field, values, state):
+    if still := stands_still(system, state):
         return f"{told}: {still}"
-    places = [f"{name} = {value:.6g}" for name, value in zip(field.coordinates, outcome.rest, strict=False)]
+    places = [f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, outcome.rest, strict=False)]
     return (
         f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
         + (f" at {', '.join(places)}" if places else "")
@@ -273,20 +263,21 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
     )
 
 
-def stands_still(field: Field, values: tuple[float, ...], state: FloatArray) -> str:
+def stands_still(system: System, state: FloatArray) -> str:
     """Reason: nothing moves, or the first coordinate stands still while others move; empty where it moves.
 
     Returns of a motion are looked at where its first coordinate is largest: there are none then.
     """
+    names = system.field.coordinates
     try:
-        moved = np.ptp(motion_of(field, values, state, LOOK).state[: len(field.coordinates)], axis=1)
+        moved = np.ptp(system.motion(state, LOOK).state[: len(names)], axis=1)
     except ConvergenceError:
         return ""
     if not moved.any():
         return "nothing moves from where it begins, a state of equilibrium; begin beside it"
     if not moved[0] <= STILL * moved.max() or moved.max() <= LEAST:
         return ""
-    first, most = field.coordinates[0], field.coordinates[int(moved.argmax())]
+    first, most = names[0], names[int(moved.argmax())]
     return (
         f"{first} stands still while {most} moves, and cycles are looked for where the first coordinate is largest; "
         f"write a page whose first coordinate is {most}"

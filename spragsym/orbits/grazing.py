@@ -97,11 +97,11 @@ def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Tou
 
 def grazing(setting: Setting, near: Point, touch: Touch) -> Loop:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
-    field, period = setting.field, near.loop.guess.period
+    period = near.loop.guess.period
     pieces = len(near.loop.guess.states)
     begun = Guess(touch.turn.state[None], period, near.loop.guess.values)
-    guess = divided(field, setting.fly, begun, pieces)
-    loop = solved(field, setting.fly, guess, touching(setting, touch.turn.border, pieces), setting.free, reach=0.5)
+    guess = divided(setting.flow, begun, pieces)
+    loop = solved(setting.flow, guess, touching(setting, touch.turn.border, pieces), setting.free, reach=0.5)
     if abs(loop.guess.period / period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")
     return loop

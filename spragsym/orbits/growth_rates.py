@@ -14,10 +14,9 @@ import numpy as np
 from scipy.stats import t as student
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.segment import Fly
 from ..motion.shooting import rate
+from .system import System
 
 #: Time between two orthonormalizations.
 STRETCH = 5.0
@@ -138,9 +137,9 @@ def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
     return np.asarray(widest)
 
 
-def rates_along(field: Field, fly: Fly, values: tuple[float, ...], state: FloatArray, span: float) -> Rates:
+def rates_along(system: System, state: FloatArray, span: float) -> Rates:
     """Growth rates along the motion from a state."""
-    constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
+    field, constants = system.field, system.constants
     m, count = field.size, max(16, math.ceil(span / STRETCH))
     stretch = span / count
     logs, volumes, speeds = np.empty((count, m)), np.empty(count), np.empty(count + 1)
@@ -151,7 +150,7 @@ def rates_along(field: Field, fly: Fly, values: tuple[float, ...], state: FloatA
     def carried(state: FloatArray, frame: FloatArray, span: float) -> tuple[FloatArray, FloatArray, FloatArray, float]:
         """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
         flow = rate(field, state, constants)
-        passage = fly(state, constants, span, none)
+        passage = system.flow.fly(state, constants, span)
         ahead = passage.by_state @ frame
         if np.linalg.norm(flow) > STILL:  # the flow is carried into itself
             ahead[:, 0] = rate(field, passage.state, constants) / np.linalg.norm(flow)

@@ -7,7 +7,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..motion.bifurcation_functions import CRITERIA, unsure
-from ..motion.shooting import Guess, Loop, across, extent, looped, rate, recut, solved
+from ..motion.shooting import Guess, Loop, across, extent, rate, recut, solved
 from .arclength import Point, Setting, fixed, point_of
 
 #: The halves of a step's orbits come together if they pass each other within this share of how far they move.
@@ -32,7 +32,7 @@ def in_halves(loop: Loop, setting: Setting) -> Loop:
     pieces = len(loop.guess.states)
     if pieces % 2 == 0:
         return loop
-    return looped(setting.field, setting.fly, recut(loop, setting.fly, 2 * pieces), setting.free)
+    return setting.looped(recut(loop, 2 * pieces))
 
 
 def parted(point: Point) -> FloatArray:
@@ -92,14 +92,13 @@ def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: flo
     None if there is none whose states are within ``reach``: then the halves have only come near each other. ``way`` is how far
     the parameter went in the step that leads there: the cycle of half the period may turn back soon after.
     """
-    field, index, doubling = setting.field, setting.free[0], CRITERIA["period_doubling"]
+    index, doubling = setting.free[0], CRITERIA["period_doubling"]
 
     def at(value: float, near: Guess) -> Loop:
         values = list(near.values)
         values[index] = value
         guess = Guess(near.states, near.period, tuple(values))
-        constants, unknowns = field.constants(values), guess.states.size + 1
-        return solved(field, setting.fly, guess, across(field, guess.states[0], constants, unknowns))
+        return solved(setting.flow, guess, across(setting.field, guess))
 
     def started() -> tuple[float, Loop, float, Loop]:
         first = at(middle, begun)
@@ -134,7 +133,7 @@ def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: flo
 def twice(setting: Setting, end: Loop, along: Point) -> Point:
     """The end of a branch of doubled cycles as one of these; it has no tangent of its own, and takes that of a point near it."""
     guess = Guess(np.tile(end.guess.states, (2, 1)), 2 * end.guess.period, end.guess.values)
-    return Point(looped(setting.field, setting.fly, guess, setting.free), along.tangent)
+    return Point(setting.looped(guess), along.tangent)
 
 
 def nearer(setting: Setting, point: Point, end: Loop, share: float) -> Point | None:
@@ -147,7 +146,7 @@ def nearer(setting: Setting, point: Point, end: Loop, share: float) -> Point | N
     states = twice + share**2 * (middle - twice) + share * (guess.states - middle)
     begun = Guess(states, 2 * end.guess.period + share**2 * (guess.period - 2 * end.guess.period), tuple(values))
     try:
-        near = fixed(setting, looped(setting.field, setting.fly, begun, setting.free))
+        near = fixed(setting, setting.looped(begun))
     except ConvergenceError:
         return None
     found = point_of(setting, near, point.tangent)

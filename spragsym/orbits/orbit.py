@@ -18,9 +18,8 @@ from ..files import storage
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.events import Events, events_of
-from ..motion.flows import flow, motion_of_flow
+from ..motion.flows import Flow
 from ..motion.lobatto import PiecewisePolynomial
-from ..motion.segment import Fly
 from ..motion.shooting import (
     LARGEST_GROWTH,
     MOST_STRETCHES,
@@ -124,7 +123,7 @@ class Cycle(Result):
     @cached_property
     def samples(self) -> PiecewisePolynomial:
         """One period by the polynomials through its samples."""
-        return sampled(self.loop, self.backend)
+        return sampled(self.loop)
 
     @cached_property
     def spring_force(self) -> tuple[float, float]:
@@ -183,9 +182,9 @@ class Cycle(Result):
         )
 
 
-def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
+def cycle_of(loop: Loop) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
-    loop = refined(once_round(loop, fly), fly)
+    loop = refined(once_round(loop))
     guess, found = loop.guess, loop.multipliers
     lost = abs(found.trivial - 1)
     if not lost < UNRESOLVED:
@@ -193,13 +192,13 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
             f"the derivatives of the flow are not resolved: the trivial multiplier is {found.trivial:.6g} instead of 1; "
             "use another backend, or a less steep friction law"
         )
-    differs = difference(loop, flow(loop.field, backend, derivatives=False).fly)
-    (mean, rms), (lowest, highest) = moments(loop, backend), range_of(loop)
+    (mean, rms), (lowest, highest) = moments(loop), range_of(loop)
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
-        stable=is_stable(loop), error=max(error_of(loop, differs), lost), residual=loop.missed,
+        stable=is_stable(loop), error=max(error_of(loop, difference(loop)), lost), residual=loop.missed,
         events=events_of(loop.field, loop.crossings()),
-        rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=backend, loop=loop,
+        rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=loop.flow.backend,
+        loop=loop,
     )  # fmt: skip
 
 
@@ -211,8 +210,8 @@ class Cycles(Sequence[Cycle]):
         """The model, if there is a cycle."""
         return self._loops[0].field if self._loops else None
 
-    def __init__(self, loops: tuple[Loop, ...], fly: Fly, backend: str) -> None:
-        self._loops, self._fly, self._backend = loops, fly, backend
+    def __init__(self, loops: tuple[Loop, ...]) -> None:
+        self._loops = loops
         self._known: dict[int, Cycle] = {}
 
     def __len__(self) -> int:
@@ -223,7 +222,7 @@ class Cycles(Sequence[Cycle]):
             return tuple(self[i] for i in range(*index.indices(len(self))))
         place = range(len(self))[index]
         if place not in self._known:
-            self._known[place] = cycle_of(self._loops[place], self._fly, self._backend)
+            self._known[place] = cycle_of(self._loops[place])
         return self._known[place]
 
 
@@ -241,7 +240,7 @@ def range_of(loop: Loop) -> tuple[float, float]:
     return min(values), max(values)
 
 
-def moments(loop: Loop, backend: str) -> tuple[float, float]:
+def moments(loop: Loop) -> tuple[float, float]:
     """Mean and root mean square of the first coordinate; NaN where it turns around."""
     if loop.winding:
         return math.nan, math.nan
@@ -249,42 +248,38 @@ def moments(loop: Loop, backend: str) -> tuple[float, float]:
     if len(parts) == len(loop.passages):
         mean, square = (math.fsum(part[i] for part in parts) / loop.guess.period for i in (0, 1))
         return mean, math.sqrt(square)
-    samples = sampled(loop, backend)
+    samples = sampled(loop)
     x, weights = samples.states[0], samples.weights() / loop.guess.period
     return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
 
 
-def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
+def sampled(loop: Loop) -> PiecewisePolynomial:
     """One round by the polynomials through its samples."""
-    found: PiecewisePolynomial = motion_of_flow(
-        loop.field, backend, loop.guess.states[0], loop.constants, loop.guess.period
-    ).samples
-    return found
+    return loop.flow.samples(loop.guess.states[0], loop.constants, loop.guess.period)
 
 
-def refined(loop: Loop, fly: Fly) -> Loop:
+def refined(loop: Loop) -> Loop:
     """The orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
-    field = loop.field
     begin, pieces, known = _top(loop), len(loop.guess.states), loop
     while True:
-        cut = recut(known, fly, pieces, begin)
+        cut = recut(known, pieces, begin)
         try:
-            found = solved(field, fly, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
+            found = solved(loop.flow, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
         except ConvergenceError:
-            found = _least_steps(field, fly, cut)
+            found = _least_steps(loop.flow, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
             return found
         pieces, known, begin = 2 * pieces, found, 0.0
 
 
-def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
+def _least_steps(flow: Flow, guess: Guess) -> Loop:
     """The closed orbit by the shortest steps of Newton's method: at a fold of a branch its matrix is singular."""
-    loop = looped(field, fly, guess)
+    loop = looped(flow, guess)
     for _ in range(3):
         values, rows = phase(loop, guess)(loop)
         matrix, residual = np.vstack([loop.slopes(0), rows]), np.concatenate([loop.gaps.ravel(), values])
         step, *_ = np.linalg.lstsq(matrix, -residual, rcond=1e-7)
-        ahead = looped(field, fly, loop.guess.moved(step, ()))
+        ahead = looped(flow, loop.guess.moved(step, ()))
         if ahead.missed >= loop.missed:
             break
         loop = ahead

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.rest import equilibrium_near
 from .orbit import Cycle
+from .system import System
 
 #: Of a matrix of the motion about an equilibrium: relative error, with a margin.
 ROUNDING = 1e-13
@@ -32,26 +30,15 @@ class Saddle:
     attracts: bool
 
 
-def equilibrium_at(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
-    """The equilibrium that Newton's method finds from a state."""
-    return equilibrium_near(field, field.constants(values), state[: len(field.coordinates)])
-
-
-def linearization(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
-    """The matrix of the motion about an equilibrium, shape (m, m)."""
-    constants, numbers = field.constants(values), state.tolist()
-    return field.matrix(numbers, constants, field.initial_mode(numbers, constants))
-
-
 def rounding_of(matrix: FloatArray) -> float:
     """What rounding may add to a real part of an eigenvalue of a matrix of well separated eigenvalues."""
     return float(ROUNDING * max(1.0, np.abs(matrix).max()))
 
 
-def saddle_near(field: Field, values: Sequence[float], state: FloatArray) -> Saddle | None:
+def saddle_near(system: System, state: FloatArray) -> Saddle | None:
     """The saddle near a state; None where the equilibrium there has no direction of growth, or several."""
-    place = equilibrium_at(field, values, state)
-    matrix = linearization(field, values, place)
+    place = system.equilibrium(state)
+    matrix = system.linearization(place)
     eigenvalues, vectors = np.linalg.eig(matrix)
     error = rounding_of(matrix) * sensitivities(vectors)
     growing = np.flatnonzero(eigenvalues.real > error)
@@ -65,9 +52,9 @@ def saddle_near(field: Field, values: Sequence[float], state: FloatArray) -> Sad
     return Saddle(place, float(eigenvalues[which].real), right / size, left * size, attracts)
 
 
-def decay_at(field: Field, values: Sequence[float], state: FloatArray) -> float:
+def decay_at(system: System, state: FloatArray) -> float:
     """−max Re λ of an equilibrium; 0 unless it is proved to attract."""
-    matrix = linearization(field, values, state)
+    matrix = system.linearization(state)
     eigenvalues, vectors = np.linalg.eig(matrix)
     below = eigenvalues.real + rounding_of(matrix) * sensitivities(vectors) < 0
     return float(-eigenvalues.real.max()) if below.all() else 0.0

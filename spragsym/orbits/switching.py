@@ -8,8 +8,7 @@ import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
-from ..motion.flows import carrier
-from ..motion.shooting import Guess, Loop, divided, looped, rate
+from ..motion.shooting import Guess, Loop, divided, rate
 from .arclength import Point, Setting, corrected, phase_row, point_of
 from .orbit import Cycle, cycle_of
 
@@ -38,21 +37,20 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
         )
     if event.how == MERGES:
         return cycle  # the event holds the cycle of half the period
-    fly, backend = carrier(cycle.field, cycle.backend)
     index = cycle.field.parameters.index(branch.vary)
-    setting = Setting(cycle.field, fly, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
+    setting = Setting(event.loop.flow, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
     if event.kind == "fold" and event.crossed is None:
-        return _beyond(branch, setting, event.loop, step, backend)
+        return _beyond(branch, setting, event.loop, step)
     twice = event.kind == "period_doubling"
     guess, direction = _doubled(setting, cycle.loop) if twice else _across(setting, event)
-    point = Point(looped(setting.field, setting.fly, guess, setting.free), direction)
+    point = Point(setting.looped(guess), direction)
     for size in (step, *STEPS):
         for sign in (1.0, -1.0):
             try:
                 loop = corrected(setting, point, sign * size, reach=20 * size, iterations=12).loop
             except ConvergenceError:
                 continue
-            found = cycle_of(loop, fly, backend)
+            found = cycle_of(loop)
             if not twice or 1.5 < found.period / cycle.period < 2.5:
                 return found
     raise ConvergenceError(
@@ -64,7 +62,7 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
 def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
     """Where two branches cross there are two directions: the one across that of the branch, of unit size in the first state."""
     assert event.loop is not None
-    loop = looped(setting.field, setting.fly, event.loop.guess, setting.free)
+    loop = setting.looped(event.loop.guess)
     weights = setting.weights(len(loop.guess.states))
     matrix = np.vstack([loop.slopes(1), phase_row(setting, loop)]) / weights
     _, _, vectors = np.linalg.svd(matrix)
@@ -75,7 +73,7 @@ def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
     return loop.guess, direction / np.linalg.norm(direction[: setting.field.size])
 
 
-def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float, backend: str) -> Cycle:
+def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float) -> Cycle:
     """The cycle a step from a fold, on the side that comes later on the branch."""
     point = point_of(setting, loop)
 
@@ -85,7 +83,7 @@ def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float, back
     for size in (step, *(each for each in STEPS if each < step)):
         try:
             sides = [corrected(setting, point, sign * size, reach=FAR * size).loop for sign in (1.0, -1.0)]
-            return max((cycle_of(side, setting.fly, backend) for side in sides), key=place)
+            return max((cycle_of(side) for side in sides), key=place)
         except ConvergenceError:
             continue
     raise ConvergenceError(f"no cycle beyond the fold was found, by steps from {step:g} down to {min(STEPS):g}")
@@ -94,13 +92,13 @@ def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float, back
 def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:
     """Twice round, and the direction that turns over in one round: of unit size in the first state."""
     pieces, size = 2 * len(loop.guess.states), setting.field.size
-    guess = divided(setting.field, setting.fly, Guess(loop.guess.states[:1], 2 * loop.guess.period, loop.guess.values), pieces)
+    guess = divided(setting.flow, Guess(loop.guess.states[:1], 2 * loop.guess.period, loop.guess.values), pieces)
     values, vectors = np.linalg.eig(loop.monodromy)
     turning = vectors[:, int(np.argmin(np.abs(values + 1)))].real
     flow = rate(setting.field, guess.states[0], loop.constants)
     turning = turning - flow * (flow @ turning) / (flow @ flow)
     turning = turning / np.linalg.norm(turning)
-    twice = looped(setting.field, setting.fly, guess, setting.free)
+    twice = setting.looped(guess)
     parts = [turning]
     for passage in twice.passages[:-1]:
         parts.append(passage.by_state @ parts[-1])

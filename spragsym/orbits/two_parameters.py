@@ -12,7 +12,6 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, unsure
-from ..motion.flows import carrier
 from ..motion.shooting import CLOSED, Conditions, Loop, looped
 from ..progress import doing
 from ..results.result import Result
@@ -110,20 +109,19 @@ def cycle_events(
             raise ParameterError(f"vary = {vary!r}: {name!r} is not one of {', '.join(model.parameters)}")
     if len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r} is not two parameters")
-    fly, backend = carrier(model, event.cycle.backend)
     free = (model.parameters.index(vary[0]), model.parameters.index(vary[1]))
     ranges = to or {}
     spans = []
     for name, index in zip(vary, free, strict=True):
         low, high = ranges.get(name, (0.0, 0.0))
         spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.guess.values[index]), LEAST))
-    setting = Setting(model, fly, free, event.cycle.period, tuple(spans))
+    setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans))
     setting = replace(setting, event=partial(_event, setting, event.kind, event.border))
     bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
-    first = point_of(setting, looped(model, fly, event.loop.guess, free))
+    first = point_of(setting, setting.looped(event.loop.guess))
     (back, why_back), (forth, why_forth) = (_followed(setting, event.kind, bounds, points, first, sign) for sign in (-1.0, 1.0))
     loops = [*reversed(back), first.loop, *forth]
-    cycles = tuple(cycle_of(each, fly, backend) for each in loops)
+    cycles = tuple(cycle_of(each) for each in loops)
     return EventCurve(
         event.kind, vary, np.array([[each.guess.values[i] for i in free] for each in loops]),
         np.array([each.guess.period for each in loops]), (why_back, why_forth), cycles,
@@ -184,8 +182,7 @@ def _slope(setting: Setting, loop: Loop, test: Callable[[Loop], float], phase: F
     for vector in vectors:
         way = vector / weights
         ahead, back = (
-            test(looped(setting.field, setting.fly, loop.guess.moved(sign * DIFFERENCE * way, setting.free), ()))
-            for sign in (1.0, -1.0)
+            test(looped(setting.flow, loop.guess.moved(sign * DIFFERENCE * way, setting.free))) for sign in (1.0, -1.0)
         )
         row += (ahead - back) / (2 * DIFFERENCE) * vector * weights
     return row

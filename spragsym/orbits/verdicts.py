@@ -9,18 +9,16 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.field import Field
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
-from ..motion.flows import carrier
 from ..motion.regimes import Outcome, Regime
 from ..motion.simulation import state_of
-from ..questions import model_of
 from ..results.result import Result
 from .attractors import JUDGED, Verdict, judged, settled
 from .finding import cycle_near, stands_still
 from .growth_rates import rates_along
 from .orbit import NEUTRAL
-from .saddles import decay_at, equilibrium_at
+from .saddles import decay_at
+from .system import System
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
 SHARES = (0.2, 0.8)
@@ -120,45 +118,43 @@ def fate(
     >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale, -3)
     227000.0
     """
-    model, values = model_of(p), p.given(V=V, d=d).scalars(*p.ranges)
-    field, state, t_end = model.field, state_of(model, start), as_number("t_end", t_end, POSITIVE)
+    system, state = System.of(p, backend, V=V, d=d), state_of(p.model, start)
+    t_end = as_number("t_end", t_end, POSITIVE)
     try:
-        return _followed(field, values, state, t_end, backend)
+        return _followed(system, state, t_end)
     except ConvergenceError as failed:
-        none = np.full(field.size, np.nan)
-        return Fate(
-            "undecided", f"{UNFOLLOWED}: {failed}", 0.0, Outcome(names=field.components), none, none, -1, float("inf"), "", state
-        )
+        none, nothing = np.full(state.size, np.nan), Outcome(names=system.field.components)
+        return Fate("undecided", f"{UNFOLLOWED}: {failed}", 0.0, nothing, none, none, -1, float("inf"), "", state)
 
 
-def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None) -> Fate:
-    fly, name = carrier(field, backend)
+def _followed(system: System, start: FloatArray, t_end: float) -> Fate:
     times = (*(t for t in JUDGED if t < t_end / 2), t_end)
-    verdict = judged(field, values, start, name, times=times)
-    scale, place = _time_scale(field, values, verdict)
-    none = np.full(field.size, np.nan)
+    verdict = judged(system, start, times=times)
+    scale, place = _time_scale(system, verdict)
+    none = np.full(start.size, np.nan)
     if verdict.decided:
         why = f"it comes to {verdict.told()}"
         try:
-            kind, known, error = settled(field, values, verdict, name)
+            kind, known, error = settled(system, verdict)
             trivial = int(np.flatnonzero(known == 0)[0]) if verdict.kind == Regime.LIMIT_CYCLE else -1
             return Fate(kind, why, verdict.t, verdict.outcome, known, error, trivial, scale, "", verdict.end)
         except ConvergenceError as failed:
             why = f"{why}, which Newton's method does not find again: {failed}"
-            return Fate("undecided", why, verdict.t, Outcome(names=field.components), none, none, -1, scale, "", verdict.end)
-    rates = rates_along(field, fly, values, verdict.end, SHARES[0] * t_end)
+            nothing = Outcome(names=system.field.components)
+            return Fate("undecided", why, verdict.t, nothing, none, none, -1, scale, "", verdict.end)
+    rates = rates_along(system, verdict.end, SHARES[0] * t_end)
     why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
     if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
-        more = rates_along(field, fly, values, end, SHARES[1] * t_end)
+        more = rates_along(system, end, SHARES[1] * t_end)
         rates = rates.joined(more)
         why, end, t = rates.undecided(t_end), more.end, t + more.span
     if not why:
-        why = _transient(field, values, start, t_end, name)
-    why = why and (stands_still(field, values, end) or why)
+        why = _transient(system, start, t_end)
+    why = why and (stands_still(system, end) or why)
     order = np.argsort(-rates.exponents)
-    near = _near(field, values, end, name) if why else ""
+    near = _near(system, end) if why else ""
     if why and scale < np.inf:
-        where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(field.coordinates, place, strict=False))
+        where = ", ".join(f"{name} = {value:.6g}" for name, value in zip(system.field.coordinates, place, strict=False))
         why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
     lasting = (BESIDE + 1) * t_end / 3  # none of so many has settled: with 95 %, the mean life is above a third of their time
     told = why or (
@@ -170,33 +166,33 @@ def _followed(field: Field, values: tuple[float, ...], start: FloatArray, t_end:
     return Fate(kind, told, t, verdict.outcome, exponents, error, trivial, scale, near, end)
 
 
-def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> tuple[float, FloatArray]:
+def _time_scale(system: System, verdict: Verdict) -> tuple[float, FloatArray]:
     """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end; infinite where none attracts.
 
     And that equilibrium.
     """
-    places = [np.zeros(field.size), verdict.end]
+    places = [np.zeros_like(verdict.end), verdict.end]
     for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
-            place = equilibrium_at(field, values, near)
-            if (slowest := decay_at(field, values, place)) > 0:
+            place = system.equilibrium(near)
+            if (slowest := decay_at(system, place)) > 0:
                 return 1 / slowest, place
     return float("inf"), verdict.end
 
 
-def _transient(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str) -> str:
+def _transient(system: System, start: FloatArray, t_end: float) -> str:
     """Whether motions that begin beside an irregular one settle, in words; empty where none does."""
     for i in range(1, BESIDE + 1):
-        beside = judged(field, values, start + i * OFF, backend, times=(t_end,))
+        beside = judged(system, start + i * OFF, times=(t_end,))
         if beside.decided:
             return f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to {beside.told()} by t = {t_end:g}"
     return ""
 
 
-def _near(field: Field, values: tuple[float, ...], end: FloatArray, backend: str) -> str:
+def _near(system: System, end: FloatArray) -> str:
     """The cycle near a state, in words."""
     try:
-        found = cycle_near(field, values, end, backend, patient=False)
+        found = cycle_near(system, end, patient=False)
     except ConvergenceError:
         return "no cycle"
     away = float(np.abs(found.samples.states - end[:, None]).max(axis=0).min())

@@ -9,10 +9,11 @@ from scipy.integrate import solve_ivp
 
 import spragsym as ss
 from spragsym.motion import with_compiled, with_heyoka
-from spragsym.motion.flows import flow
+from spragsym.motion.flows import Flow
 from spragsym.motion.problem import check_stiffness
 from spragsym.motion.sweeps import rms_sweep
 from spragsym.orbits import finding
+from spragsym.orbits.system import System
 from tests.oracles.user_pages import model_of
 from tests.orbits.test_cycles import CIRCLE
 
@@ -62,7 +63,7 @@ def test_what_is_compiled_and_a_cycle_go_over_as_well(integrator: types.ModuleTy
     monkeypatch.setattr(integrator, "check_stiffness", partial(check_stiffness, most=10.0))
     monkeypatch.setattr(integrator, "CHUNK", 20)
     if explicit is None:
-        found = finding.cycle_at(CIRCLE, (100.0,), np.array([9.9, 0.0]), 6.3)
+        found = finding.cycle_at(System(Flow.of(CIRCLE, None), (100.0,)), np.array([9.9, 0.0]), 6.3)
         assert [found.period, found.amplitude] == pytest.approx([2 * np.pi, 10.0], abs=1e-9)
     else:
         assert (explicit.implicit, follow().implicit) == (False, True)
@@ -80,6 +81,6 @@ def test_sweeps_and_flows_go_over_too(backend: str) -> None:
     sweep = rms_sweep(p, x0=0.5, b0=0.5, t_end=1.0, transient=0.5, backend=backend)
     assert sweep.reason == ""
     assert sweep.rms == pytest.approx(motion.rms(0.5), abs=1e-6)
-    fly = flow(p.model.field, backend, derivatives=False).fly
-    passage = fly(motion.state[:, 0], p.model.field.constants(p.scalars(*p.ranges)), 1.0, np.zeros((2, len(p.ranges))))
+    system = System.of(p, backend)
+    passage = system.flow.plain(motion.state[:, 0], system.constants, 1.0)
     assert passage.state == pytest.approx(motion.state[:, -1], abs=1e-6)

@@ -21,9 +21,10 @@ from spragsym.generated import laws
 from spragsym.models.field import Border, Field
 from spragsym.models.model_field import exact_field
 from spragsym.motion import bifurcation_functions, multipliers
-from spragsym.motion.flows import carrier
+from spragsym.motion.flows import Flow
 from spragsym.numerics.decimals import exactly
 from spragsym.orbits import attractors, finding, growth_rates, saddles
+from spragsym.orbits.system import System
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
 from tests.support import few
@@ -51,6 +52,11 @@ def drawn(number: int) -> ss.Cycle:
     cycle, _ = random_motions.cycle_of(number)
     assert cycle is not None
     return cycle
+
+
+def cycle_near(field: Field, values: tuple[float, ...], near: Any) -> ss.Cycle:
+    """The cycle of any field near a state."""
+    return finding.cycle_near(System(Flow.of(field, None), values), near)
 
 
 @pytest.fixture
@@ -101,7 +107,7 @@ def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
 def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> None:
     duration = slow.loop.crossings()[0].t + 0.5
     directions = np.eye(8)[:2]  # of theta0 and mu0
-    one, other = (carrier(SPRAG, name)[0](slow.state, slow.loop.constants, duration, directions) for name in ("heyoka", "scipy"))
+    one, other = (Flow(SPRAG, name).fly(slow.state, slow.loop.constants, duration, directions) for name in ("heyoka", "scipy"))
     assert [crossing.t for crossing in one.crossings] == pytest.approx([crossing.t for crossing in other.crossings], abs=1e-10)
     assert one.crossings
     for name in ("state", "by_state", "by_parameters"):
@@ -131,7 +137,7 @@ VAN_DER_POL = field_of(
 
 
 def test_the_published_period_of_van_der_pols_oscillator() -> None:
-    found = finding.cycle_near(VAN_DER_POL, (1.0,), (2.0, 0.0))
+    found = cycle_near(VAN_DER_POL, (1.0,), (2.0, 0.0))
     assert found.period == pytest.approx(6.6632868593231301, abs=1e-12)  # D. Viswanath, 1997; Andersen and Geer, 1982
     x, v = found.samples.states
     damping = float((found.samples.weights() * (1 - x**2)).sum())
@@ -141,7 +147,7 @@ def test_the_published_period_of_van_der_pols_oscillator() -> None:
 @pytest.mark.parametrize("e", [300.0, pytest.param(1000.0, marks=pytest.mark.validate)])
 def test_the_period_of_a_long_relaxation_oscillation(e: float) -> None:
     # J. Grasman, 1987: (3 − 2 ln 2) e + 3 a e^(−1/3) − (2/3) ln(e)/e + O(1/e), −a the first zero of Airy's function.
-    found = finding.cycle_near(VAN_DER_POL, (e,), (2.0, 0.0))
+    found = cycle_near(VAN_DER_POL, (e,), (2.0, 0.0))
     leading = (3 - 2 * math.log(2)) * e + 3 * 2.33810741 * e ** (-1 / 3) - 2 / 3 * math.log(e) / e
     assert found.period == pytest.approx(leading, abs=2 / e)
     assert abs(found.period - leading) > 1 / e > 1e3 * found.error
@@ -155,7 +161,7 @@ CIRCLE = field_of(
 
 
 def test_a_branch_ends_at_hopfs_bifurcation() -> None:
-    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
+    found = cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     assert found.amplitude == pytest.approx(0.5, abs=1e-12)  # the circle of radius sqrt(e)
     assert found.period == pytest.approx(2 * math.pi, abs=1e-12)
     assert found.multipliers[1].real == pytest.approx(math.exp(-2 * math.pi * 0.25), rel=1e-10)
@@ -176,7 +182,7 @@ SADDLE_LOOP = field_of(
 
 @pytest.mark.thorough
 def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
-    branch = ss.cycle_branch(finding.cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", (-0.3, 0.3), longest=0.2)
+    branch = ss.cycle_branch(cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", (-0.3, 0.3), longest=0.2)
     shrunk, (homoclinic,) = branch.of("end")[0], branch.of("homoclinic")
     assert "equilibrium" in shrunk.how
     assert abs(shrunk.value + 1 / 6) < min(shrunk.error, 1e-4)
@@ -200,7 +206,7 @@ TWO_CIRCLES = field_of(
 
 @pytest.fixture(scope="module")
 def folding() -> ss.CycleBranch:
-    return ss.cycle_branch(finding.cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3)
+    return ss.cycle_branch(cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0)), "e", (-1.5, -0.4), longest=0.3)
 
 
 @pytest.mark.thorough
@@ -227,7 +233,7 @@ def test_two_folds_within_a_step_are_seen(apart: float) -> None:
         return -2 * x * (s * s - apart**2) * v - 1, e - s**3 / 3 + apart**2 * s - 2 * v * v * (s * s - apart**2)
 
     field = field_of(f"two folds, {apart} apart", force, slope, lambda x, v, e, m: v)
-    begin = finding.cycle_near(field, (0.1,), (1.5, 0.0))
+    begin = cycle_near(field, (0.1,), (1.5, 0.0))
     branch = ss.cycle_branch(begin, "e", (-0.1, 0.15), longest=0.3)
     assert sorted(fold.value for fold in branch.of("fold")) == pytest.approx([-2 * apart**3 / 3, 2 * apart**3 / 3], abs=1e-9)
 
@@ -247,7 +253,7 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
         CIRCLE, name="fork", coordinates=("x", "y"), acceleration=force, jacobian=slopes,
         by_parameters=lambda q, c, mode, xp=math: ((0.0,), (q[1],)),
     )  # fmt: skip
-    found = finding.cycle_near(fork, (-0.1,), (1.0, 0.0, 0.0, 0.0))
+    found = cycle_near(fork, (-0.1,), (1.0, 0.0, 0.0, 0.0))
     branch = ss.cycle_branch(found, "e", (-0.2, 0.15), longest=0.3)
     (crossing,) = branch.of("fold")
     assert crossing.value == pytest.approx(0, abs=1e-8)
@@ -300,7 +306,7 @@ def test_the_textbook_period_of_stick_slip() -> None:
     exact = 2 * 0.5 / 0.2 + 2 * (math.pi - math.atan(0.5 / 0.2))
     off = []
     for width in (4e-3, 1e-3):
-        found = finding.cycle_near(stick_slip(width), (0.0,), (1.0, 0.199))
+        found = cycle_near(stick_slip(width), (0.0,), (1.0, 0.199))
         assert found.residual < 1e-12
         off.append(found.period - exact)
     assert abs(off[1]) < 0.05
@@ -453,7 +459,7 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
     begun = next(cycle for cycle in branch.cycles if cycle.stable and abs(cycle.parameters["theta0"] - 1.33) < 0.01)
     values = tuple((begun.parameters | {"theta0": 1.8126515178867348}).values())
     with pytest.raises(ss.ConvergenceError, match=rf"the cycle ends near theta0 = {last.value:.2f}\d* on the way"):
-        attractors.followed_cycle(begun.field, begun, values, begun.backend)
+        attractors.followed_cycle(begun, values)
 
 
 @pytest.mark.validate
@@ -485,8 +491,7 @@ def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> No
 
 
 def test_exponents_of_rest_are_its_eigenvalues() -> None:
-    fly, _ = carrier(VAN_DER_POL, None)
-    still = growth_rates.rates_along(VAN_DER_POL, fly, (-1.0,), np.array([0.1, 0.0]), 200.0)
+    still = growth_rates.rates_along(System(Flow.of(VAN_DER_POL, None), (-1.0,)), np.array([0.1, 0.0]), 200.0)
     assert not still.moves
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
 
@@ -515,7 +520,7 @@ def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
 
 @pytest.mark.thorough
 def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -> None:
-    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
+    found = cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     claim = proving.proofs.claim_of(found, 12)
     with proving.ball_proof.bits(proving.ball_proof.accuracy_for(12).bits):
         proved = proving.ball_proof.proved(CIRCLE, claim)
@@ -532,7 +537,7 @@ def test_a_proof_of_a_smooth_cycle_and_of_none(proving: types.SimpleNamespace) -
 @pytest.mark.parametrize("digits", few([10, 60, 200], 10))
 def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, proving: types.SimpleNamespace) -> None:
     """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
-    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
+    found = cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     told = proving.proofs.proof_of(found, proving.ball_proof.shown(CIRCLE, proving.proofs.claim_of(found, digits)))
     with mpmath.workdps(digits + 40):
         truth = {
@@ -557,10 +562,8 @@ def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int, provin
 @pytest.mark.thorough
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.SimpleNamespace) -> None:
     flint, ball_flow = proving.flint, proving.ball_flow
-    fly, _ = carrier(SPRAG, None)
-    none = np.zeros((2, 8))
-    first = slow.loop.crossings()[0]
-    before = fly(slow.state, slow.loop.constants, first.t - 0.1, none).state
+    first, flow = slow.loop.crossings()[0], slow.loop.flow
+    before = flow.fly(slow.state, slow.loop.constants, first.t - 0.1).state
     with proving.ball_proof.bits(200):
         constants = list(SPRAG.constants([flint.arb(value) for value in slow.values], proving.ball_flow.XP))
         off = 2.0**-40
@@ -581,7 +584,7 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle, proving: types.Sim
         assert balls.mode == (1, 1, 1)
         duration = 0.1 - 1e-9 + 2e-9 + 0.1
         for corner in ((1, 1, 1, 1), (-1, 1, -1, 1), (0, 0, 0, 0)):
-            there = fly(before + off * np.array(corner), slow.loop.constants, duration, none)
+            there = flow.fly(before + off * np.array(corner), slow.loop.constants, duration)
             for value, ball in zip(there.state, balls.box, strict=True):
                 assert abs(float(value - ball.mid())) <= float(ball.rad()) + 1e-13
         for place in places:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -51,6 +51,10 @@ class Guess:
         for index, change in zip(free, step[size + 1 :], strict=True):
             values[index] += float(change)
         return Guess(self.states + step[:size].reshape(self.states.shape), self.period + float(step[size]), tuple(values))
+
+    def at(self, index: int, value: float) -> Guess:
+        """The same at another value of one parameter."""
+        return replace(self, values=(*self.values[:index], value, *self.values[index + 1 :]))
 
     def coordinates(self, free: tuple[int, ...]) -> FloatArray:
         """What Newton's method moves: states, period, free parameters."""

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.field import Field
 from ..models.parameters import FloatArray
+from ..motion.bifurcation_functions import CRITERIA, unsure
 from ..motion.flows import Flow
 from ..motion.shooting import (
+    CLOSED,
     LARGEST_GROWTH,
     MOST_STRETCHES,
     Conditions,
@@ -26,6 +28,9 @@ from ..motion.shooting import (
     solved,
 )
 
+#: A test function is known to so many of its errors, and its differences are taken over this.
+SURE, DIFFERENCE = 100.0, 1e-6
+
 #: Largest angle between a step of a branch and its tangents, as its cosine.
 STRAIGHT = 0.97
 
@@ -35,10 +40,10 @@ LEAST_SHARE = 1e-3
 
 @dataclass(frozen=True)
 class Setting:
-    """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length.
+    """What all points of a branch share: the flow, which parameters are free, and units of the arc's length.
 
-    ``event`` is what holds along a curve of events: ``event(loop)`` the test function's equation near a loop, and whether it says
-    where the loop begins too. With ``plain`` most steps of Newton's method do without derivatives, where those cost much.
+    ``event(setting, loop, target)`` is what holds along a curve of events: the phase, and the test function's equation near a
+    loop. With ``plain`` most steps of Newton's method do without derivatives, where those cost much.
     """
 
     flow: Flow
@@ -46,7 +51,7 @@ class Setting:
     period: float
     spans: tuple[float, ...]
     plain: bool = False
-    event: Callable[[Loop], tuple[Conditions, bool]] | None = None
+    event: Callable[[Setting, Loop, FloatArray], Conditions] | None = None
 
     @property
     def field(self) -> Field:
@@ -64,16 +69,7 @@ class Setting:
 
     def equations(self, near: Loop, target: FloatArray) -> Conditions:
         """What holds besides closing: the phase, in the plane across the flow at a loop, through a target; and the event."""
-        phase, (event, begins) = phase_row(self, near), self.event(near) if self.event else (None, False)
-
-        def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-            values, rows = (np.empty(0), np.empty((0, phase.shape[1]))) if event is None else event(loop)
-            if begins:
-                return values, rows
-            off = phase @ (loop.guess.coordinates(self.free) - target)
-            return np.append(off, values), np.vstack([phase, rows])
-
-        return conditions
+        return (self.event or in_phase)(self, near, target)
 
 
 @dataclass(frozen=True)
@@ -111,6 +107,34 @@ def phase_row(setting: Setting, loop: Loop) -> FloatArray:
     return row
 
 
+def in_phase(setting: Setting, near: Loop, target: FloatArray) -> Conditions:
+    """The first state stays in the plane across the flow at a loop, through a target."""
+    row = phase_row(setting, near)
+    return lambda loop: (row @ (loop.guess.coordinates(setting.free) - target), row)
+
+
+def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Conditions:
+    """The same where a test function is 0, in such units that its rounding does not keep the loop open.
+
+    Its slope is by differences along the surface of closed orbits, and along what hardly leaves it: a weakly damped mode is
+    nearly free to move, and without it Newton's method converges slowly.
+    """
+    test, phase, unit = CRITERIA[kind], in_phase(setting, near, target), max(1.0, SURE * unsure(near, kind) / CLOSED)
+    weights = setting.weights(len(near.guess.states))
+
+    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        off, row = phase(loop)
+        _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(len(setting.free)), row]) / weights)
+        slope = np.zeros((1, vectors.shape[1]))
+        for vector in vectors:
+            step = DIFFERENCE * vector / weights
+            ahead, back = (test(looped(setting.flow, loop.guess.moved(sign * step, setting.free))) for sign in (1, -1))
+            slope += (ahead - back) / (2 * DIFFERENCE) * vector * weights
+        return np.append(off, test(loop) / unit), np.vstack([row, slope / unit])
+
+    return conditions
+
+
 def corrected(setting: Setting, point: Point, length: float, *, reach: float = np.inf, iterations: int = 7) -> Point:
     """The point on the branch a length of arc from a point, negative lengths backward."""
     guess = point.loop.guess.moved(length * point.tangent, setting.free)
@@ -130,20 +154,14 @@ def corrected(setting: Setting, point: Point, length: float, *, reach: float = n
 
 def fixed(setting: Setting, loop: Loop) -> Loop:
     """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
-    target, phase = loop.guess.coordinates(setting.free), phase_row(setting, loop)[:, :-1]
-
-    def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:
-        return phase @ (now.guess.coordinates(()) - target[:-1]), phase
-
+    conditions = in_phase(replace(setting, free=()), loop, loop.guess.vector)
     return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 
 def placed(setting: Setting, point: Point, step: FloatArray, value: float) -> Point:
     """The point at a value of the first free parameter, near a step from another point."""
-    moved = point.loop.guess.moved(step, setting.free)
-    values = list(moved.values)
-    values[setting.free[0]] = value  # exactly, since there may be no parameters beyond
-    near = setting.looped(Guess(moved.states, moved.period, tuple(values)))
+    # Exactly, since there may be no parameters beyond.
+    near = setting.looped(point.loop.guess.moved(step, setting.free).at(setting.free[0], value))
     return point_of(setting, fixed(setting, near), point.tangent)
 
 

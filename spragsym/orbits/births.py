@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from ..motion.shooting import Guess, Loop, solved, split
 from ..numerics.balls import Undecided
 from ..numerics.interval_arrays import FloatArray
 from .orbit import Cycle, cycle_of
+from .system import differences
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -125,12 +126,8 @@ def _of_the_motion(
     x, before = np.append(state, given[place]), np.inf
     for _ in range(20):
         now = residual(x)
-        steps = 1e-6 * np.maximum(1.0, np.abs(x))
-        slopes = np.column_stack([
-            (residual(x + step) - residual(x - step)) / (2 * step[k]) for k, step in enumerate(np.diag(steps))
-        ])  # fmt: skip
         try:
-            change = np.linalg.solve(slopes, -now)
+            change = np.linalg.solve(differences(residual, x, 1e-6 * np.maximum(1.0, np.abs(x))), -now)
         except np.linalg.LinAlgError:
             break
         x, width, scale = x + change, float(np.abs(change).max()), 1 + float(np.abs(x).max())
@@ -145,18 +142,18 @@ def _of_the_motion(
 def _first_border(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> tuple[str, float]:
     """The border that gap or sliding speed would come to first, and the |z| at which they do, to first order; none, infinity."""
     field = model.field
-    constants, rest, step = field.constants(given.tolist()), [*state.tolist(), *[0.0] * len(state)], 1e-6
+    constants, rest = field.constants(given.tolist()), np.append(state, np.zeros(len(state)))
     borders = [border for border in field.borders if any(border.crossings)]
     if not borders:
         return "", math.inf
 
-    def levels(u: Any) -> FloatArray:
-        mode = field.mode_at_rest(rest, constants)
-        return np.array([border.level(list(u), constants, mode) for border in borders])
+    mode = field.mode_at_rest(rest.tolist(), constants)
 
-    by_state = np.column_stack([(levels(rest + e) - levels(rest - e)) / (2 * step) for e in step * np.eye(len(rest))])
+    def levels(u: FloatArray) -> FloatArray:
+        return np.array([border.level(u.tolist(), constants, mode) for border in borders])
+
     with np.errstate(divide="ignore"):
-        reach = np.abs(levels(rest)) / (2 * np.abs(by_state @ form.q))
+        reach = np.abs(levels(rest)) / (2 * np.abs(differences(levels, rest, 1e-6) @ form.q))
     return borders[int(reach.argmin())].name, float(reach.min())
 
 

@@ -370,8 +370,8 @@ class _Trace:
         value = due(point, ahead, index)
         if value is None or not self.to[0] <= value <= self.to[1]:
             return None
-        guess, _, reach, way = between_halves(point, ahead, 1.0, index)
-        found = halved(self.setting, guess, value, reach, way)
+        guess, reach = between_halves(point, ahead, 1.0, index)
+        found = halved(self.setting, guess.at(index, value), reach)
         if found is None:
             return None
         begun, there = self.value(ahead.loop), found[0].guess.values[index]

@@ -8,29 +8,28 @@ followed from every Hopf point along the parameter, from starts that are given, 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cached_property, partial
+from functools import partial
 from itertools import combinations, pairwise
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..bifurcation.flutter import flutter_onsets
 from ..errors import ConvergenceError, ParameterError, SpragsymError
-from ..models.field import GAP, Field, Mode, apart
+from ..models.field import GAP, Mode, apart
 from ..models.parameters import FINITE, FloatArray, ParameterSet, as_count, as_number
 from ..questions import model_of
 from ..remarks import At, Remark
 from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, CycleEvent, cycle, cycle_branch
+from .attractors import same_cycle
 from .finding import cycle_near
 from .system import System
-
-if TYPE_CHECKING:
-    from ..models.model import Model
 
 #: Values of the parameter at which the statics say where equilibria are.
 SEEDS = 13
@@ -181,10 +180,14 @@ def diagram(
                     raise ParameterError(f"starts: a cycle at {name} = {value:.10g}, the diagram at {own:.10g}; give cycles at p")
     for bound in (low, high):
         motion.check(vary, bound)
-    rests = _equilibria(model, motion, p, vary, (low, high))
+    rests = list(_equilibria(p, vary, (low, high)))
     branches: list[CycleBranch] = []
-    onsets = _onsets(model, p, vary, (low, high), remarks)
-    for born in _cycles(model, motion, p, vary, onsets, starts, remarks):
+    onsets = None
+    try:
+        onsets = flutter_onsets(p, vary, between={vary: (low, high)})
+    except SpragsymError as error:
+        remarks.append(f"Hopf points were not looked for: {error}")
+    for born in _cycles(p, vary, onsets, starts, remarks):
         if not _known(branches, born):
             try:
                 branches.append(cycle_branch(born, vary, (low, high), points=points))
@@ -192,18 +195,10 @@ def diagram(
                 at = At(vary, (float(born.parameters[vary]),), ".10g")
                 remarks.append(Remark(f"the cycle of period {born.period:.6g} at {{}} was not followed: {{}}", at, error))
     _doubled(branches, vary, (low, high), doublings, points, remarks)
-    labels = [*_of_equilibria(motion, p, vary, rests), *_of_cycles(branches)]
+    labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
     remarks += _left_alone(vary, labels, onsets)
-    return Diagram(vary, (low, high), tuple(rests), tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0], model)
-
-
-def _onsets(model: Model, p: ParameterSet, vary: str, to: tuple[float, float], remarks: list[str]) -> Any:
-    """The Hopf points from which cycles are followed; None where they can't be looked for."""
-    try:
-        return flutter_onsets(p, vary, between={vary: to})
-    except SpragsymError as error:
-        remarks.append(f"Hopf points were not looked for: {error}")
-        return None
+    lines = tuple(branch for branch, _ in rests)
+    return Diagram(vary, (low, high), lines, tuple(branches), tuple(labels), tuple(remarks), model.coordinates[0], model)
 
 
 def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str]:
@@ -220,49 +215,46 @@ def _left_alone(vary: str, labels: Sequence[Label], onsets: Any) -> Iterator[str
 
 @dataclass(frozen=True)
 class _Rest:
-    """Equilibria of a field between its kinks, with one parameter free."""
+    """Equilibria between the kinks of a field: points are coordinates, then the parameter ``vary`` in units of ``half``."""
 
-    field: Field
-    values: tuple[float, ...]
-    index: int
-    state: list[float]
-    to: tuple[float, float]
-    contact: bool = True
+    system: System
+    vary: str
+    to: FloatArray
+    half: float
+    mode: Mode
 
-    @cached_property
-    def mode(self) -> Mode:
-        """The mode of the state, with all that is left out of motions where it is below rounding."""
-        return self.field.exact(self.field.initial_mode(self.state, self.field.constants(self.values)))
+    @classmethod
+    def of(cls, system: System, vary: str, to: tuple[float, float], state: FloatArray) -> _Rest:
+        """Those in the mode of a state, with all that is left out of motions where it is below rounding."""
+        half = (to[1] - to[0]) / 2
+        mode = system.field.exact(system.field.initial_mode(state.tolist(), system.constants))
+        return cls(system, vary, np.array(to) / half, half, mode)
 
-    def at(self, point: FloatArray) -> tuple[tuple[float, ...], list[float], Mode]:
-        """Constants, state and mode of a point: coordinates, then the parameter in halves of the range."""
-        values = list(self.values)
-        values[self.index] = self.value(point)
-        constants, state = tuple(self.field.constants(values)), [*point[:-1].tolist(), *[0.0] * (len(point) - 1)]
-        ways = len(self.mode) - self.field.ways
-        return constants, state, self.mode[:ways] + self.field.initial_mode(state, constants)[ways:]
-
-    def value(self, point: FloatArray) -> float:
-        """The parameter."""
-        return float(point[-1]) * (self.to[1] - self.to[0]) / 2
+    def at(self, point: FloatArray) -> tuple[list[float], tuple[float, ...], Mode]:
+        """State, constants and mode of a point."""
+        field = self.system.field
+        values = [point[-1] * self.half if name == self.vary else own for name, own in self.system.named()]
+        constants, state = field.constants(values), [*point[:-1].tolist(), *[0.0] * (len(point) - 1)]
+        ways = len(self.mode) - field.ways
+        return state, constants, self.mode[:ways] + field.initial_mode(state, constants)[ways:]
 
     def slopes(self, point: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Accelerations, and their derivatives by the point."""
-        constants, state, mode = self.at(point)
-        n = len(point) - 1
-        force = np.array(self.field.acceleration(state, constants, mode, math), dtype=float)
-        by_state = np.array(self.field.jacobian(state, constants, mode, math), dtype=float)[:, :n]
-        by_value = np.array(self.field.by_parameters(state, constants, mode, math), dtype=float)[:, self.index]
-        return force, np.column_stack([by_state, by_value * (self.to[1] - self.to[0]) / 2])
+        field, there = self.system.field, self.at(point)
+        force, by_state, by_values = (
+            np.array(function(*there, math), dtype=float)
+            for function in (field.acceleration, field.jacobian, field.by_parameters)
+        )
+        by_value = by_values[:, field.parameters.index(self.vary)] * self.half
+        return force, np.column_stack([by_state[:, : len(force)], by_value])
 
-    def eigenvalues(self, point: FloatArray) -> NDArray[np.complex128]:
+    def eigenvalues(self, point: FloatArray) -> list[complex]:
         """Eigenvalues of the linearized motion."""
-        constants, state, mode = self.at(point)
-        return np.asarray(np.linalg.eigvals(self.field.matrix(state, constants, mode)), dtype=complex)
+        return [complex(value) for value in np.linalg.eigvals(self.system.field.matrix(*self.at(point)))]
 
     def pairs(self, point: FloatArray) -> float:
         """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ± i ω."""
-        pairs = combinations(self.eigenvalues(point).tolist(), 2)
+        pairs = combinations(self.eigenvalues(point), 2)
         return float(math.prod((one + other) / (abs(one) + abs(other) or 1.0) for one, other in pairs).real)
 
     def turning(self, along: FloatArray, point: FloatArray) -> float:
@@ -274,65 +266,93 @@ class _Rest:
         tangent: FloatArray = np.linalg.svd(self.slopes(point)[1])[2][-1]
         return -tangent if tangent @ along < 0 else tangent
 
-    def corrected(self, guess: FloatArray, row: FloatArray) -> FloatArray | None:
-        """Newton's method from a guess within the plane across a row; None where it fails."""
-        point = guess.copy()
+    def corrected(self, guess: FloatArray, row: FloatArray | None = None) -> FloatArray:
+        """Newton's method from a guess within the plane across a row, by default at the same value of the parameter."""
+        point, row = guess, np.eye(len(guess))[-1] if row is None else row
         for _ in range(12):
             try:
                 force, slopes = self.slopes(point)
                 step = np.linalg.solve(np.vstack([slopes, row]), -np.append(force, row @ (point - guess)))
             except (np.linalg.LinAlgError, ArithmeticError):
-                return None
+                break
             point = point + step
             if not np.abs(point - guess).max() < 0.5:
-                return None
+                break
             if np.abs(step).max() < 1e-13 * (1 + np.abs(point).max()):
                 return point
-        return None
+        raise ConvergenceError("there is no equilibrium near")
 
     def inside(self, point: FloatArray) -> bool:
         """Whether a state is on this side of all kinks; the field jumps at the end of a torsion spring, or is smooth."""
-        constants, state, mode = self.at(point)
-        kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
+        state, constants, mode = self.at(point)
+        kinks = (border for border in self.system.field.borders if border.kink and border.jumps is None)
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in kinks)
 
     def follow(self, begin: FloatArray, sign: float) -> Iterator[FloatArray]:
         """Points in one direction, to the end of the range, of the mode, or of the steps."""
-        point, length = begin, LONGEST / 8
-        along = np.append(np.zeros(len(begin) - 1), sign)
-        tangent = self.tangent(begin, along)
+        point, length, tangent = begin, LONGEST / 8, self.tangent(begin, sign * np.eye(len(begin))[-1])
         for _ in range(STEPS):
-            ahead = self.corrected(point + length * tangent, tangent)
-            onward = None if ahead is None else self.tangent(ahead, tangent)
-            if ahead is None or onward is None or onward @ tangent < 0.98:
+            try:
+                ahead = self.corrected(point + length * tangent, tangent)
+                onward = self.tangent(ahead, tangent)
+            except ConvergenceError:
+                onward = -tangent
+            if onward @ tangent < 0.98 or not self.inside(ahead):
                 length /= 2
                 if length < SHORTEST:
                     return
                 continue
-            value = self.value(ahead)
-            if not self.to[0] <= value <= self.to[1]:
-                bound = (self.to[0] if value < self.to[0] else self.to[1]) * 2 / (self.to[1] - self.to[0])
-                share = (bound - point[-1]) / (ahead[-1] - point[-1])
-                row = np.append(np.zeros(len(begin) - 1), 1.0)
-                guess = point + share * (ahead - point)
-                guess[-1] = bound
-                last = self.corrected(guess, row)
-                if last is not None and last[-1] != point[-1]:
-                    yield last
+            bound = float(np.clip(ahead[-1], *self.to))
+            if ahead[-1] != bound:
+                guess = point + (bound - point[-1]) / (ahead[-1] - point[-1]) * (ahead - point)
+                with suppress(ConvergenceError):
+                    if bound != point[-1]:
+                        yield self.corrected(np.append(guess[:-1], bound))
                 return
-            if not self.inside(ahead):
-                if length < 1e-4:
-                    return
-                length /= 4
-                continue
             yield ahead
             point, tangent, length = ahead, onward, min(1.5 * length, LONGEST)
 
+    def passes(self, line: FloatArray, point: FloatArray) -> bool:
+        """Whether a branch passes through a point."""
+        for one, other in pairwise(line):
+            there, (low, high) = one + apart(point, one, self.system.field.around), sorted((one[-1], other[-1]))
+            if low - 1e-12 <= there[-1] <= high + 1e-12 and low != high:
+                guess = one + (there[-1] - one[-1]) / (other[-1] - one[-1]) * (other - one)
+                with suppress(ConvergenceError):
+                    if np.abs(guess - there).max() < LONGEST and np.abs(self.corrected(guess) - there).max() < ONE:
+                        return True
+        return False
 
-def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tuple[float, float]) -> list[EquilibriumBranch]:
-    """All branches on which there is an equilibrium at one of some values of the parameter."""
-    index, found = model.parameters.index(vary), list[tuple[_Rest, FloatArray]]()
-    half = (to[1] - to[0]) / 2
+    def located(self, one: FloatArray, other: FloatArray, test: Callable[[FloatArray], float]) -> FloatArray | None:
+        """The point between two where a test function changes its sign; None if it does not."""
+        from scipy.optimize import brentq
+
+        first, last, length = test(one), test(other), float(np.linalg.norm(other - one))
+        if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
+            return None
+        chord = (other - one) / length
+        with suppress(ConvergenceError, ValueError):
+            arc = brentq(lambda arc: test(self.corrected(one + arc * chord, chord)), 0.0, length, xtol=1e-15)
+            return self.corrected(one + float(arc) * chord, chord)
+        return None
+
+    def labels(self, line: FloatArray, number: int) -> Iterator[Label]:
+        """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary axis."""
+        for one, other in pairwise(line):
+            fold, hopf = (self.located(one, other, test) for test in (partial(self.turning, other - one), self.pairs))
+            if hopf is not None:
+                total, pair = min((abs(a + b), abs(a.imag)) for a, b in combinations(self.eigenvalues(hopf), 2))
+                hopf = hopf if pair > 1e-6 > total else None
+            for label, place in (("LP", fold), ("H", hopf)):
+                if place is not None:
+                    yield Label(label, float(place[-1]) * self.half, float(place[0]), "equilibria", number)
+
+
+def _equilibria(
+    p: ParameterSet, vary: str, to: tuple[float, float]
+) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:  # fmt: skip
+    """All branches on which there is an equilibrium at one of some values of the parameter, with their labels."""
+    model, found = p.model, list[tuple[bool, _Rest, FloatArray]]()
     grid = np.linspace(*to, SEEDS)
     for contact in (True, False):
         try:
@@ -341,88 +361,27 @@ def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tup
             continue  # no unilateral contact
         places = np.stack([np.asarray(getattr(known, name)) for name in model.coordinates], axis=-1)
         for i, j in np.argwhere(np.isfinite(places).all(axis=-1)).tolist():
-            values = p.replace(**{vary: float(grid[i])}).scalars(*model.parameters)
+            system = System.of(p.replace(**{vary: float(grid[i])}), None)
             try:
-                state = System.of(p.replace(**{vary: float(grid[i])}), None).equilibrium(places[i, j])
+                state = system.equilibrium(places[i, j])
             except ConvergenceError:
                 continue
-            rest = _Rest(motion, values, index, state.tolist(), to, contact)
-            point = np.append(state[: len(model.coordinates)], grid[i] / half)
-            if not any(other.contact == contact and _passes(other, line, point) for other, line in found):
-                back, forth = (list(rest.follow(point, sign)) for sign in (-1.0, 1.0))
-                found.append((rest, np.array([*reversed(back), point, *forth])))
-    return [
-        EquilibriumBranch(
-            line[:, -1] * half, line[:, :-1],
-            np.array([rest.eigenvalues(point).real.max() < NEUTRAL for point in line]), "contact" if rest.contact else "lift-off",
-        )
-        for rest, line in found
-    ]  # fmt: skip
-
-
-def _passes(rest: _Rest, line: FloatArray, point: FloatArray) -> bool:
-    """Whether a branch passes through a point."""
-    row = np.append(np.zeros(len(point) - 1), 1.0)
-    for one, other in pairwise(line):
-        point = one + apart(point, one, rest.field.around)
-        if min(one[-1], other[-1]) - 1e-12 <= point[-1] <= max(one[-1], other[-1]) + 1e-12 and one[-1] != other[-1]:
-            guess = one + (point[-1] - one[-1]) / (other[-1] - one[-1]) * (other - one)
-            if np.abs(guess - point).max() < LONGEST:
-                near = rest.corrected(guess, row)
-                if near is not None and np.abs(near - point).max() < ONE:
-                    return True
-    return False
-
-
-def _of_equilibria(motion: Field, p: ParameterSet, vary: str, rests: Sequence[EquilibriumBranch]) -> Iterator[Label]:
-    """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary axis: located by bisection."""
-    index = motion.parameters.index(vary)
-    for number, branch in enumerate(rests):
-        half = np.ptp(branch.values) / 2 or 1.0
-        to = (0.0, 2 * half)
-        for i in range(len(branch.values) - 1):
-            one, other = (np.append(branch.states[j], branch.values[j] / half) for j in (i, i + 1))
-            values = p.replace(**{vary: float(branch.values[i])}).scalars(*motion.parameters)
-            rest = _Rest(motion, values, index, [*branch.states[i].tolist(), *[0.0] * branch.states.shape[1]], to)
-            chord = (other - one) / np.linalg.norm(other - one)
-            for label, test in (("LP", partial(rest.turning, chord)), ("H", rest.pairs)):
-                place = _located(rest, one, other, chord, test)
-                if place is not None and (label == "LP" or _is_pair(rest, place)):
-                    yield Label(label, rest.value(place), float(place[0]), "equilibria", number)
-
-
-def _is_pair(rest: _Rest, point: FloatArray) -> bool:
-    values = rest.eigenvalues(point)
-    sums = [(abs(values[i] + values[j]), abs(values[i].imag)) for i in range(len(values)) for j in range(i)]
-    return bool(min(sums)[1] > 1e-6 and min(sums)[0] < 1e-6)
-
-
-def _located(rest: _Rest, one: FloatArray, other: FloatArray, chord: FloatArray, test: Any) -> FloatArray | None:
-    """The point between two where a test function changes its sign; None if it does not."""
-    from scipy.optimize import brentq
-
-    first, last = test(one), test(other)
-    if (first < 0) == (last < 0) or min(abs(first), abs(last)) < LOST:
-        return None
-
-    def at(arc: float) -> FloatArray:
-        point = rest.corrected(one + arc * chord, chord)
-        if point is None:
-            raise ConvergenceError("the branch is lost between two of its points")
-        return point
-
-    try:
-        return at(float(brentq(lambda arc: test(at(arc)), 0.0, float(np.linalg.norm(other - one)), xtol=1e-15)))
-    except (ConvergenceError, ValueError):
-        return None
+            rest = _Rest.of(system, vary, to, state)
+            point = np.append(state[: len(model.coordinates)], grid[i] / rest.half)
+            if any(pushed == contact and other.passes(line, point) for pushed, other, line in found):
+                continue
+            back, forth = (list(rest.follow(point, sign)) for sign in (-1.0, 1.0))
+            line = np.array([*reversed(back), point, *forth])
+            stable = np.array([max(value.real for value in rest.eigenvalues(each)) < NEUTRAL for each in line])
+            branch = EquilibriumBranch(line[:, -1] * rest.half, line[:, :-1], stable, "contact" if contact else "lift-off")
+            yield branch, list(rest.labels(line, len(found)))
+            found.append((contact, rest, line))
 
 
 # ------------------------------------------------------------------------------------------------------------------ cycles
 
 
-def _cycles(
-    model: Model, motion: Field, p: ParameterSet, vary: str, onsets: Any, starts: Sequence[Any], remarks: list[str]
-) -> Iterator[Cycle]:  # fmt: skip
+def _cycles(p: ParameterSet, vary: str, onsets: Any, starts: Sequence[Any], remarks: list[str]) -> Iterator[Cycle]:
     """A cycle of each family that is known of: born at a Hopf point, or near a start."""
     for i, value in enumerate([] if onsets is None else np.asarray(getattr(onsets, vary)).tolist()):
         try:
@@ -442,12 +401,9 @@ def _known(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
     for branch in branches:
         value = cycle.parameters[branch.vary]
         for i in np.flatnonzero((branch.values[:-1] - value) * (branch.values[1:] - value) <= 0).tolist():
-            close = min(abs(branch.periods[j] / cycle.period - 1) for j in (i, i + 1))
-            apart = abs(branch.periods[i + 1] / branch.periods[i] - 1) + 1e-6
-            if close < 2 * apart and min(abs(branch.amplitude[j] - cycle.amplitude) for j in (i, i + 1)) < 2 * abs(
-                branch.amplitude[i + 1] - branch.amplitude[i]
-            ) + 1e-6 * (1 + cycle.amplitude):
-                return True
+            with suppress(ConvergenceError):
+                if same_cycle(cycle_near(System(cycle.loop.flow, cycle.values), branch.cycles[i]), cycle):
+                    return True
     return False
 
 

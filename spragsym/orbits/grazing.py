@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from ..models.parameters import FloatArray
 from ..motion.segment import Turn
 from ..motion.shooting import Conditions, Guess, Loop, divided, solved
 from .arclength import Point, Setting
+from .system import differences
 
 #: Turns of two neighbouring points are one where they are as close as this, in shares of a period.
 ALIKE = 0.06
@@ -30,30 +32,29 @@ class Touch:
 
 def touches(setting: Setting, point: Point) -> list[Touch]:
     """All turns of the borders of a point."""
-    loop, field = point.loop, setting.field
-    found, size = [], field.size
+    loop, found, size = point.loop, [], setting.field.size
+    along = point.tangent[loop.guess.states.size + 1 :]
     for turn in loop.turns():
-        if turn.border < 0:
-            continue
-        parameters = point.tangent[loop.guess.states.size + 1 :]
-        change = turn.by_state @ point.tangent[:size] + turn.by_parameters[:, : len(parameters)] @ parameters
-        level = _level(setting, loop, turn.border, turn.state, 0.0)
-        step = 1e-6 / max(1.0, float(np.abs(change).max()))
-        ahead = _level(setting, loop, turn.border, turn.state + step * change, step, parameters)
-        back = _level(setting, loop, turn.border, turn.state - step * change, -step, parameters)
-        found.append(Touch(turn, turn.t / loop.guess.period, level, (ahead - back) / (2 * step)))
+        if turn.border >= 0:
+            change = turn.by_state @ point.tangent[:size] + turn.by_parameters[:, : len(along)] @ along
+            way, at = np.append(change, along), np.append(turn.state, loop.guess.coordinates(setting.free)[-len(along) :])
+            step = 1e-6 / max(1.0, float(np.abs(change).max()))
+            back, level, ahead = (
+                float(_level_and_rate(setting, turn.border, loop.guess, at + share * step * way)[0]) for share in (-1, 0, 1)
+            )
+            found.append(Touch(turn, turn.t / loop.guess.period, level, (ahead - back) / (2 * step)))
     return found
 
 
-def _level(
-    setting: Setting, loop: Loop, border: int, state: FloatArray, step: float, parameters: FloatArray | None = None
-) -> float:
-    values = list(loop.guess.values)
-    for index, change in zip(setting.free, [] if parameters is None else parameters.tolist(), strict=False):
-        values[index] += step * change
-    constants = setting.field.constants(values)
-    mode = setting.field.initial_mode(state, constants)
-    return float(setting.field.borders[border].level(state.tolist(), constants, mode))
+def _level_and_rate(setting: Setting, border: int, guess: Guess, place: FloatArray) -> FloatArray:
+    """Level and rate of a border at a state, followed by the free parameters."""
+    field, size = setting.field, setting.field.size
+    for index, value in zip(setting.free, place[size:].tolist(), strict=True):
+        guess = guess.at(index, value)
+    constants, state = field.constants(guess.values), place[:size].tolist()
+    mode, that = field.initial_mode(state, constants), field.borders[border]
+    accelerations = field.acceleration(state, constants, mode, math)
+    return np.array([that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)], dtype=float)
 
 
 def signature(point: Point) -> tuple[int, ...]:
@@ -101,36 +102,21 @@ def grazing(setting: Setting, near: Point, touch: Touch) -> Loop:
     pieces = len(near.loop.guess.states)
     begun = Guess(touch.turn.state[None], period, near.loop.guess.values)
     guess = divided(setting.flow, begun, pieces)
-    loop = solved(setting.flow, guess, touching(setting, touch.turn.border, pieces), setting.free, reach=0.5)
+    loop = solved(setting.flow, guess, touching(touch.turn.border, setting), setting.free, reach=0.5)
     if abs(loop.guess.period / period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")
     return loop
 
 
-def touching(setting: Setting, border: int, pieces: int) -> Conditions:
+def touching(border: int, setting: Setting, *_: object) -> Conditions:
     """Level and rate of a border are zero at the first state."""
-    field, size, free = setting.field, setting.field.size, setting.free
-    unknowns = pieces * size + 1 + len(free)
-
-    def both(state: FloatArray, values: tuple[float, ...]) -> FloatArray:
-        constants, numbers = field.constants(values), state.tolist()
-        mode = field.initial_mode(numbers, constants)
-        that = field.borders[border]
-        accelerations = field.acceleration(numbers, constants, mode, math)
-        level, change = that.level(numbers, constants, mode), that.rate(numbers, accelerations, constants, mode)
-        return np.array([change, level], dtype=float)
+    size = setting.field.size
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
-        state, values = loop.guess.states[0], loop.guess.values
-        rows, step = np.zeros((2, unknowns)), 1e-7
-        for i in range(size):
-            shift = step * np.eye(size)[i]
-            rows[:, i] = (both(state + shift, values) - both(state - shift, values)) / (2 * step)
-        for column, index in enumerate(free):
-            up, down = list(values), list(values)
-            up[index] += step
-            down[index] -= step
-            rows[:, pieces * size + 1 + column] = (both(state, tuple(up)) - both(state, tuple(down))) / (2 * step)
-        return both(state, values), rows
+        both, begin = partial(_level_and_rate, setting, border, loop.guess), len(loop.guess.vector)
+        place = np.append(loop.guess.states[0], loop.guess.coordinates(setting.free)[begin:])
+        slopes, rows = differences(both, place, 1e-7), np.zeros((2, begin + len(setting.free)))
+        rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]
+        return both(place), rows
 
     return conditions

@@ -6,9 +6,9 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
-from ..motion.bifurcation_functions import CRITERIA, unsure
-from ..motion.shooting import Guess, Loop, across, extent, rate, recut, solved
-from .arclength import Point, Setting, fixed, point_of
+from ..motion.bifurcation_functions import unsure
+from ..motion.shooting import CLOSED, Guess, Loop, extent, rate, recut, solved
+from .arclength import SURE, Point, Setting, at_zero, fixed, point_of
 
 #: The halves of a step's orbits come together if they pass each other within this share of how far they move.
 NEAR = 0.5
@@ -22,9 +22,6 @@ ONE = 1e-9
 #: The halves are followed to where they meet once the square of their distance has fallen by this factor in one step, and will be
 #: gone within so many more.
 LESS, SOON = 0.9, 1.5
-
-#: First step of the parameter, in spans at most, and the least, in its own size; most steps.
-FIRST, LEAST, STEPS = 1e-5, 1e-12, 30
 
 
 def in_halves(loop: Loop, setting: Setting) -> Loop:
@@ -76,58 +73,32 @@ def due(one: Point, other: Point, index: int) -> float | None:
     return value + share * (value - last) if share < SOON else None
 
 
-def between_halves(one: Point, other: Point, share: float, index: int) -> tuple[Guess, float, float, float]:
-    """The cycle of half the period at a share of a step, where to look for its doubling, how far off that may be, and the way."""
+def between_halves(one: Point, other: Point, share: float, index: int) -> tuple[Guess, float]:
+    """The cycle of half the period at a share of a step, near which to look for its doubling, and how far off that may be."""
     a, b = one.loop.guess, other.loop.guess
     states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2
     guess = Guess((states[:half] + states[half:]) / 2, ((1 - share) * a.period + share * b.period) / 2, a.values)
     reach = (float(np.linalg.norm(states[:half] - states[half:])) + float(np.linalg.norm(b.states - a.states))) / np.sqrt(half)
-    way = b.values[index] - a.values[index]
-    return guess, a.values[index] + share * way, reach, way
+    return guess.at(index, a.values[index] + share * (b.values[index] - a.values[index])), reach
 
 
-def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: float) -> tuple[Loop, float] | None:
-    """The doubling of the cycle of half the period near a guess and a value of the parameter, and the error of its parameter.
+def halved(setting: Setting, begun: Guess, reach: float) -> tuple[Loop, float] | None:
+    """The doubling of the cycle of half the period near a guess, and the error of its parameter.
 
-    None if there is none whose states are within ``reach``: then the halves have only come near each other. ``way`` is how far
-    the parameter went in the step that leads there: the cycle of half the period may turn back soon after.
+    None if there is none whose states are within ``reach``: then the halves have only come near each other.
     """
-    index, doubling = setting.free[0], CRITERIA["period_doubling"]
-
-    def at(value: float, near: Guess) -> Loop:
-        values = list(near.values)
-        values[index] = value
-        guess = Guess(near.states, near.period, tuple(values))
-        return solved(setting.flow, guess, across(setting.field, guess))
-
-    def started() -> tuple[float, Loop, float, Loop]:
-        first = at(middle, begun)
-        for sign in (1.0, -1.0):
-            value = middle + sign * max(min(FIRST * setting.spans[0], 0.1 * abs(way)), LEAST * (1 + abs(middle)))
-            try:
-                return middle, first, value, at(value, first.guess)
-            except ConvergenceError:
-                continue  # beyond what the parameter may be
-        raise ConvergenceError("the cycle of half the period can't be followed")
-
+    kind, index = "period_doubling", setting.free[0]
     try:
-        low, before, high, loop = started()
-        last, now = doubling(before), doubling(loop)
-        for _ in range(STEPS):
-            if now == last or abs(high - low) < 2e-15 * (1 + abs(high)):
-                break
-            ahead = high - now * (high - low) / (now - last)
-            low, last, high = high, now, ahead
-            loop = at(high, loop.guess)
-            now = doubling(loop)
+        near = fixed(setting, setting.looped(begun))
+        doubling = at_zero(kind, setting, near, near.guess.coordinates(setting.free))
+        loop = solved(setting.flow, near.guess, doubling, setting.free)
     except (ConvergenceError, np.linalg.LinAlgError):
         return None
-    off = float(np.linalg.norm(loop.guess.states - begun.states)) / np.sqrt(len(begun.states))
-    if not abs(now) < 1e-8 or not off < reach:
+    if not float(np.linalg.norm(loop.guess.states - begun.states)) / np.sqrt(len(begun.states)) < reach:
         return None
-    slope = abs((now - last) / (high - low)) if high != low and now != last else np.inf
-    noise = unsure(loop, "period_doubling")
-    return loop, float(abs(high - low) + noise / slope + 1e-15 * (1 + abs(high)))
+    tangent = point_of(setting, loop).tangent
+    steepness = float(doubling(loop)[1][-1] @ tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)
+    return loop, unsure(loop, kind) * abs(float(tangent[-1]) / steepness) + 1e-15 * (1 + abs(loop.guess.values[index]))
 
 
 def twice(setting: Setting, end: Loop, along: Point) -> Point:
@@ -139,14 +110,13 @@ def twice(setting: Setting, end: Loop, along: Point) -> Point:
 def nearer(setting: Setting, point: Point, end: Loop, share: float) -> Point | None:
     """The doubled cycle whose halves are a share as far apart as a point's, on its way to where they meet; None if not found."""
     index, guess = setting.free[0], point.loop.guess
-    values = list(guess.values)
-    values[index] = end.guess.values[index] + share**2 * (guess.values[index] - end.guess.values[index])
+    value = end.guess.values[index] + share**2 * (guess.values[index] - end.guess.values[index])
     twice = np.tile(end.guess.states, (2, 1))
     middle = (guess.states + np.roll(guess.states, len(guess.states) // 2, axis=0)) / 2
     states = twice + share**2 * (middle - twice) + share * (guess.states - middle)
-    begun = Guess(states, 2 * end.guess.period + share**2 * (guess.period - 2 * end.guess.period), tuple(values))
+    begun = Guess(states, 2 * end.guess.period + share**2 * (guess.period - 2 * end.guess.period), guess.values)
     try:
-        near = fixed(setting, setting.looped(begun))
+        near = fixed(setting, setting.looped(begun.at(index, value)))
     except ConvergenceError:
         return None
     found = point_of(setting, near, point.tangent)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
@@ -11,11 +10,11 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..models.field import Field
 from ..models.parameters import FloatArray
-from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, unsure
-from ..motion.shooting import CLOSED, Conditions, Loop, looped
+from ..motion.bifurcation_functions import CRITERIA, is_complex_pair
+from ..motion.shooting import Loop
 from ..progress import doing
 from ..results.result import Result
-from .arclength import Point, Setting, angle, corrected, phase_row, point_of
+from .arclength import Point, Setting, angle, at_zero, corrected, point_of
 from .branch import CycleEvent
 from .grazing import touching
 from .orbit import Cycle, cycle_of
@@ -25,12 +24,6 @@ FIRST, LONGEST, SHORTEST = 0.01, 0.1, 1e-6
 
 #: Spans of a parameter whose range is not given: of its value, and at least.
 SPAN, LEAST = 0.25, 0.02
-
-#: A test function is known to so many of its errors.
-SURE = 100.0
-
-#: For differences of a test function.
-DIFFERENCE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,8 +108,8 @@ def cycle_events(
     for name, index in zip(vary, free, strict=True):
         low, high = ranges.get(name, (0.0, 0.0))
         spans.append((high - low) / 2 if high > low else max(SPAN * abs(event.loop.guess.values[index]), LEAST))
-    setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans))
-    setting = replace(setting, event=partial(_event, setting, event.kind, event.border))
+    holds = partial(touching, event.border) if event.border >= 0 else partial(at_zero, event.kind)
+    setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans), event=holds)
     bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
     first = point_of(setting, setting.looped(event.loop.guess))
     (back, why_back), (forth, why_forth) = (_followed(setting, event.kind, bounds, points, first, sign) for sign in (-1.0, 1.0))
@@ -126,21 +119,6 @@ def cycle_events(
         event.kind, vary, np.array([[each.guess.values[i] for i in free] for each in loops]),
         np.array([each.guess.period for each in loops]), (why_back, why_forth), cycles,
     )  # fmt: skip
-
-
-def _event(setting: Setting, kind: str, border: int, near: Loop) -> tuple[Conditions, bool]:
-    """The event's equation near a loop, its test function in such units that its rounding does not keep the loop open.
-
-    That of a grazing says where the orbit begins too.
-    """
-    if border >= 0:
-        return touching(setting, border, len(near.guess.states)), True
-    test, phase, unit = CRITERIA[kind], phase_row(setting, near), max(1.0, SURE * unsure(near, kind) / CLOSED)
-
-    def condition(now: Loop) -> tuple[FloatArray, FloatArray]:
-        return np.array([test(now) / unit]), _slope(setting, now, test, phase) / unit
-
-    return condition, False
 
 
 def _followed(
@@ -169,20 +147,3 @@ def _followed(
         found.append(ahead.loop)
         point, length = ahead, min(LONGEST, length * (1.6 if straight > 0.995 else 1.1))
     return found, f"{points} points were followed"
-
-
-def _slope(setting: Setting, loop: Loop, test: Callable[[Loop], float], phase: FloatArray) -> FloatArray:
-    """Derivative of a test function: differences along the surface of closed orbits, and along what hardly leaves it.
-
-    A weakly damped mode is nearly free to move: without it Newton's method converges slowly.
-    """
-    weights = setting.weights(len(loop.guess.states))
-    _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(2), phase]) / weights)
-    row = np.zeros((1, vectors.shape[1]))
-    for vector in vectors:
-        way = vector / weights
-        ahead, back = (
-            test(looped(setting.flow, loop.guess.moved(sign * DIFFERENCE * way, setting.free))) for sign in (1.0, -1.0)
-        )
-        row += (ahead - back) / (2 * DIFFERENCE) * vector * weights
-    return row

@@ -7,21 +7,18 @@ begun again without it, since nothing says what its last step has done to them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
 from ..models.field import Field, Mode
 from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course
 from .motions import Measured, Motions, Turns
 from .problem import Event, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
-from .with_heyoka import CHUNK, Approach, Equations, compiled, count_of, tolerance
+from .with_heyoka import CHUNK, Carrier, Equations, compiled, missed
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -34,9 +31,6 @@ NEAR = 1e-3
 
 #: Kinds of event.
 EVENTS = len(Event)
-
-#: What crossing a border does in a mode: the mode beyond, which parameters become what, and what a user calls it.
-_Passed: TypeAlias = tuple[Mode, list[tuple[int, float]], Event | None]
 
 
 @dataclass
@@ -72,18 +66,17 @@ class _Run:
     running: dict[int, int] = field(default_factory=dict)
 
 
-class Lanes:
+class Lanes(Carrier):
     """A compiled integrator of :data:`LANES` motions, used again and again.
 
     With ``watch`` it also carries the integrals of a :class:`~spragsym.motion.measures.Course`, and notes where x' = 0.
     """
 
     def __init__(self, field: Field, rtol: float, watch: bool) -> None:
-        hy = library()
-
         equations = Equations.of(field, watch=watch)
-        self.size, self.constants, self.watch = field.size, count_of(field), watch
-        self.modes: list[Mode] = [field.modes[0]] * LANES
+        turns = [(equations.seen[0][field.size // 2], self._turn)] if watch else []
+        super().__init__(field, rtol, equations, turns, lanes=LANES)
+        self.watch = watch
         self.turns: list[Turns | None] = [None] * LANES
         self.counts = [[0] * EVENTS for _ in range(LANES)]
         #: Where borders were last crossed, and lanes in which that was where they had been crossed before.
@@ -91,71 +84,29 @@ class Lanes:
         self.resting: set[int] = set()
         #: Time and steps of each lane when it was last looked at whether steps have collapsed.
         self.looked: list[tuple[float, int]] = [(0.0, 0)] * LANES
-        #: Lanes in which a crossing was missed, with the time.
-        self.strays: dict[int, float] = {}
-        self.solver = solver = hy.taylor_adaptive_batch(
-            equations.system, np.zeros((len(equations.system), LANES)), tol=tolerance(field, rtol),
-            t_events=equations.events(field, hy.t_event_batch, partial(self._crossing, field), self._passing),
-            nt_events=[hy.nt_event_batch(1e-3 * equations.seen[0][self.size // 2], self._turning())] if watch else [],
-        )  # fmt: skip
-        # Views of what the integrator holds: each look at an attribute makes one anew.
-        self.state, self.pars, self.dense, self.look = solver.state, solver.pars, solver.d_output, solver.update_d_output
-        #: heyoka has no cooldowns where there are no events.
-        self.eventful = solver.with_events
-        #: How many parameters there are: none beyond the last that the field takes.
-        self.held = len(self.pars)
+        self.dense, self.look = self.solver.d_output, self.solver.update_d_output
 
-    def _crossing(self, field: Field, row: int) -> Callable[[Any, int, int], bool]:
-        """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
-        border, table = field.borders[row], dict[Mode, _Passed]()
-        for mode in field.modes:
-            after = border.beyond(mode)
-            places = range(self.constants, self.constants + len(mode))
-            changed = [(place, float(new)) for place, old, new in zip(places, mode, after, strict=True) if old != new]
-            table[mode] = after, changed, event_at(border, upward=int(border.sign(mode)) < 0)
-
-        def cross(solver: Any, direction: int, lane: int) -> bool:
-            after, changed, kind = table[self.modes[lane]]
-            if direction > 0:
-                self.strays[lane] = float(solver.time[lane])
-                return False
-            self.modes[lane] = after
-            for place, value in changed:
-                if place < self.held:
-                    self.pars[place, lane] = value
-            if kind is not None:
-                self.counts[lane][kind] += 1
-                if self.watch:
-                    self._rest(lane, row)
-            return True
-
-        return cross
+    def _crossed(self, row: int, lane: int, _: FloatArray) -> None:
+        border = self.field.borders[row]
+        kind = event_at(border, upward=int(border.sign(self.modes[lane])) > 0)
+        if kind is not None:
+            self.counts[lane][kind] += 1
+            if self.watch:
+                self._rest(lane, row)
 
     def _rest(self, lane: int, row: int) -> None:
         """Note where a border is crossed, or the motion ends after that, and whether it had been crossed near there."""
-        state = self.state[: self.size, lane].tolist()
+        state = self.state[: self.m, lane].tolist()
         before, self.crossed[lane][row] = self.crossed[lane].get(row), state
         if before and max(abs(a - b) for a, b in zip(state, before, strict=True)) <= NEAR * max(map(abs, state)):
             self.resting.add(lane)
 
-    def _passing(self, approach: Approach) -> Callable[[Any, int, int], bool]:
-        def passing(_: Any, __: int, lane: int) -> bool:
-            state = self.state[: self.size, lane].copy()
-            if approach.passed(state, self.pars[:, lane].copy()):
-                self.state[: self.size, lane] = state
-            return True
-
-        return passing
-
-    def _turning(self) -> Callable[[Any, float, int, int], None]:
-        def turn(_: Any, t: float, direction: int, lane: int) -> None:
-            self.look(t)
-            seen = self.turns[lane]
-            if seen is None:
-                self.turns[lane] = seen = Turns()
-            seen.add(t, direction, self.dense[:, lane].tolist())
-
-        return turn
+    def _turn(self, _: Any, t: float, direction: int, lane: int) -> None:
+        self.look(t)
+        seen = self.turns[lane]
+        if seen is None:
+            self.turns[lane] = seen = Turns()
+        seen.add(t, direction, self.dense[:, lane].tolist())
 
     def carry(self, stage: Stage, begin: float, end: float) -> Stage:
         """Where the motions of a stage are that are carried from ``begin`` to ``end`` and do not stop on the way."""
@@ -165,18 +116,18 @@ class Lanes:
                 self._fill(run, begin, end)
             self.solver.propagate_until(end, max_steps=BURST)
             self._sort_out(run, end)
-        states, modes = run.after.carried[:, : self.size].T, np.array(run.after.modes).T
+        states, modes = run.after.carried[:, : self.m].T, np.array(run.after.modes).T
         for row in np.flatnonzero(~stage.motions.field.are_inside(states, stage.motions.constants.T, modes)).tolist():
-            stage.errors.setdefault(row, _missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
+            stage.errors.setdefault(row, missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
         return run.after
 
     def _run(self, stage: Stage, duration: float) -> _Run:
         count = len(stage.modes)
         state = np.zeros((len(self.state), count))
-        state[: self.size] = stage.carried[:, : self.size].T
+        state[: self.m] = stage.carried[:, : self.m].T
         watching = [stage.carried[:, 0], np.full(count, _scale(duration))] if self.watch else []
         pars = np.vstack([stage.motions.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
-        pars = pars[: self.held]
+        pars = pars[: len(self.pars)]
         waiting = [row for row in reversed(range(count)) if row not in stage.errors]
         after = replace(
             stage, carried=np.full((count, len(self.state)), np.nan), modes=stage.modes.copy(), steps=stage.steps.copy(),
@@ -222,7 +173,7 @@ class Lanes:
             run.stage.errors[row] = too_many_steps(motions.max_steps, t, motions.t_end, motions.rtol)
         elif steps - counted >= CHUNK:
             self.looked[lane] = t, steps
-            state, step = self.state[: self.size, lane], (t - before) / (steps - counted)
+            state, step = self.state[: self.m, lane], (t - before) / (steps - counted)
             try:
                 check_stiffness(motions.field, state, motions.constants[row].tolist(), step, motions.t_end - t)
             except StiffError as error:
@@ -238,7 +189,7 @@ class Lanes:
         if bad:
             for lane in bad:
                 stray = self.strays.get(lane)
-                run.stage.errors[running.pop(lane)] = out_of_range() if stray is None else _missed(stray)
+                run.stage.errors[running.pop(lane)] = out_of_range() if stray is None else missed(stray)
             for row in running.values():
                 run.after.steps[row] = run.stage.steps[row]
             run.waiting += running.values()
@@ -251,10 +202,6 @@ class Lanes:
                 self._arrive(run.after, lane, row)
             if stopped or times[lane] == end:
                 del running[lane]
-
-
-def _missed(t: float) -> ConvergenceError:
-    return ConvergenceError(f"heyoka missed a kink before t = {t:.6g}; use backend='scipy'")
 
 
 def _scale(duration: float) -> float:

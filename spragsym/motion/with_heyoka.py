@@ -127,22 +127,20 @@ class Equations:
             system += zip(hy.make_vars("sum", "squares"), [UNIT * state[0], UNIT * state[0] * state[0]], strict=True)
         return cls(system, (state, known, mode), Approach.of(xp.called, system[:m]), accelerations)
 
-    def events(
-        self, field: Field, event: Any, cross: Callable[[int], Callable[..., bool]], passing: Callable[[Approach], Any]
-    ) -> list[Any]:  # fmt: skip
+    def events(self, field: Field, cross: Callable[..., bool], passing: Callable[..., bool]) -> list[Any]:
         """Terminal events: levels that are positive within their mode, and approaches, with callbacks of what is done there.
 
         The gap keeps one crossing from being found twice, which is what a cooldown is for. Where the field jumps, the
         levels of both modes are 0, and are curved in the state: after a crossing the new one may be negative by the error of a
         step, and its way up is no event.
         """
-        ways = library().event_direction
+        event, ways = library().t_event_batch, library().event_direction
         inside = [border.sign(self.seen[2]) * watched(border, *self.seen) for border in field.borders]
         return [
-            event(value, callback=cross(row), cooldown=0.0, direction=ways.any if border.jumps is None else ways.negative)
+            event(value, callback=partial(cross, row), cooldown=0.0, direction=ways.negative if border.jumps else ways.any)
             for row, (border, value) in enumerate(zip(field.borders, inside, strict=True))
         ] + [
-            event(each.watched, callback=passing(each), direction=ways.positive) for each in self.approaches
+            event(each.watched, callback=partial(passing, each), direction=ways.positive) for each in self.approaches
         ]  # fmt: skip
 
 
@@ -156,65 +154,85 @@ def _dot(one: Any, other: Any) -> Any:
     return sum(products[1:], products[0]) if products else 0.0 * other[0]
 
 
-class Taylor:
-    """A compiled integrator of a field, used again and again; ``turning`` is that turns are told."""
+class Carrier:
+    """A field compiled for motions in lanes, used again and again: each goes over to its next mode where it passes a border."""
+
+    def __init__(
+        self, field: Field, tol: float, equations: Equations, turns: Sequence[tuple[Any, Callable[..., None]]], *, lanes: int = 1,
+        derivatives: bool = False,
+    ) -> None:  # fmt: skip
+        hy = library()
+
+        self.field, self.m, self.tol, self.derivatives = field, field.size, tol, derivatives
+        self.constants = count_of(field)
+        self.modes: list[Mode] = [field.modes[0]] * lanes
+        #: Lanes in which a crossing was missed, with the time; whether derivatives would be carried across a jump.
+        self.strays: dict[int, float] = {}
+        self.jumped = False
+        self.solver = hy.taylor_adaptive_batch(
+            equations.system, np.zeros((len(equations.system), lanes)), tol=tolerance(field, tol),
+            compact_mode=bool(turns) and lanes == 1, t_events=equations.events(field, self._cross, self._pass),
+            nt_events=[hy.nt_event_batch(1e-3 * value, callback) for value, callback in turns],
+        )  # fmt: skip
+        # Views of what the integrator holds: each look at an attribute makes one anew.
+        self.state, self.pars = self.solver.state, self.solver.pars
+        #: heyoka has no cooldowns where there are no events.
+        self.eventful = self.solver.with_events
+
+    def __deepcopy__(self, _: object) -> Carrier:
+        """heyoka deep-copies its callbacks; the copies must still write to this object."""
+        return self
+
+    def _cross(self, row: int, solver: Any, direction: int, lane: int) -> bool:
+        """Go over to the next mode; stop if a crossing was missed, or if derivatives would be carried across a jump."""
+        border, state = self.field.borders[row], self.state[: self.m, lane]
+        if direction > 0:
+            self.strays[lane] = float(solver.time[lane])
+            return False
+        if self.derivatives and border.jumps is not None:
+            self.jumped = border.jumps(state.tolist(), self.pars[: self.constants, lane].tolist())
+        self.modes[lane] = border.beyond(self.modes[lane])
+        put(self.pars[:, lane], self.constants, self.modes[lane])
+        self._crossed(row, lane, state)
+        return not self.jumped
+
+    def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
+        """Note a border that was passed."""
+
+    def _pass(self, each: Approach, _: Any, __: int, lane: int) -> bool:
+        state = self.state[: self.m, lane].copy()
+        passed = each.passed(state, self.pars[:, lane].copy())
+        self.state[: self.m, lane] = state
+        self.jumped = passed and self.derivatives
+        return not self.jumped
+
+
+class Taylor(Carrier):
+    """The integrator of one motion; ``turning`` is that turns are told."""
 
     def __init__(
         self, field: Field, tol: float, *, derivatives: bool = False, directions: int = 0, turning: bool = False
     ) -> None:  # fmt: skip
-        hy = library()
-
         equations = Equations.of(field, derivatives=derivatives, directions=directions)
-        self.field, self.m, self.derivatives, self.directions, self.tol = field, field.size, derivatives, directions, tol
-        self.constants = count_of(field)
-        self.crossings: list[Crossing] = []
-        self.turns: list[Turn] = []
-        self.mode: Mode = field.modes[0]
-        self.known: tuple[float, ...] = ()
-        self.stray: float | None = None
-        self.jumped = False
         state, known, mode = equations.seen
-        rates = [(-1, state[self.m // 2])] + [
+        rates = [(-1, state[field.size // 2])] + [
             (i, b.rate(state, equations.accelerations, known, mode)) for i, b in enumerate(field.borders) if b.kink
         ]
-        self.solver = hy.taylor_adaptive(
-            equations.system, [0.0] * len(equations.system), tol=tolerance(field, tol), compact_mode=turning,
-            t_events=equations.events(
-                field, hy.t_event, lambda row: partial(self._cross, row), lambda each: partial(self._pass, each)
-            ),
-            nt_events=[hy.nt_event(1e-3 * value, partial(self._turn, i)) for i, value in rates] if turning else [],
-        )  # fmt: skip
-        # Views of what the integrator holds: each look at an attribute makes one anew.
-        self.state, self.pars = self.solver.state, self.solver.pars
-        # heyoka has no cooldowns where there are no events.
-        self.reset = self.solver.reset_cooldowns if self.solver.with_events else lambda: None
+        turns = [(value, partial(self._turn, i)) for i, value in rates] if turning else []
+        super().__init__(field, tol, equations, turns, derivatives=derivatives)
+        self.directions, self.one = directions, self.state[:, 0]
+        self.crossings: list[Crossing] = []
+        self.turns: list[Turn] = []
 
-    def __deepcopy__(self, _: object) -> Taylor:
-        """heyoka deep-copies its callbacks; the copies must still write to this object."""
-        return self
-
-    def _cross(self, row: int, solver: Any, direction: int) -> bool:
-        """Go over to the next mode; stop if a crossing was missed, or if derivatives would be carried across a jump."""
+    def _crossed(self, row: int, lane: int, state: FloatArray) -> None:
         border = self.field.borders[row]
-        if direction > 0:
-            self.stray = solver.time
-            return False
-        if self.derivatives and border.jumps is not None and border.jumps(self.state[: self.m].tolist(), self.known):
-            self.jumped = True
-            return False
-        self.mode = border.beyond(self.mode)
-        put(self.pars, self.constants, self.mode)
         if border.kink:
-            self.crossings.append(Crossing(solver.time, row, int(border.sign(self.mode)), self.state[: self.m].copy()))
-        return True
+            sign = int(border.sign(self.modes[lane]))
+            self.crossings.append(Crossing(float(self.solver.time[lane]), row, sign, state.copy()))
 
-    def _pass(self, each: Approach, *_: Any) -> bool:
-        self.jumped = each.passed(self.state[: self.m], self.pars) and self.derivatives
-        return not self.jumped
-
-    def _turn(self, border: int, solver: Any, t: float, direction: int) -> None:
+    def _turn(self, border: int, solver: Any, t: float, direction: int, _: int) -> None:
         solver.update_d_output(t)
-        self.turns.append(Turn(t, border, direction, *self._split(solver.d_output)))
+        self.turns.append(Turn(t, border, direction, *self._split(solver.d_output[:, 0])))
 
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         m = self.m
@@ -226,41 +244,43 @@ class Taylor:
 
     def begin(self, start: Any, constants: tuple[float, ...], directions: Any = ()) -> None:
         """Stand at the start of a motion, with no events recorded."""
-        self.crossings, self.turns, self.stray, self.jumped, self.known = [], [], None, False, constants
-        self.mode = self.field.initial_mode(start, constants)
-        self.solver.time = 0.0
-        self.state[:] = 0.0
-        self.state[: self.m] = start
+        self.crossings, self.turns, self.jumped = [], [], False
+        self.strays.clear()
+        self.modes[0] = self.field.initial_mode(start, constants)
+        self.solver.set_time(0.0)
+        self.one[:] = 0.0
+        self.one[: self.m] = start
         if self.derivatives:
-            self.state[self.m : self.m + self.m**2 : self.m + 1] = UNIT
-        put(self.pars, 0, (*constants, *self.mode, *np.ravel(directions)))
-        self.reset()
+            self.one[self.m : self.m + self.m**2 : self.m + 1] = UNIT
+        put(self.pars[:, 0], 0, (*constants, *self.modes[0], *np.ravel(directions)))
+        if self.eventful:
+            self.solver.reset_cooldowns()
 
     def go(self, t: float, t_end: float, most: int, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
         """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
-        hy = library()
-        solver = self.solver
-        pieces: list[Samples] = []
-        outcome = hy.taylor_outcome.step_limit
-        while outcome == hy.taylor_outcome.step_limit:
+        outcomes, pieces, now = library().taylor_outcome, list[Samples](), self.solver.time
+        outcome = outcomes.step_limit
+        while outcome == outcomes.step_limit:
             if steps >= most:
-                raise too_many_steps(most, solver.time, t_end, self.tol)
-            begun = solver.time
-            outcome, _, _, made, output, _ = solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps))
-            steps += made
-            if outcome == hy.taylor_outcome.step_limit and made == CHUNK:
-                step = (solver.time - begun) / CHUNK
-                check_stiffness(self.field, self.state[: self.m], self.known, step, t_end - solver.time)
+                raise too_many_steps(most, now[0], t_end, self.tol)
+            begun = float(now[0])
+            output, _ = self.solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, most - steps))
+            outcome, _, _, made = self.solver.propagate_res[0]
+            steps, now = steps + made, self.solver.time
+            if outcome == outcomes.step_limit and made == CHUNK:
+                known = self.pars[: self.constants, 0].tolist()
+                check_stiffness(self.field, self.one[: self.m], known, (now[0] - begun) / CHUNK, t_end - now[0])
             if output is not None:
                 pieces.append(_sampled(output))
         if self.jumped:
             raise ConvergenceError(JUMPED)
-        if outcome == hy.taylor_outcome.err_nf_state or not np.isfinite(self.state).all():
+        if outcome == outcomes.err_nf_state or not np.isfinite(self.one).all():
             raise out_of_range()
-        if self.stray is not None or not self.field.is_inside(self.state[: self.m].tolist(), self.known, self.mode):
-            raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
-        if outcome != hy.taylor_outcome.time_limit:
-            raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
+        known = self.pars[: self.constants, 0].tolist()
+        if self.strays or not self.field.is_inside(self.one[: self.m].tolist(), known, self.modes[0]):
+            raise missed(now[0])
+        if outcome != outcomes.time_limit:
+            raise ConvergenceError(f"heyoka stopped at t = {now[0]:.6g} with {outcome}; use backend='scipy'")
         return steps, pieces
 
     def motion(
@@ -281,8 +301,13 @@ class Taylor:
         except StiffError:
             implicit = Flight(self.field, self.derivatives, self.directions, IMPLICIT, stiff=True)
             return implicit.fly(state, constants, duration, directions)
-        integrals = (float(self.state[-2]) / UNIT, float(self.state[-1]) / UNIT) if self.derivatives else None
-        return Passage(*self._split(self.state), tuple(self.crossings), tuple(self.turns), integrals)
+        integrals = (float(self.one[-2]) / UNIT, float(self.one[-1]) / UNIT) if self.derivatives else None
+        return Passage(*self._split(self.one), tuple(self.crossings), tuple(self.turns), integrals)
+
+
+def missed(t: float) -> ConvergenceError:
+    """The error of a motion that has passed a border unseen."""
+    return ConvergenceError(f"heyoka missed a kink before t = {t:.6g}; use backend='scipy'")
 
 
 def tolerance(field: Field, rtol: float) -> float:
@@ -310,9 +335,9 @@ def watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:
 
 def _sampled(output: Any) -> Samples:
     """Times and values of a heyoka continuous output at the Lobatto points of its steps."""
-    step, order = np.diff(output.times)[:, None, None], np.arange(output.tcs.shape[2])
-    states = (output.tcs * step**order) @ unit_points() ** order[:, None]
-    return sample_times(output.times[:-1], output.times[1:]), states
+    times, series = output.times[:, 0], output.tcs[..., 0]
+    step, order = np.diff(times)[:, None, None], np.arange(series.shape[2])
+    return sample_times(times[:-1], times[1:]), (series * step**order) @ unit_points() ** order[:, None]
 
 
 _CACHE = threading.local()

@@ -9,10 +9,8 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
-from functools import cache
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 import pytest
@@ -34,10 +32,6 @@ LIFTOFF, CONTACT = 0, 1
 BATCH = 4096
 #: Without optimization: compiled fastest, and the same bits.
 PLAIN = ("-O0", "-ffp-contract=off")
-#: For a shared object.
-SHARED = ("-shared", "-fPIC")
-#: Builds the driver: ``built(compiler, *flags)``.
-Build: TypeAlias = Callable[..., Path]
 BASE = (math.radians(49.0), 0.5, 0.007, 0.007, 0.1, 0.0)
 DISTANCES = (0.0, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4)
 
@@ -89,19 +83,8 @@ def compile_driver(folder: Path, compiler: str, *flags: str) -> Path:
 
 
 @pytest.fixture(scope="module")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Build:
-    """The driver, built once for each compiler and its flags."""
-
-    @cache
-    def build(compiler: str, *flags: str) -> Path:
-        return compile_driver(tmp_path_factory.mktemp("c99"), compiler, *flags)
-
-    return build
-
-
-@pytest.fixture(scope="module")
-def library(built: Build) -> ctypes.CDLL:
-    return ctypes.CDLL(str(built(COMPILERS[0], *PLAIN, *SHARED)))
+def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    return ctypes.CDLL(str(compile_driver(tmp_path_factory.mktemp("c99"), COMPILERS[0], *PLAIN, "-shared", "-fPIC")))
 
 
 def _pointer(array: Any) -> Any:

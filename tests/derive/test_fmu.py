@@ -121,6 +121,6 @@ def test_bad_calls_get_the_status_of_the_standard(brake: str, tmp_path: Path) ->
     files = [sources / "fmu.c", sources / "kang_nam.c", Path(__file__).with_name("fmu_driver.c")]
     subprocess.run([*command, *files, "-lm", "-o", tmp_path / "driver"], check=True)
     references = {one.name: str(one.valueReference) for one in description.modelVariables}
-    given = [description.guid, *map(references.__getitem__, ("x", "der(vx)", "k")), str(len(references))]
+    given = [description.guid, *(references[name] for name in ("x", "der(vx)", "k")), str(len(references))]
     done = subprocess.run([tmp_path / "driver", *given], capture_output=True, text=True, timeout=60)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import spragsym as ss
 
 from ..design.design_space import Design, space
 from ..errors import SpragsymError
-from ..models.parameters import FloatArray
+from ..models.parameters import Range
 from ..models.units import factor
 from ..results.result import Result
 from .study import Study
@@ -27,10 +27,10 @@ from .tolerances import begins_alike, certificate, corners, counterexample, effo
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
 #: A quantity is changed by up to this factor either way, where the data do not say how far it may change.
 FACTOR = 3.0
-#: Designs whose tolerances are looked at in one go.
-_AT_ONCE = 8
-#: By how much of the least joint change it goes further until it is proved.
-_STRETCHES = (1.0, 1.02, 1.05, 1.1, 1.2, 1.5, 2.0, 3.0)
+#: By how much of the least joint change it may go further.
+_STRETCH = 2.0
+#: Shares of what is left of the way at which corners of the tolerances are looked at, and how often what they leave is halved.
+_SHARES, _HALVINGS = (0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0), 6
 #: Digits of a new value.
 _DIGITS = 3
 
@@ -55,18 +55,21 @@ class Change(Result):
 def changes(study: Study, target: float) -> tuple[Change, ...]:
     """Changes that keep the jump at or beyond a target, and beyond the largest value given for all brakes within the tolerances.
 
-    Single quantities, nearest first, and last the least joint change; ``target`` is a friction, or what rises in SI.
+    Single quantities, nearest first, and last the least joint change, unless that alone is without a proof; ``target`` is a
+    friction, or what rises in SI.
 
     Notes
     -----
-    Source: :func:`spragsym.jump_value` over values of one quantity, :func:`spragsym.redesign` for several, and
-    :func:`spragsym.certify` over the tolerances about the values as they are printed; that there is none nearer is not proved. A
-    changed quantity keeps its tolerance as a share of its value, an inclination as it is.
+    Source: :func:`spragsym.redesign` for each quantity and for several, and :func:`spragsym.certify` over the tolerances about
+    the values as they are printed; that there is none nearer is not proved. A changed quantity keeps its tolerance as a share of
+    its value, an inclination as it is.
     """
     search = _Search(study, target)
-    found = sorted(search.singles(), key=lambda one: one.distance)
+    found = search.singles()
     together = search.joint()
     if together is None or any(one.after.keys() == together.after.keys() for one in found):
+        return tuple(found)
+    if together.outcome != "proved" and any(one.outcome == "proved" for one in found):
         return tuple(found)
     return (*found, together)
 
@@ -97,6 +100,8 @@ class _Search:
         self.names = tuple(name for name, (low, high) in self.span.items() if low < high)
         self.scale = {name: self._scale(name) for name in self.names}
         self.allowed, self.corners = study.kind.ranges(study.values), corners(study)
+        spans = {name: Range(*ends, closed_high=True) for name, ends in self.span.items()}
+        self.within = replace(design(study), ranges={**self.allowed, **spans})
 
     def _span(self, name: str) -> tuple[float, float]:
         """Between which values it may change: as the data say, else by :data:`FACTOR`, an inclination from 1° to 179°."""
@@ -115,69 +120,23 @@ class _Search:
         alike = [value for other, value in study.values.items() if value > 0 and si[other] == si[name]]
         return _SHARE * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
-    def _reaches(self, changed: Mapping[str, FloatArray]) -> NDArray[np.bool_]:
-        """Which designs are known not to jump at the target or below it."""
-        shape = np.shape(next(iter(changed.values())))
-        rows = {name: np.broadcast_to(changed.get(name, value), shape) for name, value in self.study.values.items()}
-        return np.asarray(ending(self.study, rows, self.target, hasty=True) == 0)
-
-    def _kept(self, changed: Mapping[str, FloatArray]) -> int | None:
-        """The first design that jumps at the target at the earliest, and at no corner of its tolerances."""
-        left = np.flatnonzero(self._reaches(changed))
-        for begin in range(0, left.size, _AT_ONCE):
-            some = left[begin : begin + _AT_ONCE]
-            designs = [self.study.changed({name: float(values[i]) for name, values in changed.items()}) for i in some]
-            about = [values_at(design, self.corners) for design in designs]
-            rows = {name: np.concatenate([one[name] for one in about]) for name in about[0]}
-            free = (ending(self.study, rows, hasty=True) == 0).reshape(len(some), -1).all(axis=1)
-            if free.any():
-                return int(some[np.flatnonzero(free)[0]])
-        return None
+    def _keeps(self, changed: Mapping[str, float]) -> bool:
+        """Whether a design jumps at the target at the earliest, and at no corner of its tolerances."""
+        rows = {name: np.full(1, changed.get(name, value)) for name, value in self.study.values.items()}
+        about = values_at(self.study.changed(changed), self.corners)
+        return all((ending(self.study, values, at, hasty=True) == 0).all() for values, at in ((rows, self.target), (about, None)))
 
     def singles(self) -> list[Change]:
-        """Nearest values of single quantities that keep the target, of as many as are asked for."""
-        starts, found = {name: self._starts(name) for name in self.names}, list[Change]()
-        for name in sorted((name for name in self.names if starts[name]), key=lambda name: self._off(name, starts[name][0][0])):
-            change = self._nearest(name, starts[name]) if len(found) < self.effort.most else None
-            found += [] if change is None else [change]
-        return found
+        """Least changes of single quantities that keep the target, the nearest first, of as many as are asked for."""
+        least = [one for one in (self._least((name,)) for name in self.names) if one is not None]
+        found = [self._first_proved(one) for one in sorted(least, key=self._distance)[: self.effort.most]]
+        return sorted((one for one in found if one is not None), key=lambda one: one.distance)
+
+    def _distance(self, after: Mapping[str, float]) -> float:
+        return math.hypot(*(self._off(name, value) for name, value in after.items()))
 
     def _off(self, name: str, value: float) -> float:
         return abs(value - self.study.values[name]) / self.scale[name]
-
-    def _starts(self, name: str) -> list[tuple[float, float]]:
-        """Values of one quantity that keep the target, one on either side at most, the nearer first; and how far each may go."""
-        starts = []
-        for side in (-1, 1):
-            values = ladder = self._ladder(name, side)
-            k = self._kept({name: values})
-            for _ in range(self.effort.rounds):
-                if k is not None:
-                    values = np.linspace(values[max(k - 1, 0)], values[k], self.effort.between)
-                    k = self._kept({name: values})
-            if k is not None:
-                starts.append((float(values[k]), float(ladder[-1])))
-        return sorted(starts, key=lambda one: self._off(name, one[0]))
-
-    def _nearest(self, name: str, starts: list[tuple[float, float]]) -> Change | None:
-        """The first of these with a proof, as it is printed."""
-        best: Change | None = None
-        for start, end in starts:
-            change = self._first_proved({name: start + share * (end - start)} for share in self.effort.further)
-            best = min((one for one in (best, change) if one is not None), key=_order, default=None)
-            if best is not None and best.outcome == "proved":
-                break
-        return best
-
-    def _ladder(self, name: str, side: int) -> FloatArray:
-        start, end, share = self.study.values[name], self.span[name][side > 0], np.linspace(0.0, 1.0, self.effort.values)
-        if (end - start) * side <= 0:
-            return np.empty(0)
-        geometric = start * end > 0 and self.study.kind.units[name] != "rad"
-        values = start * (end / start) ** share if geometric else start + share**2 * (end - start)
-        values = np.clip(values, *self.span[name])  # the last by rounding, the first where the present value lies outside
-        inside = [self._inside(name, value, value) for value in values.tolist()]
-        return np.asarray(values[: inside.index(False)] if False in inside else values)
 
     def joint(self) -> Change | None:
         """The least change of all that has a tolerance; where that is one alone, of the three that move the jump most."""
@@ -187,18 +146,38 @@ class _Search:
         names = tuple(name for name in free if name in study.tolerances)
         try:
             names = names if len(names) > 1 else tuple(name for name in self._movers() if name in free)[:3]
-            target, start = {rise.name: self.target / study.rise_scale}, None if study.of_friction else study.begins()
-            after = ss.redesign(design(study), names, target, {name: self.scale[name] for name in names}, begin=start).parameters
         except SpragsymError:
             return None
-        if not isinstance(after, dict):
+        least = self._least(names)
+        return None if least is None else self._first_proved(least)
+
+    def _least(self, names: tuple[str, ...]) -> dict[str, float] | None:
+        """The least change of some quantities whose jump is on the target, or as near to that as they may be."""
+        study, rise = self.study, self.study.rises
+        target, start = {rise.name: self.target / study.rise_scale}, None if study.of_friction else study.begins()
+        try:
+            scale = {name: self.scale[name] for name in names}
+            after: Any = ss.redesign(self.within, names, target, scale, begin=start).parameters
+        except SpragsymError:
             return None
-        # The least change has its jump on the target: as much further as its own tolerances ask for.
-        before = study.values
-        longer = (
-            {name: before[name] + stretch * (value - before[name]) for name, value in after.items()} for stretch in _STRETCHES
-        )
-        return self._first_proved(one for one in longer if all(self._may_be(name, at) for name, at in one.items()))
+        return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()} if after else None
+
+    def _further(self, after: Mapping[str, float]) -> Iterator[dict[str, float]]:
+        """A change where no corner of its tolerances jumps, and further ones, up to the end of what a quantity may be."""
+        before, way = self.study.values, {name: value - self.study.values[name] for name, value in after.items()}
+        left = min([(self.span[name][step > 0] - after[name]) / step for name, step in way.items() if step], default=0.0)
+        left = left if len(way) == 1 else min(left, _STRETCH)
+
+        def at(share: float) -> dict[str, float]:
+            return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
+
+        low, high = 0.0, next((share for share in _SHARES if self._keeps(at(share))), None)
+        if high is None:
+            return
+        for _ in range(_HALVINGS if high else 0):
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if self._keeps(at(middle)) else (middle, high)
+        yield from (at(high + share * (1 - high)) for share in self.effort.further)
 
     def _movers(self) -> tuple[str, ...]:
         designs = space(design(self.study), self.scale, None)
@@ -207,11 +186,11 @@ class _Search:
         moved = np.abs(sum(float(found[name]) * slopes[name] for name in found if name in slopes))
         return tuple(designs.names[j] for j in np.argsort(-moved, kind="stable"))
 
-    def _first_proved(self, designs: Iterator[dict[str, float]]) -> Change | None:
-        """The first of some designs with a proof; else the first without a brake that jumps among many samples."""
+    def _first_proved(self, least: Mapping[str, float]) -> Change | None:
+        """A change, or the first further one with a proof; else the first without a brake that jumps among many samples."""
         open_one: Change | None = None
         tried: list[Mapping[str, float]] = []
-        for after in designs:
+        for after in self._further(least):
             printed = self._printed(after)
             if printed is None or printed in tried:
                 continue
@@ -230,7 +209,7 @@ class _Search:
             kept = all(
                 self._inside(name, new[name].low, new[name].high) and self._may_be(name, value) for name, value in rounded.items()
             )
-            if kept and self._kept({name: np.array([value]) for name, value in rounded.items()}) is not None:
+            if kept and self._keeps(rounded):
                 return {name: value for name, value in rounded.items() if value != self.study.values[name]}
         return None
 
@@ -256,13 +235,8 @@ class _Search:
         if outcome == "refuted" or (undecided and (proof_only or counterexample(new, self.effort.many) is not None)):
             return None
         share = float(np.nanmean(jumping(new, samples(new, self.effort.shares)))) if undecided else 0.0
-        size = math.hypot(*(self._off(name, value) for name, value in after.items()))
         before = {name: study.values[name] for name in after}
-        return Change(before, after, jump, size, share if varied(study) else math.nan, outcome)
-
-
-def _order(change: Change) -> tuple[bool, float]:
-    return change.outcome != "proved", change.distance
+        return Change(before, after, jump, self._distance(after), share if varied(study) else math.nan, outcome)
 
 
 def _rounded(study: Study, name: str, after: float, further: int) -> float:

@@ -34,8 +34,7 @@ _NOTHING = 1e-300
 class Effort:
     """How much is looked at where states are followed: ``samples`` of a probability, ``boxes`` of a proof and the ``points`` at
     which it is refuted; of a change, ``shares`` that are sampled where it is not proved, and ``many`` where not even a sample
-    jumps. A single quantity is looked at at ``values`` first, then ``rounds`` times at ``between``, and the ``most`` that are the
-    nearest are proved, each ``further`` by these shares of what is left.
+    jumps; the ``most`` single quantities that are the nearest are proved, each ``further`` by these shares of what is left.
     """
 
     samples: int = 2048
@@ -45,9 +44,6 @@ class Effort:
     points_of_change: int = 64
     shares: int = 1 << 8
     many: int = 1 << 11
-    values: int = 32
-    between: int = 8
-    rounds: int = 3
     most: int = 4
     further: tuple[float, ...] = (0.0, 0.03, 0.3)
 
@@ -55,7 +51,7 @@ class Effort:
 #: By closed forms, in thousands of a second, more.
 _CLOSED = Effort(
     samples=4096, boxes=20_000, points=1024, boxes_of_change=1000, points_of_change=1024, shares=1 << 10, many=1 << 17,
-    values=160, between=32, rounds=2, most=16, further=(0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0),
+    most=16, further=(0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0),
 )  # fmt: skip
 
 

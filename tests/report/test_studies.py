@@ -285,9 +285,8 @@ def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
     assert lives is not None
     assert lives.kind == "cycle"
     # Periods counted by hand: upward passages of the mean in a motion of the dimensionless model.
-    p, belt = brake(mu0=0.45).dimensionless(), brake(mu0=0.45).belt()
     x, y, vx, vy = lives.motion.state
-    tr = ss.simulate(p, **belt, x0=x, y0=y, vx0=vx, vy0=vy, t_end=3.5 * lives.motion.period)
+    tr = ss.simulate(brake(mu0=0.45).dimensionless(), x0=x, y0=y, vx0=vx, vy0=vy, t_end=3.5 * lives.motion.period)
     second = math.sqrt(0.35 / 1.5e6)
     assert 1 / (lives.frequency_hz * second) == pytest.approx(lives.motion.period, rel=1e-12)
     again = tr(lives.motion.period)

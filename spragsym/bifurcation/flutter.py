@@ -62,8 +62,8 @@ def flutter_onsets(
     -------
     Onsets
         Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
-        or ``"seen"``: floats see a pair cross there, where the search was not complete, and no proof succeeds;
-        ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where all damping changes its sign
+        or ``"detected"``: floats see a pair cross there, where the search was not complete, and no proof succeeds;
+        ``omega`` is the frequency, ``criticality`` whether it is super- or subcritical. Where all damping changes its sign
         at once, by a falling friction law against a damper, every pair of a state crosses, and each has a row. Closed forms add
         ``branch``, which counts the equilibria from below in θ, from 0, ``count``, how many there are, and ``side``: 1 where
         the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, 0 where the boundary is only touched.
@@ -121,8 +121,8 @@ def flutter_onsets(
             out, more, omega = with_seen(Augmented(family, condition), out)
             followed = np.isfinite(omega)
             alone, others = (replace(out, roots=more.kept(some)) for some in (followed, ~followed))
-            seen.append(_Part(alone, np.full(followed.sum(), "seen"), omega[followed]))
-            seen.append(_part(family, others, "seen", frequencies))
+            seen.append(_Part(alone, np.full(followed.sum(), "detected"), omega[followed]))
+            seen.append(_part(family, others, "detected", frequencies))
         parts.append(_part(family, out, kind, frequencies))
     parts[1:1] = seen
     return onsets_of(_joined(family, parts, flat=sought[-1][0] is NO_SLOPE))
@@ -194,8 +194,8 @@ def _joined(family: Family, parts: list[_Part], flat: bool) -> Points:
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
     remarks = _undamped(family, roots[-1].left) if flat else ()
     remarks += _at_ends(family, first.region[:, -1, 0], every.left)
-    if (kind == "seen").any():
-        remarks += (f"{(kind == 'seen').sum()} onsets are seen by floats between two of {VALUES} values, and not proved",)
+    if detected := int((kind == "detected").sum()):
+        remarks += (f"{detected} onsets are numerically detected between two of {VALUES} values, and not proved",)
     elif every.left.shape[2] and not flat:
         remarks += (f"floats see no other onset between two of {VALUES} values of {vary}",)
     region = np.minimum.reduce([part.found.region for part in parts])

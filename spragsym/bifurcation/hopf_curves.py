@@ -106,7 +106,7 @@ def onset_curves(
     damping: bool | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
 ) -> OnsetCurves:
-    """Curves of Hopf points in the plane of two parameters, each point gentle or dangerous, and where curves end and change.
+    """Curves of Hopf points in the plane of two parameters, each point supercritical (gentle) or subcritical (dangerous).
 
     Parameters
     ----------

@@ -5,7 +5,7 @@ At a Hopf point of u′ = F(u), with A q = i ω q, Aᵀ p = −i ω p, ⟨q, q�
     l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩ + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2 ω)
 
 (Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4). The state u is the coordinates, then their rates, in the
-units of the page. Everything is computed in balls around the point, so that the exact coefficient lies in the result.
+model's units. Everything is computed in balls around the point, so that the exact coefficient lies in the result.
 
 Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h z z̄ + ½ ḡ z̄², with g = (2 i ω − A)⁻¹ B(q, q) and
 h = −A⁻¹ B(q, q̄), the coefficient of z² z̄ in F is half of what stands in brackets.
@@ -86,7 +86,7 @@ def normal_form(
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
 
-    ``given`` are the parameters in the order of the page, ``state`` the coordinates, ``vary`` the parameter along which the
+    ``given`` are the parameters in the order of the model, ``state`` the coordinates, ``vary`` the parameter along which the
     point was found, or several, of which the first tells the pair's crossing; ``radii`` are half-widths of the box, of the
     coordinates and then of these. ``law`` is the friction of the equilibrium: ``"friction_at_rest"``, as statics takes it, or
     ``"friction_at_speed"``, that at the belt's speed; the motion's law is shifted by a constant so that it passes through it.
@@ -192,10 +192,10 @@ class _Point:
         gap, slip = undecorated(self.model.algebra.borders)(*self.state, *constants, xp=XP)
         if about["contact"]["gap"] is not None and about["contact"]["unilateral"] and not _sign(gap) < 0:
             line = about["contact"]["line"]
-            raise Undecided(f"the state lies on the border of contact, where the law of line {line} of the page has a kink")
+            raise Undecided(f"the state lies on the border of contact, where the law of line {line} of the model page has a kink")
         if about["friction"] is not None and not _sign(slip) > 0 and self._asks_for_the_side():
             line = about["friction"]["line"]
-            raise Undecided(f"the sliding speed is 0, where the law of friction, line {line} of the page, has a kink")
+            raise Undecided(f"the sliding speed is 0, where the law of friction, line {line} of the model page, has a kink")
         ways = self.mode[len(self.mode) - self.motion.ways :]
         if ways:
             levels = undecorated(self.model.algebra.turning_borders)(*self.state, *constants, *ways, xp=XP)

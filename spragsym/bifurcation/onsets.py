@@ -1,4 +1,4 @@
-"""Onsets of flutter as a result: how dangerous each is, once that is asked."""
+"""Onsets of flutter as a result: supercritical or subcritical, once that is asked."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Onsets(Points):
         the onset motions go far), else ``"undecided"``, also where l₁ comes from the tail of a law smoothed at rest alone.
     lyapunov, lyapunov_error : ndarray
         The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where ``why`` says that there is
-        none. The state is coordinates, then rates, in the units of the page, and ⟨q, q⟩ = ⟨p, q⟩ = 1.
+        none. The state is coordinates, then rates, in the model's units, and ⟨q, q⟩ = ⟨p, q⟩ = 1.
     crossing, crossing_error : ndarray
         d Re λ / d parameter of the pair: where it is positive, the state is unstable for larger values.
     when : ndarray of str
@@ -61,7 +61,7 @@ class Onsets(Points):
 
     @property
     def table_columns(self) -> dict[str, NDArray[Any]]:
-        """The frequency, what closed forms know, and how dangerous each is."""
+        """The frequency, what closed forms know, and the criticality of each."""
         more = {name: getattr(self, name) for name in ("omega", "branch", "count", "side") if hasattr(self, name)}
         return {**more, "kind": self.kind, "criticality": self.criticality}
 
@@ -105,7 +105,7 @@ class Onsets(Points):
             return str(reason)
 
     def given(self, row: int) -> FloatArray:
-        """Parameters of one of them, in the order of the page."""
+        """Parameters of one of them, in the order of the model."""
         return np.array([getattr(self, name)[row] for name in self.parameters.model.parameters])
 
     def state(self, row: int) -> FloatArray:

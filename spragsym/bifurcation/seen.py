@@ -3,7 +3,7 @@
 States are found at many values of the parameter, and from one value to the next each pair λ, λ̄ is followed on its own: others
 may grow already, or never be damped. Where the growth of one changes its sign, bisection leads to the onset; where friction alone
 damps, or nothing, it is the condition's own value that changes its sign, and Newton's method leads there. Krawczyk's operator
-proves the onset in a small box; what it does not prove is listed as seen.
+proves the onset in a small box; what it does not prove is listed as ``"detected"``.
 """
 
 from __future__ import annotations

@@ -38,7 +38,7 @@ COMMANDS = {
     "fates": ("motion", "What motions come to, over a grid of parameters."),
     "figures": ("figures", "Draw the article's figures, and more."),
     "explore": ("explore", "Write the explorer, a page for the browser."),
-    "derive": ("export", "Carry the page of a model through to code."),
+    "derive": ("export", "Derive a model from its model page to code."),
     "export": ("export", "Write the solver in another language."),
 }
 

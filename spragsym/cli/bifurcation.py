@@ -140,7 +140,7 @@ def _draw(case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], 
 @o.force
 @o.as_json
 def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> Any:
-    """Where oscillation sets in over the plane of two parameters, gently or with a knock: a map of stability.
+    """Where oscillation sets in over the plane of two parameters, supercritical or subcritical: a map of stability.
 
     Onsets are Hopf points with all damping, that of the friction law included; on curves of them those points too at which their
     kind changes (GH) and at which they meet folds (BT, ZH) and each other (HH).

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 def cycles(
     case: Case, near: str | None, points: int, whole: bool, prove: bool, digits: int | None, plot: Path | None
 ) -> Any:  # fmt: skip
-    """A cycle of the motion with its multipliers; with --vary, a branch of cycles with the events on it.
+    """A cycle of the motion with its multipliers; with --vary, a branch of cycles with its bifurcations.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
     assumption. A parameter that varies begins at the first end of its range, where it has no value of its own.

@@ -1,4 +1,4 @@
-"""``spragsym export`` and ``derive``: the solver in another language, and a page carried through to a model's folder."""
+"""``spragsym export`` and ``derive``: the solver in another language, and a model page carried through to a folder."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def export(model_name: str | None, language: str, data: Path | None, out: Path, 
 
     All equilibria with stability, error bound and status, the generated algebra, the right-hand side, and a step in time
     across the kinks. Of another model, and as an FMU: forces with first and second derivatives, the motion with Jacobians,
-    borders, energy and powers, derived anew from its page (extra derive).
+    borders, energy and powers, derived anew from its model page (extra derive).
 
     \b
     Examples:
@@ -70,9 +70,9 @@ def of_model(model: Model, language: str, data: Mapping[str, Any] | None = None)
 @o.folder("Folder to write.")
 @o.force
 def derive(page: Path, out: Path, force: bool) -> None:
-    """Derive the model of a page, and write it to a folder.
+    """Derive a model from its model page, and write it to a folder.
 
-    A page is a Python file that says a model's quantities, coordinates, energies, springs, contact and friction; it is run. The
+    A model page is a Python file that says quantities, coordinates, energies, springs, contact and friction; it is run. The
     folder is what --model of other commands takes, and spragsym.load.
 
     \b
@@ -80,7 +80,7 @@ def derive(page: Path, out: Path, force: bool) -> None:
       spragsym derive my_brake.py --out my_brake
 
     \b
-    Exit codes: 0 written; 1 the page can't be carried through; 2 usage, or a folder is in the way.
+    Exit codes: 0 written; 1 the model page can't be carried through; 2 usage, or a folder is in the way.
     """
     from ..derive import folder
     from ..derive.model import PageError

@@ -50,7 +50,8 @@ def draw_bifurcation_set(found: BifurcationSet, ax: Axes | None = None, *, color
 def draw_onset_curves(found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
     """Curves of Hopf points in the plane of two parameters, as maps of stability are printed; returns the artists.
 
-    Full where the onset is gentle, dashed where it is dangerous, dotted where that is undecided; dots where that changes (GH),
+    Full where the onset is supercritical (gentle), dashed where it is subcritical (dangerous), dotted where that is undecided;
+    dots where l₁ changes its sign (generalized Hopf, GH),
     squares for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without damping two modes meet on
     grey lines. The axes span the ranges that were searched, and undecided stretches of lines are shaded.
 
@@ -99,7 +100,7 @@ def _span(ax: Axes, model: Model, vary: Sequence[str], between: Between) -> None
 
 @styled
 def stability_figure(found: OnsetCurves) -> Sheet:
-    """The map of stability in the plane of two parameters: where oscillation sets in, gently or dangerously, as a figure.
+    """The map of stability in the plane of two parameters: supercritical and subcritical onsets, as a figure.
 
     Parameters
     ----------
@@ -113,7 +114,7 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     if not found.curves and not len(found.points):
         say(ax, _no("onsets", found.complete))
-    lines = """, gentle on full lines and dangerous on dashed ones, undecided on dotted ones. Dots: the kind changes (GH);
+    lines = """, supercritical (gentle) on full lines, subcritical (dangerous) on dashed, undecided on dotted ones. Dots: GH;
         squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
         f"Onsets of oscillation of {model.name}{lines if found.damping else ' without damping: two modes meet.'}{open_boxes}",

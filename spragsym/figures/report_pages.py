@@ -135,9 +135,9 @@ def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
 
         yield (
             picture(draw),
-            "The map of stability, with the brake (dot) and its tolerances (box). On the lines oscillation sets in: gently where "
-            "they are full, with a knock where they are dashed; dotted: undecided. Dots: the kind changes (GH). Squares: they "
-            "end on a fold (BT, ZH), or cross (HH).",
+            "The map of stability, with the brake (dot) and its tolerances (box). On the lines oscillation sets in: "
+            "supercritical (gentle) where full, subcritical (dangerous) where dashed, undecided where dotted. Dots: that changes "
+            "(GH). Squares: lines end on a fold (BT, ZH), or cross (HH).",
         )
 
 

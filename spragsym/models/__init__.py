@@ -1,4 +1,4 @@
-"""Any model on one page: what was generated from it, loaded, with its parameters."""
+"""Any model: what was generated from its model page, loaded, with its parameters."""
 
 from .load import load
 from .model import Model

@@ -94,7 +94,7 @@ def load(name: str | os.PathLike[str]) -> Model:
         where = str(folder)
     elif text.endswith(".py") and os.path.isfile(text):
         folder = Path(text).with_suffix("")
-        raise ParameterError(f"{text} is a page: spragsym derive {text} --out {folder} writes its folder, which is what to name")
+        raise ParameterError(f"{text} is a model page: spragsym derive {text} --out {folder} writes its folder; name that")
     else:
         known = shipped()
         raise ParameterError(
@@ -126,22 +126,22 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     data = contents(path, _LARGEST)
     digest = _DIGEST.search(data)
     if digest is None:
-        raise StoreError(f"{path} is damaged, or was derived by another version (without its digest); derive the page again")
+        raise StoreError(f"{path} is damaged, or of another version (without its digest); derive its model page again")
     if hashlib.sha256(data.replace(digest[1], _UNSEALED)).hexdigest().encode() != digest[1]:
-        raise StoreError(f"{path} is damaged: it is not as it was written; derive the page again")
+        raise StoreError(f"{path} is damaged: it is not as it was written; derive its model page again")
     about = json.loads(data)
     if not about.keys() >= _KEYS or "algebra.py" not in about["files"]:
         missing = ", ".join(sorted(_KEYS - about.keys())) or "algebra.py"
-        raise StoreError(f"{folder} was derived by another version (without {missing}); derive the page again")
+        raise StoreError(f"{folder} was derived by another version (without {missing}); derive its model page again")
     if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(Path(name).name != name for name in about["files"]):
-        raise StoreError(f"{path} names a model or a file that is none; derive the page again")
+        raise StoreError(f"{path} names a model or a file that is none; derive its model page again")
     files = {}
     for name, digest_of_file in about["files"].items():
         if not (folder / name).is_file():
-            raise StoreError(f"{folder / name} is missing; derive the page again")
+            raise StoreError(f"{folder / name} is missing; derive its model page again")
         files[name] = contents(folder / name, _LARGEST)
         if hashlib.sha256(files[name]).hexdigest() != digest_of_file:
-            raise StoreError(f"{folder / name} is not as it was written; derive the page again")
+            raise StoreError(f"{folder / name} is not as it was written; derive its model page again")
     return about, files
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Model:
-    """A model from a page.
+    """A model from its model page.
 
     Attributes
     ----------

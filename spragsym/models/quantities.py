@@ -80,7 +80,7 @@ class Quantities:
 
     @cached_property
     def balanced(self) -> tuple[str, ...]:
-        """Quantities on which the balance of forces depends besides its friction, in the order of the page."""
+        """Quantities on which the balance of forces depends besides its friction, in the order of the model."""
         taken, found = set(inspect.signature(self.model.algebra.forces).parameters), set[str]()
         for quantity, name in self.parameters.items():
             if taken & {name, *self.about["angles"].get(name, ())}:

@@ -280,5 +280,5 @@ def stands_still(system: System, state: FloatArray) -> str:
     first, most = names[0], names[int(moved.argmax())]
     return (
         f"{first} stands still while {most} moves, and cycles are looked for where the first coordinate is largest; "
-        f"write a page whose first coordinate is {most}"
+        f"write a model page whose first coordinate is {most}"
     )

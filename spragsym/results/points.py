@@ -54,7 +54,7 @@ class Points(Named, Rows):
         What happens as the parameter passes. ``"fold"``: two equilibria appear or vanish together. ``"pitchfork"``: one becomes
         three, or three become one, all of them in one point, in a system that is its own mirror image. ``"cusp"``: two folds
         meet; along one parameter three equilibria meet, and one is left on both sides. ``"touch"``: two meet, and there are as
-        many on both sides. ``"hopf"``, ``"flutter"`` and ``"seen"`` are onsets, see :class:`spragsym.Onsets`.
+        many on both sides. ``"hopf"``, ``"flutter"`` and ``"detected"`` are onsets, see :class:`spragsym.Onsets`.
     error : ndarray
         Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary, in closed forms of theta and L too.
     ends : ndarray of str

@@ -4,8 +4,8 @@ import { answer } from "./shapes.js";
 
 /** What the page's own start comes after, in the script that holds the exported module. */
 const BEGIN = "//# start";
-/** What takes longer, milliseconds, is given up: curves of extreme parameters may have no end. */
-const PATIENCE = 5000;
+/** What takes longer, seconds, is given up: curves of extreme parameters may have no end, and a slow machine needs a while. */
+const PATIENCE = 20;
 
 /** `ask(what, point, top, done)`; of several questions of one kind only the last is answered. */
 export function createAsking(solver) {
@@ -39,8 +39,8 @@ export function createAsking(solver) {
       watch = setTimeout(() => {
         worker.thread.terminate();
         worker = started();
-        arrived({ ...question, error: "Not drawn here: double precision finds no end of it." });
-      }, PATIENCE);
+        arrived({ ...question, error: `Not drawn: not finished after ${PATIENCE} seconds; give other parameters.` });
+      }, 1000 * PATIENCE);
     } else {
       setTimeout(() => arrived(answer(solver, question)), 0);
     }

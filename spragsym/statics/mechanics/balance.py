@@ -30,7 +30,7 @@ Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 class Balance(Forces, System):
     """Forces as the search asks for them: unknowns are the coordinates.
 
-    Parameters of the search are those of the page, in its order; :meth:`prepared` turns them into the arguments of the
+    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into the arguments of the
     generated functions, once for each node of the tree of points.
     """
 

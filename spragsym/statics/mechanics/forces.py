@@ -21,7 +21,7 @@ ROUNDED = 1e-9
 
 
 class Model(Protocol):
-    """What is needed of a model: generated functions, and what its page says."""
+    """What is needed of a model: generated functions, and what its model page says."""
 
     about: Mapping[str, Any]
 
@@ -33,7 +33,7 @@ class Model(Protocol):
 class Forces:
     """Forces of a model in contact or in lift-off, and all else that is generated for it.
 
-    Parameters of the search are those of the page, in its order; :meth:`prepared` turns them into the arguments of the
+    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into the arguments of the
     generated functions, once for each node of the tree of points.
     """
 

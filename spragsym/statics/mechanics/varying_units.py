@@ -21,7 +21,7 @@ from .laws import XP
 
 
 class BalanceInUnits(Balance):
-    """The balance with units among its parameters, after those of the page."""
+    """The balance with units among its parameters, after those of the model."""
 
     def __init__(self, model: Model, contact: bool, units: Mapping[str, Unit], law: str = "friction_at_rest") -> None:
         super().__init__(model, contact, law)

@@ -195,13 +195,12 @@ def sound(point: Point) -> Flag:
     """Whether the bounds below can count on relative rounding errors."""
     across = (rough(point.sin0) > SMALLEST_PARAMETER) & (rough(point.sigma) > SMALLEST_PARAMETER)
     along = ordinary(rough(point.mu0)) & ordinary(rough(point.alpha)) & ordinary(rough(point.beta))
-    return across & along & (pressed(point) > SMALLEST_PARAMETER)
+    return across & along & (rough(point.kappa) > 0.0) & (pressed(point) > SMALLEST_PARAMETER)
 
 
 def pressed(point: Point) -> Real:
-    """(β + n̄) sin θ₀ + κ, or 0 without preload: κ is never a factor by itself, so that this sum has to be far from underflow."""
-    kappa = rough(point.kappa)
-    return where(kappa > 0.0, (rough(point.beta) + rough(point.nbar)) * rough(point.sin0) + kappa, 0.0)
+    """(β + n̄) sin θ₀ + κ: κ is never a factor by itself, so that this sum has to be far from underflow."""
+    return (rough(point.beta) + rough(point.nbar)) * rough(point.sin0) + rough(point.kappa)
 
 
 def tame(parameter: Real) -> Flag:
@@ -212,7 +211,7 @@ def tame(parameter: Real) -> Flag:
 def moderate(point: Point) -> Flag:
     """Whether double-double arithmetic is as good as its bounds say at this point."""
     across = (rough(point.sin0) > SMALLEST_WIDE) & tame(rough(point.sigma)) & tame(rough(point.beta)) & tame(pressed(point))
-    return across & tame(rough(point.mu0)) & tame(rough(point.alpha)) & (pressed(point) > 0.0)
+    return across & tame(rough(point.mu0)) & tame(rough(point.alpha)) & (rough(point.kappa) > 0.0)
 
 
 def balance(point: Point) -> Balance:

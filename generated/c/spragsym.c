@@ -859,18 +859,14 @@ INLINE Direction direction(double t) {
 /* Whether a parameter is 0 or large enough for relative rounding errors. */
 INLINE int ordinary(double parameter) { return (parameter > SMALLEST_PARAMETER) | (parameter <= 0.0); }
 
-/* (beta + nbar) sin theta0 + kappa, or 0 without preload: kappa is never a factor by itself, so that this sum has to be far
- * from underflow. */
-INLINE double pressed(Point point) {
-    const double kappa = point.kappa;
-    return kappa > 0.0 ? (point.beta + point.nbar) * point.sin0 + kappa : 0.0;
-}
+/* (beta + nbar) sin theta0 + kappa: kappa is never a factor by itself, so that this sum has to be far from underflow. */
+INLINE double pressed(Point point) { return (point.beta + point.nbar) * point.sin0 + point.kappa; }
 
 /* Whether the bounds below can count on relative rounding errors. */
 INLINE int sound(Point point) {
     const int across = (point.sin0 > SMALLEST_PARAMETER) & (point.sigma > SMALLEST_PARAMETER);
     const int along = ordinary(point.mu0) & ordinary(point.alpha) & ordinary(point.beta);
-    return across & along & (pressed(point) > SMALLEST_PARAMETER);
+    return across & along & (point.kappa > 0.0) & (pressed(point) > SMALLEST_PARAMETER);
 }
 
 /* Whether a parameter is 0 or far from underflow and overflow. */
@@ -1297,16 +1293,13 @@ INLINE WideBalance wide_balance(WidePoint point) {
 }
 
 /* `pressed` in double-double arithmetic. */
-INLINE double wide_pressed(WidePoint point) {
-    const double kappa = point.kappa.high;
-    return kappa > 0.0 ? (point.beta.high + point.nbar.high) * point.sin0.high + kappa : 0.0;
-}
+INLINE double wide_pressed(WidePoint point) { return (point.beta.high + point.nbar.high) * point.sin0.high + point.kappa.high; }
 
 /* `moderate` in double-double arithmetic. */
 INLINE int wide_moderate(WidePoint point) {
     const int across = (point.sin0.high > SMALLEST_WIDE) & tame(point.sigma.high) & tame(point.beta.high) &
         tame(wide_pressed(point));
-    return across & tame(point.mu0.high) & tame(point.alpha.high) & (wide_pressed(point) > 0.0);
+    return across & tame(point.mu0.high) & tame(point.alpha.high) & (point.kappa.high > 0.0);
 }
 
 /* `representable` in double-double arithmetic. */
@@ -1490,7 +1483,7 @@ INLINE Wide wide_f_slope(Wide cos_theta, Wide sin_theta, Wide a_f, Wide b_f, Wid
 INLINE int wide_sound(WidePoint point) {
     const int across = (point.sin0.high > SMALLEST_PARAMETER) & (point.sigma.high > SMALLEST_PARAMETER);
     const int along = ordinary(point.mu0.high) & ordinary(point.alpha.high) & ordinary(point.beta.high);
-    return across & along & (wide_pressed(point) > SMALLEST_PARAMETER);
+    return across & along & (point.kappa.high > 0.0) & (wide_pressed(point) > SMALLEST_PARAMETER);
 }
 
 /* Spring length and displacement at an equilibrium with direction theta. */
@@ -1615,8 +1608,8 @@ INLINE int wide_apart(Wide low, double low_radius, Wide high, double high_radius
 /*
  * Worst-case operations, counted in this text: + - * / and comparisons of doubles, then calls of libm.
  * - spragsym_prepare: 62 operations
- * - spragsym_equilibria: 12553 operations, 10 sqrt
- * - spragsym_equilibria_batch: 943200 operations, 640 sqrt
+ * - spragsym_equilibria: 12548 operations, 10 sqrt
+ * - spragsym_equilibria_batch: 942880 operations, 640 sqrt
  * - spragsym_critical_friction: 597964 operations, 38 sqrt
  * - spragsym_step: 2008 operations, 37 sqrt, 37 exp
  * - balance: 42 operations

@@ -20,7 +20,6 @@ from .._version import __version__
 from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
 from ..interrupts import ending
 from ..names import closest, latin
-from .options import HELP
 
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
@@ -73,7 +72,7 @@ class LazyGroup(click.Group):
             formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
 
 
-@click.group(cls=LazyGroup, context_settings=HELP)
+@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="spragsym")
 @click.option("--debug", is_flag=True, help="Show the traceback of an error. May stand anywhere.")
 def cli(debug: bool) -> None:

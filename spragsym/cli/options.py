@@ -19,7 +19,6 @@ from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Rang
 #: What makes an option of a command.
 Decorator: TypeAlias = Callable[[Any], Any]
 
-HELP = {"help_option_names": ["-h", "--help"]}
 #: Numbers of an axis.
 MOST = 1_000_000
 
@@ -59,7 +58,7 @@ class Command(click.Command):
 
 
 #: As ``click.command``.
-command = partial(click.command, cls=Command, context_settings=HELP)
+command = partial(click.command, cls=Command)
 
 TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
 TRUST = "Run the code of the folder that the file of --data names as its model."

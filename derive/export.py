@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -12,9 +12,9 @@ from typing import TypeAlias
 
 import sympy as sp
 
-from . import drawing, folder, pages, units
+from . import drawing, folder, motion, pages, units
 from .emit import definitions, targets
-from .emit.function import renamed
+from .emit.function import Function, renamed
 from .emit.python import algebra
 from .emit.quantities import Quantity, interval
 from .emit.targets.c.layout import WIDTH, broken
@@ -34,7 +34,9 @@ EXPLORED = frozenset({
 def export(page: Path, name: str, written_in: str, data: Data | None = None) -> dict[str, str]:
     """The files of a page's library in a language, by their names; it has the model's ``name``, and data if there are any."""
     model = pages.read(page, name)
-    return targets.render(written_in, replace(material(model), motion=_motion(model, data)))
+    return targets.render(
+        written_in, replace(material(model, in_python=targets.in_python(written_in)), motion=_motion(model, data))
+    )
 
 
 def for_the_browser(model: pages.Model, header: str) -> dict[str, str]:
@@ -46,23 +48,35 @@ def for_the_browser(model: pages.Model, header: str) -> dict[str, str]:
     }
 
 
-def material(model: pages.Model, header: str | None = None, only: Collection[str] | None = None) -> targets.Material:
-    """What a target prints of a page: all functions that have a result, or those of them that ``only`` names."""
+def material(
+    model: pages.Model, header: str | None = None, only: Collection[str] | None = None, in_python: bool = False
+) -> targets.Material:
+    """What a target prints of a page: all functions that have a result, or those of them that ``only`` names.
+
+    In Python names are as on the page, and directions of springs follow from the place, so that derivatives by it are whole.
+    """
     it = model.mechanics
+    named: Callable[[object], str] = str if in_python else spelled
+
+    def given(function: Function) -> Function:
+        return _following(it, function) if in_python else renamed(function, spelled)
+
     modules = tuple(
         tuple(
             read for function in module.functions if only is None or function.name in only
-            if (read := definitions.definition(algebra.definition(renamed(function, spelled)))).leaves
+            if (read := definitions.definition(algebra.definition(given(function)))).leaves
         )
         for module in folder.modules(it)
     )  # fmt: skip
     meanings = dict(folder.meanings(it)) | {
         datum.becomes: f"{datum.meaning}, radians" for datum in it.parameters if datum.unit == "rad"
     }
-    given = {datum.becomes: Quantity(number(datum), "", meanings[datum.becomes], domain=datum.domain) for datum in it.parameters}
+    quantities = {
+        datum.becomes: Quantity(number(datum), "", meanings[datum.becomes], domain=datum.domain) for datum in it.parameters
+    }
     return targets.Material(
         modules=modules,
-        quantities=given | {spelled(name): Quantity(sp.Symbol(name), "", meaning) for name, meaning in meanings.items()},
+        quantities=quantities | {named(name): Quantity(sp.Symbol(name), "", meaning) for name, meaning in meanings.items()},
         parameters=tuple(datum.becomes for datum in it.parameters),
         base_values={datum.becomes: datum.base for datum in it.parameters if datum.base is not None},
         public=tuple(function.name for module in modules for function in module),
@@ -71,7 +85,7 @@ def material(model: pages.Model, header: str | None = None, only: Collection[str
         library=library(model.name),
         summary=model.page.summary,
         runtime={"c": {"main.c": _example(model)}},
-        angles={spelled(angle.symbol): tuple(map(spelled, angle.parts)) for angle in it.angles},
+        angles={named(angle.symbol): tuple(map(named, angle.parts)) for angle in it.angles},
         of_a_page=True,
     )
 
@@ -117,6 +131,13 @@ def _motion(model: pages.Model, data: Data | None) -> targets.Motion:
         ),
         rooted=not it.polynomial,
     )  # fmt: skip
+
+
+def _following(it: Mechanics, function: Function) -> Function:
+    """The function without the directions and turnings of springs among its arguments."""
+    known = motion.directions(it)
+    arguments = tuple(symbol for symbol in function.arguments if symbol not in known)
+    return replace(function, arguments=arguments, shorthands={**known, **function.shorthands})
 
 
 def spelled(name: object) -> str:

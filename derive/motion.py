@@ -208,6 +208,14 @@ def _rows(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
     return tuple(tuple(column[row] for column in columns) for row in range(len(motion.accelerations)))
 
 
+def directions(model: Mechanics) -> dict[sp.Symbol, sp.Expr]:
+    """Lengths and directions of all lines, and turnings of torsion springs, by the place."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for line in model.lines:
+        found |= {line.l: sp.sqrt(line.dx**2 + line.dy**2), line.c: line.dx / line.l, line.s: line.dy / line.l}
+    return found | {torsion.phi: torsion.least for torsion in model.torsions}
+
+
 def module(model: Mechanics) -> Module:
     """The generated module."""
     motion = Motion(model)
@@ -217,12 +225,8 @@ def module(model: Mechanics) -> Module:
     moving = (*place, *model.arguments)
     felt = laws.near(len(laws.layers(model)))
     regime = (*moving, PUSHING, SIDE, *felt)
-    direction = {symbol: value for line in model.lines for symbol, value in (
-        (line.l, sp.sqrt(line.dx**2 + line.dy**2)), (line.c, line.dx / line.l), (line.s, line.dy / line.l),
-    )}  # fmt: skip
-    least = {torsion.phi: torsion.least for torsion in model.torsions}
     ways = tuple(torsion.way for torsion in model.torsions)
-    shorthands = {**direction, **least, DEPTH: model.depth, MU: motion.friction, **motion.solved}
+    shorthands = {**directions(model), DEPTH: model.depth, MU: motion.friction, **motion.solved}
     accelerations = motion.named
     borders = motion.borders
     layers = laws.layers(model)
@@ -243,7 +247,7 @@ def module(model: Mechanics) -> Module:
         DEPTH: overlap / 2 if model.unilateral else model.depth,
         **dict.fromkeys(felt, sp.S.One),
     }
-    kinked = {**direction, **least, **everywhere, MU: motion.friction, **motion.solved}
+    kinked = {**directions(model), **everywhere, MU: motion.friction, **motion.solved}
     jacobian = _rows(motion, (*model.coordinates, *model.rates))
     by_parameters = _rows(motion, tuple(map(number, model.parameters)))
     return Module(

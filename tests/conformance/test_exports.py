@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
 import inspect
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -11,6 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -43,13 +46,33 @@ def calls(name: str) -> list[Call]:
     """All functions of a model that have a result, each at two places, in contact where that matters."""
     rng, found = np.random.default_rng([182, *name.encode()]), []
     for function, python in functions(load(name)):
-        code = inspect.unwrap(python).__code__
         for _ in range(2):
-            given = arguments(code.co_varnames[: code.co_argcount], rng)
+            given = list(map(float, at_a_place(load(name), names_of(python), rng).values()))
             results = [float(leaf) for leaf in flat(python(*given))]
             found += [Call(function, given, results)] * bool(results)
     assert len({call.function for call in found}) > 15
     return found
+
+
+def names_of(function: Any) -> tuple[str, ...]:
+    code = inspect.unwrap(function).__code__
+    return code.co_varnames[: code.co_argcount]
+
+
+def at_a_place(model: Any, names: tuple[str, ...], rng: np.random.Generator) -> dict[str, float]:
+    """Arguments of which directions, lengths and turnings of springs follow from the others."""
+    values, algebra = dict(zip(names, arguments(names, rng), strict=True)), model.algebra
+    for angle, (cosine, sine) in model.about["angles"].items():
+        if angle in values and cosine in values:
+            values |= {cosine: math.cos(values[angle]), sine: math.sin(values[angle])}
+    if "l1" in values:
+        for count, (dx, dy, _) in enumerate(algebra.geometry(*map(values.get, names_of(algebra.geometry))), 1):
+            length = math.hypot(dx, dy)
+            values |= {f"c{count}": dx / length, f"s{count}": dy / length, f"l{count}": length}
+    if "phi1" in values:
+        for count, turn in enumerate(algebra.turnings(*map(values.get, names_of(algebra.turnings))), 1):
+            values[f"phi{count}"] = math.atan2(*turn[::-1])
+    return values
 
 
 def export(name: str, language: str, folder: Path) -> Path:
@@ -89,11 +112,35 @@ def in_octave(name: str, folder: Path) -> list[float]:
     return [float(word) for word in octave(folder, program).split()]
 
 
+def in_this_process(name: str, folder: Path) -> list[float]:
+    """Of a module of Python, to which an angle is given as itself, and no direction of a spring."""
+    model, python, found = load(name), dict(functions(load(name))), []
+    exported: dict[str, Any] = {}
+    exec((folder / f"{name}.py").read_text(encoding="utf-8"), exported)
+    for call in calls(name):
+        values = dict(zip(names_of(python[call.function]), call.given, strict=True))
+        for angle, (cosine, sine) in model.about["angles"].items():
+            if cosine in values:
+                values.setdefault(angle, math.atan2(values[sine], values[cosine]))
+        function = exported[call.function]
+        found += map(float, flat(function(*map(values.get, inspect.signature(function).parameters))))
+    return found
+
+
+def in_jax(name: str, folder: Path) -> list[float]:
+    import jax
+
+    with jax.enable_x64(True):
+        return in_this_process(name, folder)
+
+
 #: Language of an export → what runs it, where that is, and how.
 RUN: dict[str, tuple[str, str | None, Callable[[str, Path], list[float]]]] = {
     "c": ("C compiler", CC, in_c),
     "javascript": ("node", NODE, in_node),
     "matlab": ("Octave", OCTAVE, in_octave),
+    "casadi": ("CasADi", str(importlib.util.find_spec("casadi") or "") or None, in_this_process),
+    "jax": ("JAX", str(importlib.util.find_spec("jax") or "") or None, in_jax),
 }
 
 

@@ -105,6 +105,11 @@ def packer(language: str) -> Callable[[Mapping[str, str]], bytes] | None:
     return vars(importlib.import_module(f".{language}", __name__)).get("packed")
 
 
+def in_python(language: str) -> bool:
+    """Whether it is Python on another array library, where a page's names are as they are."""
+    return hasattr(importlib.import_module(f".{language}", __name__), "NAMESPACE")
+
+
 # ------------------------------------------------------------------------------------------- what languages share
 
 
@@ -116,6 +121,12 @@ def runtime(package_file: str, name: str) -> str:
 def spoken(text: str, words: Mapping[str, str]) -> str:
     """A text with words in the places that ``@name@`` marks."""
     return re.sub(r"@([\w:]+)@", lambda place: words.get(place[1], place[0]), text)
+
+
+def taken(function: Definition, angles: Mapping[str, tuple[str, ...]]) -> list[str]:
+    """Arguments of the algebra, an angle in the place of its cosine and sine."""
+    angle_of = {part: angle for angle, parts in angles.items() for part in parts}
+    return list(dict.fromkeys(angle_of.get(name, name) for name in function.arguments))
 
 
 def ranges(material: Material) -> dict[str, Interval]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from ...definitions import NAMES, SPELLED, Definition, ported
 from ...quantities import Quantity
+from .. import taken
 from .layout import WIDTH, broken, comment, definition, plain
 
 #: Angles by their names, and the arguments of the algebra that stand for one, cosine and sine last.
@@ -55,12 +56,6 @@ def _signature(start: str, names: Iterable[str], result: str | None) -> str:
     return broken(f"{start}({', '.join(arguments)})")
 
 
-def taken(function: Definition, angles: Angles) -> list[str]:
-    """Arguments of the public function: those of the algebra, an angle in the place of its cosine and sine."""
-    angle_of = {part: angle for angle, parts in angles.items() for part in parts}
-    return list(dict.fromkeys(c_name(angle_of.get(name, name)) for name in function.arguments))
-
-
 def static(name: str, function: Definition) -> Emitted:
     """The algebra itself, unchecked: one result is returned, several are written to an array."""
     several = isinstance(function.results, tuple)
@@ -88,7 +83,7 @@ def public(function: Definition, library: str, angles: Angles, *, inside: bool) 
     """The public function: no null pointer in, no NaN out. What the library calls itself, ``inside``, stands in a function of its own."""
     count = len(function.leaves)
     several = isinstance(function.results, tuple)
-    names = taken(function, angles)
+    names = list(map(c_name, taken(function, angles)))
     if inside:
         arguments = ", ".join(map(c_name, function.arguments))
         called = f"algebra_{function.name}({arguments}{', value' if several else ''});"
@@ -119,11 +114,11 @@ def prototype(function: Definition, library: str, angles: Angles) -> str:
     text = f"{function.summary} Result: {function.returns}. Source: {function.equations}. Operations: {function.operations}."
     said = textwrap.fill(plain(text), WIDTH - len(" */"), initial_indent="/** ", subsequent_indent=" * ")
     start = f"{library}_status {library}_{function.name}"
-    return f"\n{said} */\n" + _signature(start, taken(function, angles), _result(function)) + ";\n"
+    return f"\n{said} */\n" + _signature(start, map(c_name, taken(function, angles)), _result(function)) + ";\n"
 
 
 def symbols(functions: Iterable[Definition], quantities: Mapping[str, Quantity], angles: Angles) -> str:
     """What every argument of the public functions is, as lines of a comment."""
     known = {c_name(name): quantity for name, quantity in quantities.items()}
-    names = dict.fromkeys(name for function in functions for name in taken(function, angles))
+    names = dict.fromkeys(c_name(name) for function in functions for name in taken(function, angles))
     return "\n * ".join(f"{name}: {plain(known[name].meaning)}" for name in names)

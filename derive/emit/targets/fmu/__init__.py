@@ -24,8 +24,7 @@ from xml.sax.saxutils import quoteattr
 
 from ...definitions import Definition
 from ...expressions import number
-from .. import Material, Motion, Variable, c, runtime, spoken
-from ..c.algebra import taken
+from .. import Material, Motion, Variable, c, runtime, spoken, taken
 from ..c.layout import plain
 
 _SYSTEMS = {"linux": ("linux", ".so"), "darwin": ("darwin", ".dylib"), "win32": ("windows", ".dll")}

@@ -1,0 +1,13 @@
+"""JAX: a module of functions for ``jax.jit``, ``grad`` and ``vmap``, in whatever precision JAX is set to."""
+
+from __future__ import annotations
+
+from .. import Material, python
+
+#: What stands for ``numpy``.
+NAMESPACE = "jax.numpy"
+
+
+def render(material: Material) -> dict[str, str]:
+    """The module."""
+    return python.render(material, NAMESPACE, "where", {"atan": "xp.arctan", "atan2": "xp.arctan2"})

@@ -1,0 +1,58 @@
+"""Python on an array library that differentiates: one module of functions, each with the statements of NumPy's; results are lists."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping
+
+from ..definitions import NAMES, Definition, nested, ported
+from . import Material, taken
+
+_WIDTH = 126
+#: Kinks are choices: both sides have derivatives, and the one that is taken gives its own.
+_HEAD = """
+import {module} as xp
+
+PARAMETERS = {parameters}
+BASE = {base}
+
+
+def _sign(u):
+    return xp.{where}(u > 0, 1.0, xp.{where}(u < 0, -1.0, 0.0))
+
+
+def _abs(u):
+    return xp.{where}(u < 0, -u, u)
+
+
+"""
+
+
+def render(material: Material, module: str, where: str, names: Mapping[str, str]) -> dict[str, str]:
+    """A module of the library's name."""
+    functions = material.algebra.values()
+    known = {name: material.quantities[name].meaning for it in functions for name in taken(it, material.angles)}
+    table = "\n".join(textwrap.fill(f"{name} : {known[name]}", _WIDTH, subsequent_indent="    ") for name in sorted(known))
+    said = f"{material.summary}\n\n{table}\n\n{material.header}".replace("\\", r"\\").replace('""', r'"\"')
+    head = _HEAD.format(module=module, where=where, parameters=material.parameters, base=dict(material.base_values))
+    called = {"abs": "_abs", "sign": "_sign"}
+    ports = {name: called.get(name, f"xp.{name}") for name in NAMES} | dict(names)
+    body = "\n\n\n".join(_function(function, material.angles, ports) for function in functions)
+    return {f"{material.library}.py": f'"""{said}\n"""\n{head}{body}\n'}
+
+
+def _function(function: Definition, angles: Mapping[str, tuple[str, ...]], ports: Mapping[str, str]) -> str:
+    names = taken(function, angles)
+    given = [*names, *(f"{name}=0" for name in function.further)]
+    said = (
+        f'"""{function.summary} Returns {function.returns}. Source: {function.equations}. Operations: {function.operations}."""'
+    )
+    turned = [(parts[-2:], angle) for angle, parts in angles.items() if angle in names and {*parts[-2:]} & function.read]
+    lines = [
+        f"def {function.name}({', '.join(given)}):",
+        textwrap.indent(textwrap.fill(said, _WIDTH, break_long_words=False, break_on_hyphens=False), "    "),
+        *(f"    {cosine}, {sine} = xp.cos({angle}), xp.sin({angle})" for (cosine, sine), angle in turned),
+        *(f"    {name} = {ported(value, ports)}" for name, value in function.statements),
+        f"    return {nested(function.results, '[]', lambda leaf: ported(leaf, ports))}",
+    ]
+    return "\n".join(lines)

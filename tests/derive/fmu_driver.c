@@ -12,7 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OK, WARNING, DISCARD, ERROR };
+enum {
+    OK,
+    WARNING,
+    DISCARD,
+    ERROR
+};
 typedef uint32_t Ref;
 typedef void (*Log)(void *, int, const char *, const char *);
 
@@ -62,15 +67,15 @@ static void count(void *environment, int status, const char *category, const cha
     } while (0)
 
 /* The call fails with a message, and the instance takes nothing but a reset. */
-#define FAILS(call)                                                                         \
-    do {                                                                                    \
-        logged = 0;                                                                         \
-        IS(ERROR, call);                                                                    \
-        IS(ERROR, fmi3EnterInitializationMode(it, false, 0.0, 0.0, false, 0.0));            \
-        if (logged != 2) {                                                                  \
-            printf("line %d: %d messages of %s\n", __LINE__, logged, #call);                \
-        }                                                                                   \
-        IS(OK, fmi3Reset(it));                                                              \
+#define FAILS(call)                                                              \
+    do {                                                                         \
+        logged = 0;                                                              \
+        IS(ERROR, call);                                                         \
+        IS(ERROR, fmi3EnterInitializationMode(it, false, 0.0, 0.0, false, 0.0)); \
+        if (logged != 2) {                                                       \
+            printf("line %d: %d messages of %s\n", __LINE__, logged, #call);     \
+        }                                                                        \
+        IS(OK, fmi3Reset(it));                                                   \
     } while (0)
 
 static void start(void *it) {

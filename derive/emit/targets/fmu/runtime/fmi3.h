@@ -6,7 +6,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef enum { fmi3OK, fmi3Warning, fmi3Discard, fmi3Error, fmi3Fatal } fmi3Status;
+typedef enum {
+    fmi3OK,
+    fmi3Warning,
+    fmi3Discard,
+    fmi3Error,
+    fmi3Fatal
+} fmi3Status;
 
 typedef uint32_t fmi3ValueReference;
 typedef void (*fmi3LogMessageCallback)(void *environment, fmi3Status status, const char *category, const char *message);

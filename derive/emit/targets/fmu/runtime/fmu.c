@@ -25,8 +25,17 @@ enum {
     FLAG = QUANTITY + GIVEN
 };
 
-typedef enum { INSTANTIATED = 1, INITIALIZING = 2, EVENT = 4, CONTINUOUS = 8, STEPPING = 16, TERMINATED = 32 } Phase;
-enum { BEGINNING = INSTANTIATED | INITIALIZING, RUNNING = EVENT | CONTINUOUS | STEPPING, ANY = 63 };
+typedef enum {
+    INSTANTIATED = 1,
+    INITIALIZING = 2,
+    EVENT = 4,
+    CONTINUOUS = 8,
+    STEPPING = 16,
+    TERMINATED = 32,
+    BEGINNING = INSTANTIATED | INITIALIZING,
+    RUNNING = EVENT | CONTINUOUS | STEPPING,
+    ANY = BEGINNING | RUNNING | TERMINATED
+} Phase;
 
 /* What is copied as the state of the FMU; numbers are those that the importer sees. */
 typedef struct {
@@ -48,12 +57,17 @@ typedef struct {
 
 /* -------------------------------------------------------------------------------------------------- log and errors */
 
-typedef enum { EVENTS_LOG, DISCARD_LOG, ERROR_LOG, CATEGORIES } Category;
+typedef enum {
+    EVENTS_LOG,
+    DISCARD_LOG,
+    ERROR_LOG,
+    CATEGORIES
+} Category;
 static const char *const CATEGORY[CATEGORIES] = {"logEvents", "logStatusDiscard", "logStatusError"};
 
 static void say(const Instance *it, fmi3Status status, Category category, const char *format, va_list values) {
-    char text[256];
     if (it->log && (category == ERROR_LOG || it->logged & 1u << category)) {
+        char text[256];
         vsnprintf(text, sizeof text, format, values);
         it->log(it->environment, status, CATEGORY[category], text);
     }
@@ -86,19 +100,19 @@ static void told(const Instance *it, const char *format, ...) {
 }
 
 /* Begins a function that may be called in some phases. */
-#define ENTER(phases)                                                                        \
-    Instance *const it = instance;                                                           \
-    if (!it) {                                                                               \
-        return fmi3Error;                                                                    \
-    }                                                                                        \
-    if (!(it->now.phase & (unsigned)(phases))) {                                             \
+#define ENTER(phases)                                                                       \
+    Instance *const it = instance;                                                          \
+    if (!it) {                                                                              \
+        return fmi3Error;                                                                   \
+    }                                                                                       \
+    if (!(it->now.phase & (unsigned)(phases))) {                                            \
         return failed(it, "%s must not be called in this state of the instance", __func__); \
     }
 
 /* Refuses arguments that make no sense. */
-#define EXPECT(condition, ...)             \
-    if (!(condition)) {                    \
-        return failed(it, __VA_ARGS__);    \
+#define EXPECT(condition, ...)          \
+    if (!(condition)) {                 \
+        return failed(it, __VA_ARGS__); \
     }
 
 /* ------------------------------------------------------------------------------- units: inside all is dimensionless */
@@ -182,8 +196,7 @@ static void *instantiated(const char *token, bool logging, void *environment, fm
 
 FMI(const char *, GetVersion)(void) { return "3.0"; }
 
-FMI(void *, InstantiateModelExchange)
-(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment,
+FMI(void *, InstantiateModelExchange)(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment,
     fmi3LogMessageCallback log) {
     Instance *it = instantiated(token, logging, environment, log);
     if (it) {
@@ -192,8 +205,7 @@ FMI(void *, InstantiateModelExchange)
     return it;
 }
 
-FMI(void *, InstantiateCoSimulation)
-(const char *name, const char *token, const char *resources, bool visible, bool logging, bool event_mode, bool early,
+FMI(void *, InstantiateCoSimulation)(const char *name, const char *token, const char *resources, bool visible, bool logging, bool event_mode, bool early,
     const fmi3ValueReference *intermediate, size_t count, void *environment, fmi3LogMessageCallback log, void (*update)(void)) {
     Instance *it = instantiated(token, logging, environment, log);
     if (it) {
@@ -202,8 +214,7 @@ FMI(void *, InstantiateCoSimulation)
     return it;
 }
 
-FMI(void *, InstantiateScheduledExecution)
-(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment,
+FMI(void *, InstantiateScheduledExecution)(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment,
     fmi3LogMessageCallback log, void (*update)(void), void (*lock)(void), void (*unlock)(void)) {
     if (log) {
         log(environment, fmi3Error, CATEGORY[ERROR_LOG], "this FMU has no Scheduled Execution");
@@ -229,8 +240,7 @@ FMI(fmi3Status, SetDebugLogging)(void *instance, bool on, size_t count, const ch
     return fmi3OK;
 }
 
-FMI(fmi3Status, EnterInitializationMode)
-(void *instance, bool tolerance_defined, double tolerance, double start, bool stop_defined, double stop) {
+FMI(fmi3Status, EnterInitializationMode)(void *instance, bool tolerance_defined, double tolerance, double start, bool stop_defined, double stop) {
     ENTER(INSTANTIATED)
     EXPECT(isfinite(start) && (!stop_defined || stop >= start), "the times are %g to %g; give finite ones in order", start, stop)
     EXPECT(!tolerance_defined || (tolerance > 0.0 && tolerance < 1.0), "the tolerance is %g; give one in (0, 1)", tolerance)
@@ -290,8 +300,7 @@ FMI(fmi3Status, Reset)(void *instance) {
 
 /* --------------------------------------------------------------------------------------------------------- values */
 
-FMI(fmi3Status, GetFloat64)
-(void *instance, const fmi3ValueReference *references, size_t count, double *values, size_t size) {
+FMI(fmi3Status, GetFloat64)(void *instance, const fmi3ValueReference *references, size_t count, double *values, size_t size) {
     Motion motion;
     Point at;
     double unit_of_rate[STATES];
@@ -313,21 +322,20 @@ FMI(fmi3Status, GetFloat64)
                 return discarded(it, "%s", NOWHERE);
             }
             looked = 1;
-            values[i] = one < INDICATOR ? at.rate[one - DERIVATIVE] * unit_of_rate[one - DERIVATIVE]
-                                        : at.clearance[one - INDICATOR];
+            values[i] = one < INDICATOR ? at.rate[one - DERIVATIVE] * unit_of_rate[one - DERIVATIVE] : at.clearance[one - INDICATOR];
         }
     }
     return fmi3OK;
 }
 
-FMI(fmi3Status, SetFloat64)
-(void *instance, const fmi3ValueReference *references, size_t count, const double *values, size_t size) {
+FMI(fmi3Status, SetFloat64)(void *instance, const fmi3ValueReference *references, size_t count, const double *values, size_t size) {
     ENTER(BEGINNING | RUNNING)
     EXPECT(count == size && (!count || (references && values)), "%u values are set, of %u given", (unsigned)count, (unsigned)size)
     for (size_t i = 0; i < count; i++) {
         const fmi3ValueReference one = references[i];
         const bool quantity = one >= QUANTITY && one < FLAG;
-        const unsigned when = quantity ? BEGINNING | EVENT | STEPPING : it->exchange ? BEGINNING | EVENT : BEGINNING;
+        const unsigned state = it->exchange ? BEGINNING | EVENT : BEGINNING;
+        const unsigned when = quantity ? BEGINNING | EVENT | STEPPING : state;
         EXPECT(quantity || (one >= STATE && one < DERIVATIVE), "no Float64 with the value reference %u can be set", (unsigned)one)
         EXPECT(it->now.phase & when, "the Float64 with the value reference %u can't be set now", (unsigned)one)
         if (!isfinite(values[i])) {
@@ -342,8 +350,7 @@ FMI(fmi3Status, SetFloat64)
         }
     }
     for (size_t i = 0; i < count; i++) {
-        double *const place = references[i] < DERIVATIVE ? it->now.state + (references[i] - STATE)
-                                                         : it->now.given + (references[i] - QUANTITY);
+        double *const place = references[i] < DERIVATIVE ? it->now.state + (references[i] - STATE) : it->now.given + (references[i] - QUANTITY);
         *place = values[i];
     }
     return fmi3OK;
@@ -368,20 +375,18 @@ FMI(fmi3Status, GetBoolean)(void *instance, const fmi3ValueReference *references
 }
 
 /* Types of which the model has no variable. */
-#define WITHOUT(type, c_type)                                                                                             \
-    FMI(fmi3Status, Get##type)                                                                                            \
-    (void *instance, const fmi3ValueReference *references, size_t count, c_type *values, size_t size) {                   \
-        ENTER(ANY)                                                                                                        \
-        EXPECT(!count && !size, "there is no variable of the type " #type)                                                \
-        return fmi3OK;                                                                                                    \
-    }                                                                                                                     \
+#define WITHOUT(type, c_type)                                                                                                     \
+    FMI(fmi3Status, Get##type)(void *instance, const fmi3ValueReference *references, size_t count, c_type *values, size_t size) { \
+        ENTER(ANY)                                                                                                                \
+        EXPECT(!count && !size, "there is no variable of the type " #type)                                                        \
+        return fmi3OK;                                                                                                            \
+    }                                                                                                                             \
     WITHOUT_SETTER(type, c_type)
-#define WITHOUT_SETTER(type, c_type)                                                                                      \
-    FMI(fmi3Status, Set##type)                                                                                            \
-    (void *instance, const fmi3ValueReference *references, size_t count, const c_type *values, size_t size) {             \
-        ENTER(ANY)                                                                                                        \
-        EXPECT(!count && !size, "no variable of the type " #type " can be set")                                           \
-        return fmi3OK;                                                                                                    \
+#define WITHOUT_SETTER(type, c_type)                                                                                                    \
+    FMI(fmi3Status, Set##type)(void *instance, const fmi3ValueReference *references, size_t count, const c_type *values, size_t size) { \
+        ENTER(ANY)                                                                                                                      \
+        EXPECT(!count && !size, "no variable of the type " #type " can be set")                                                         \
+        return fmi3OK;                                                                                                                  \
     }
 
 WITHOUT(Float32, float)
@@ -461,7 +466,8 @@ FMI(fmi3Status, FreeFMUState)(void *instance, void **saved) {
 }
 
 /* A state as bytes begins with the token: that of another FMU is refused. */
-enum { HEAD = sizeof TOKEN, BYTES = HEAD + sizeof(State) };
+enum { HEAD = sizeof TOKEN,
+    BYTES = HEAD + sizeof(State) };
 
 FMI(fmi3Status, SerializedFMUStateSize)(void *instance, void *saved, size_t *size) {
     ENTER(ANY)
@@ -564,15 +570,13 @@ static fmi3Status multiplied(Instance *it, const fmi3ValueReference *unknowns, s
     return fmi3OK;
 }
 
-FMI(fmi3Status, GetDirectionalDerivative)
-(void *instance, const fmi3ValueReference *unknowns, size_t unknown_count, const fmi3ValueReference *knowns, size_t known_count,
+FMI(fmi3Status, GetDirectionalDerivative)(void *instance, const fmi3ValueReference *unknowns, size_t unknown_count, const fmi3ValueReference *knowns, size_t known_count,
     const double *seed, size_t seeds, double *result, size_t results) {
     ENTER(INITIALIZING | RUNNING | TERMINATED)
     return multiplied(it, unknowns, unknown_count, knowns, known_count, seed, seeds, result, results, false);
 }
 
-FMI(fmi3Status, GetAdjointDerivative)
-(void *instance, const fmi3ValueReference *unknowns, size_t unknown_count, const fmi3ValueReference *knowns, size_t known_count,
+FMI(fmi3Status, GetAdjointDerivative)(void *instance, const fmi3ValueReference *unknowns, size_t unknown_count, const fmi3ValueReference *knowns, size_t known_count,
     const double *seed, size_t seeds, double *result, size_t results) {
     ENTER(INITIALIZING | RUNNING | TERMINATED)
     return multiplied(it, unknowns, unknown_count, knowns, known_count, seed, seeds, result, results, true);
@@ -604,8 +608,7 @@ FMI(fmi3Status, EvaluateDiscreteStates)(void *instance) {
     return fmi3OK;
 }
 
-FMI(fmi3Status, UpdateDiscreteStates)
-(void *instance, bool *again, bool *terminate, bool *nominals, bool *values, bool *next_defined, double *next) {
+FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *terminate, bool *nominals, bool *values, bool *next_defined, double *next) {
     ENTER(EVENT)
     if (enter(it)) {
         return discarded(it, "%s", NOWHERE);
@@ -711,8 +714,7 @@ FMI(fmi3Status, GetNumberOfEventIndicators)(void *instance, size_t *count) {
 
 /* -------------------------------------------------------------------------------------------------- Co-Simulation */
 
-FMI(fmi3Status, DoStep)
-(void *instance, double from, double duration, bool no_return, bool *event, bool *terminate, bool *early, double *reached) {
+FMI(fmi3Status, DoStep)(void *instance, double from, double duration, bool no_return, bool *event, bool *terminate, bool *early, double *reached) {
     ENTER(STEPPING)
     EXPECT(event && terminate && early && reached, "an argument is a null pointer")
     EXPECT(duration > 0.0 && isfinite(duration), "the step is %g; give a positive one", duration)

@@ -11,8 +11,8 @@
 
 enum {
     STATES = 2 * COORDINATES,
-    EVENTS = LIFTS + SLIDES,         /* borders whose crossings are events */
-    INDICATORS = EVENTS + TURNINGS,  /* borders that an importer watches; exponentials are always felt there */
+    EVENTS = LIFTS + SLIDES,        /* borders whose crossings are events */
+    INDICATORS = EVENTS + TURNINGS, /* borders that an importer watches; exponentials are always felt there */
     BORDERS = INDICATORS + LAYERS,
     MODES = 2 + LAYERS + TURNINGS,
     STAGES = 7,
@@ -175,7 +175,13 @@ static int step(const Motion *it, const Point *from, double h, Point *to, double
         {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
     };
     static const double off[STAGES] = {
-        71.0 / 57600, 0.0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40,
+        71.0 / 57600,
+        0.0,
+        -71.0 / 16695,
+        71.0 / 1920,
+        -17253.0 / 339200,
+        22.0 / 525,
+        -1.0 / 40,
     };
     double slope[STAGES][STATES], sum = 0.0;
     memcpy(slope[0], from->rate, sizeof slope[0]);
@@ -300,9 +306,9 @@ static int carry(Motion *it, double *state, double duration, double *length, dou
             return STUCK;
         }
         const double whole = h;
-        const int failed = step(it, &from, h, &to, &error);
-        if (failed || error > 1.0) {
-            *length = h * (failed ? 0.25 : fmax(0.2, 0.9 * pow(error, -0.2)));
+        const int none = step(it, &from, h, &to, &error);
+        if (none || error > 1.0) {
+            *length = h * (none ? 0.25 : fmax(0.2, 0.9 * pow(error, -0.2)));
             if (*length < LEAST_STEP) {
                 return STUCK;
             }
@@ -316,12 +322,13 @@ static int carry(Motion *it, double *state, double duration, double *length, dou
         }
         t = (last && h == whole) ? duration : t + h;
         from = to;
-        if (nearest(it, &from, &border) > 0.0) {
-            border = DONE;
-        } else if (border < EVENTS) {
-            break;
-        } else if (settle(it, &from)) {
-            return STUCK;
+        if (nearest(it, &from, &border) <= 0.0) {
+            if (border < EVENTS) {
+                break;
+            }
+            if (settle(it, &from)) {
+                return STUCK;
+            }
         }
         border = DONE;
     }

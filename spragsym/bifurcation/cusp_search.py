@@ -17,12 +17,12 @@ from .bifurcation_conditions import change, cusp
 from .defining_systems import Augmented
 from .families import Family
 from .points import Found, search
-from .symmetry import MANY
+from .symmetry import MANY, cusp_off_mirrors
 
 
 def isolated(family: Family) -> Found:
     """A box for each cusp, and what is left."""
-    balance, found = family.balance, search(family, cusp())
+    balance, found = family.balance, search(family, cusp_off_mirrors(family))
     roots = _cusps(family, found, 0)
     for column in range(1, balance.n):
         # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it, and regular with another one.
@@ -30,7 +30,7 @@ def isolated(family: Family) -> Found:
         for hull in np.moveaxis(hulls, 2, 0):
             spans = np.stack([-hull[0], hull[1]], axis=-1)[balance.n :]
             near = replace(family, spans=spans, asked=hull[:, : balance.n])
-            more = _cusps(near, search(near, cusp(column)), column)
+            more = _cusps(near, search(near, cusp_off_mirrors(near, column)), column)
             if not more.left_point.size:
                 open_ = ~contractors.within(roots.left, hull[:, :, None])
                 roots = different(concatenated([roots.kept(left=open_), more], roots.ends.shape[1]), found.region)

@@ -8,13 +8,15 @@ forces and det K have no regular root, so that a search over boxes stays undecid
   and the parameter;
 - near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose third derivative is not 0 all
   over a box that is its own image. Then the box holds no other fold: g would have a double root on either side and one on the
-  mirror, five in all, and so its third derivative two.
+  mirror, five in all, and so its third derivative two;
+- over two parameters pitchforks form curves, on which the equations of a cusp hold as well. Of one turned coordinate the change
+  of det K along that column of the adjugate is odd in it: where its slope is not 0 in a box and its image, that holds no cusp.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -28,6 +30,7 @@ from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots
 from ..numerics.determinants import determinant
 from ..numerics.interval_arrays import FloatArray, Intervals, stacked
+from ..numerics.jets import constant, gradient, variables
 from ..numerics.reduction import third_derivative
 from ..statics.mechanics.balance import NOTHING, Balance
 from ..statics.mechanics.border import on_side
@@ -35,8 +38,8 @@ from ..statics.mechanics.parity import follows
 from ..statics.mechanics.precise_balance import PreciseBalance, clusters
 from ..statics.mechanics.state import State
 from ..statics.regions import region
-from .bifurcation_conditions import FOLD
-from .defining_systems import Augmented
+from .bifurcation_conditions import FOLD, change, cusp
+from .defining_systems import Augmented, Condition
 from .families import Family
 from .points import Found
 
@@ -44,6 +47,8 @@ from .points import Found
 MANY = 500
 #: Bits of the forces around a pitchfork.
 BITS = 120
+#: Relative width of boxes on a mirror in which a pitchfork may be degenerate: halving decides what is beside it too slowly.
+NEAR = 2.0**-12
 
 
 def turned(balance: Balance, over: Intervals) -> list[int]:
@@ -83,6 +88,35 @@ def _mirrors(family: Family) -> list[_Mirror]:
 
 def _with_signs(odd: Sequence[int], q: Sequence[Any], values: Mapping[str, Any]) -> list[Any]:
     return [-part if i in odd else part for i, part in enumerate(q)]
+
+
+def cusp_off_mirrors(family: Family, column: int = 0) -> Condition:
+    """What is asked of a cusp: beside a mirror that turns one coordinate there are none but where pitchforks are degenerate."""
+    mirrors, n = [mirror for mirror in _mirrors(family) if len(mirror.odd) == 1], family.balance.n
+
+    def images(at: State) -> list[Intervals]:
+        return [stacked(mirror.image(at.q, at.values), at.shape) for mirror in mirrors]
+
+    def changes(at: State, q: Iterable[Any], order: int) -> list[Any]:
+        K = replace(at, q=variables(list(q), order)).slopes()
+        return [change(K, number) for number in range(n)]
+
+    def hopeless(at: State) -> NDArray[np.bool_]:
+        q, along = stacked(at.q, at.shape).ends, [constant(value) for value in changes(at, at.q, 1)]
+        for mirror, image in zip(mirrors, images(at), strict=True):
+            (odd,) = mirror.odd
+            along.append(gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd])
+        excluded: NDArray[np.bool_] = ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
+        return excluded
+
+    def given_up(at: State) -> NDArray[np.bool_]:
+        q = stacked(at.q, at.shape)
+        on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
+        small = np.logical_and.reduce(q.width <= NEAR * np.maximum(1.0, q.magnitude))
+        done: NDArray[np.bool_] = small & np.logical_or.reduce(on)
+        return done
+
+    return replace(cusp(column), hopeless=hopeless, given_up=given_up) if mirrors else cusp(column)
 
 
 class _OnMirror(boxes.System):

@@ -22,7 +22,7 @@ ANCHOR = "at the anchor of a spring, where its force has no value: an equilibriu
 POLE = "at an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
 BORDER = "where the contact just touches: whether what is there lies on this side of the border is not known"
 PLACE = "no wider than one place is to floats: a double root may be there, two very near ones, or none"
-LINE = "along places where the equations hold to rounding: a line of roots, or a few on it that floats do not tell apart"
+LINE = "where the equations nearly hold: a line of roots, a degenerate one as of a pitchfork that changes its side, or none"
 FREE = "along which no force acts on one of the coordinates at these parameters: a line of states, or none"
 WIDE = "left from a search that ended before it was small enough to be decided: a smaller range or a smaller box helps"
 

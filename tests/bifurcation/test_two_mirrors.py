@@ -30,6 +30,26 @@ LOADED = replaced(
     ('">= 0", 0.01, becomes="P")', '"real", 0.01, becomes="P")\nQ = page.parameter("Q", "N", "load", "real", 0.0, becomes="Q")'),
     ("page.force(0, -P", "page.force(Q, -P"),
 )  # fmt: skip
+#: A spring below the tip.
+HELD = replaced(
+    TRUSS,
+    ("page.spring(k_x, along=x)\n", "page.spring(k_x, along=x)\npage.spring(k_y, along=y)\n"),
+    ('">= 0", 0.01, becomes="P")', '"real", 0.01, becomes="P")\nk_y = page.parameter("k_y", "N/m", "", "> 0", becomes="beta")'),
+)  # fmt: skip
+
+
+@pytest.mark.thorough
+def test_all_cusps_of_a_plane_that_pitchforks_cross() -> None:
+    """One, at x = y = 0, where k_y holds the bars: beta = 2 (L - 1). Its equations hold along curves of pitchforks as well.
+
+    These are where bars of length b, b**3 - 3 b**2 + 3 = 0, stand in balance with P on x = 0.
+    """
+    bar = np.roots([1.0, -3.0, 0.0, 3.0])[1]
+    assert abs((2 * (3 / bar - 1) - 3.2) * np.sqrt(bar**2 - 1)) < 1.0
+    p = model_of(HELD, "held").Parameters(alpha=0.0, h=8**0.5)
+    found = ss.cusps(p, ("P", "beta"), between={"P": (-1.0, 1.0), "beta": (3.0, 5.0)})
+    assert found.complete
+    np.testing.assert_allclose([found.P, found.beta, found.x, found.y], [[0.0], [4.0], [0.0], [0.0]], atol=1e-12)
 
 
 @pytest.mark.thorough

@@ -35,25 +35,13 @@ from .trajectories import figure_6, figure_13
 
 #: Name → the function that draws it: the article's numbers first.
 FIGURES: dict[str, Callable[..., Sheet]] = {
-    "3": figure_3,
-    "4": figure_4,
-    "5": figure_5,
-    "6": figure_6,
-    "7": figure_7,
-    "8": figure_8,
-    "9": figure_9,
-    "10": figure_10,
-    "11": figure_11,
-    "12": figure_12,
-    "13": figure_13,
-    "14": figure_14,
-    "cusp-friction": figure_cusp_friction,
-    "cycles": figure_cycles,
-    "cycles-plane": figure_cycles_plane,
-    "false-double-root": figure_false_double_root,
-    "rms-map": figure_rms_map,
-    "sensitivity": figure_sensitivity,
-}
+    drawn.__name__.removeprefix("figure_").replace("_", "-"): drawn
+    for drawn in (
+        figure_3, figure_4, figure_5, figure_6, figure_7, figure_8, figure_9, figure_10, figure_11, figure_12, figure_13,
+        figure_14,
+        figure_cusp_friction, figure_cycles, figure_cycles_plane, figure_false_double_root, figure_rms_map, figure_sensitivity,
+    )
+}  # fmt: skip
 
 __all__ = [
     "FIGURES",

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 import spragsym as ss
@@ -16,6 +17,7 @@ from ..models.parameters import ARTICLE, FloatArray, Parameters
 from ..motion.sweeps import Workers, rms_sweep, sensitivity
 from ..numerics.companion_roots import eigenvalues
 from .captions import BASE_TEXT
+from .planes import draw_bifurcation_set
 from .style import (
     BLACK,
     BLUE,
@@ -181,19 +183,8 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
     p = Parameters.article()
     angles, frictions, rms, table = _divided(p, step_deg, step_mu0, levels, workers)
     image = ax.pcolormesh(angles, frictions, rms, cmap="cividis", vmin=0.0, rasterized=True)
-    found = ss.bifurcation_set(p)
-    for curve in found.curves:
-        ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
-        ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION, linewidth=1.2)
-    ax.plot(
-        np.degrees(found.cusps.theta0),
-        found.cusps.mu0,
-        linestyle="none",
-        marker="o",
-        markersize=4,
-        color=VERMILION,
-        markeredgecolor="white",
-    )
+    for line in draw_bifurcation_set(ss.bifurcation_set(p), ax, color=VERMILION):
+        line.set_path_effects([withStroke(linewidth=2.4, foreground="white")])
     for text, place in (("I", (50, 0.75)), ("II", (117, 0.93))):
         write_along(ax, text, *place, ha="center", color=BLACK if text == "I" else "white")
     angle_axis(ax)

@@ -22,9 +22,8 @@ from ..errors import ConvergenceError, ParameterError
 from ..models.parameters import FloatArray, Parameters
 from ..orbits import Cycle, CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..orbits.maps import Kind
-from ..results.bifurcation_sets import BifurcationSet
-from ..results.equilibria import Stability
 from .captions import BASE_TEXT, MODEL
+from .curves import branches, table_of
 from .labels import label, shown
 from .style import (
     BLACK,
@@ -32,6 +31,7 @@ from .style import (
     DOUBLE,
     GREEN,
     GREY,
+    LINES,
     ORANGE,
     PURPLE,
     SKY,
@@ -47,9 +47,6 @@ from .style import (
 
 #: A state on the cycle of period 34 at 42 degrees.
 ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
-
-#: |x| of one equilibrium changes by less than this from one inclination to the next.
-LEAP = 0.1
 
 #: Of branches, in the order in which they were found; doubled ones have the colour of those that they come from.
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
@@ -165,19 +162,10 @@ def draw_cycles(
 
 def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
     """Equilibria at μ(V): |x| is their root mean square."""
-    friction = _sliding()
-    edges = np.degrees(ss.folds(Parameters.article(mu0=friction)).theta0)
-    near = np.concatenate([fold + side * np.geomspace(1e-7, 0.3, 40) for fold in edges for side in (-1, 1)])
-    angles = np.unique(np.concatenate([np.linspace(*to_deg, 1201), near[(to_deg[0] <= near) & (near <= to_deg[1])]]))
-    found = ss.equilibria(Parameters.article(theta0=np.radians(angles), mu0=friction))
-    size = np.abs(found.x)
-    for kind, style in ((Stability.STABLE, "-"), (Stability.DIVERGENT, (0, (3.5, 1.6)))):
-        for slot in range(size.shape[-1]):
-            shown = np.where(found.stability[:, slot] == kind, size[:, slot], np.nan)
-            # Beyond a fold the slots are others' states: no line from one to the next.
-            shown[1:][np.abs(np.diff(size[:, slot])) > LEAP] = np.nan
-            ax.plot(angles, shown, color=BLACK, linestyle=style, linewidth=1.0)
-    return {"theta0_deg": np.repeat(angles, size.shape[-1]), "abs_x": size.ravel(), "stability": found.stability.ravel()}
+    curves = branches(Parameters.article(mu0=_sliding()), "theta0", *map(math.radians, to_deg))
+    for curve in curves:
+        ax.plot(curve.shown("theta0"), np.abs(curve.x), color=BLACK, linestyle=LINES[curve.stability], linewidth=1.0)
+    return table_of(curves)
 
 
 @styled
@@ -252,7 +240,10 @@ def figure_cycles_plane(
         ax.plot(angles, friction, color=colour)
         write_along(ax, curve.label, *curve.place, color=colour)
         tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
-    tables["a_statics"] = _draw_statics(ax, ss.bifurcation_set(Parameters.article()))
+    still = [{"theta0_deg": np.degrees(one.theta0), "mu0": one.mu0} for one in ss.bifurcation_set(Parameters.article()).curves]
+    for folds in still:
+        ax.plot(*folds.values(), color=GREY, linewidth=0.9)
+    tables["a_statics"] = stacked(still)
     decided, fates = [], []
     for mu0 in frictions:
         fold = float(ss.folds(Parameters.article(mu0=mu0)).theta0[0])
@@ -266,18 +257,11 @@ def figure_cycles_plane(
     ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(
         f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
-        equilibria, at μ₀. {_words(curves)}
+        equilibria, at μ₀. Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed.
         At 42° this cycle is stable for 0.096 < μ₀ < 0.320 and above 0.491. Dots: where the motion from rest at x = y = 0
         changes its fate, about 3° before the fold of the equilibria at every friction. Other cycles have curves of their own.""",
         **tables,
     )
-
-
-def _words(curves: tuple[str, ...]) -> str:
-    """What the curves in colours are."""
-    if not curves:
-        return ""
-    return "Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed."
 
 
 #: Kinds of a map that have one colour, and its name.
@@ -322,13 +306,3 @@ def fate_map_figure(found: FateMap) -> Sheet:
               zip(varied, (np.tile(across, up.size), np.repeat(up, across.size)), strict=True)},
            "kind": kind.ravel(), "period": period.ravel()},
     )  # fmt: skip
-
-
-def _draw_statics(ax: Axes, still: BifurcationSet) -> Table:
-    tables = [{"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0} for curve in still.curves]
-    for table in tables:
-        ax.plot(*table.values(), color=GREY, linewidth=0.9)
-    return stacked(tables)
-
-
-__all__ = ["branch_figure", "fate_map_figure", "figure_cycles", "figure_cycles_plane"]

@@ -16,7 +16,6 @@ import spragsym as ss
 from .. import precise
 from ..assumed import MU0_RANGE, D, V
 from ..generated import equilibrium as _equilibrium
-from ..kang_nam.folds.fold_points import rows
 from ..models.load import USUAL, load
 from ..models.parameters import NAMES, FloatArray, Parameters
 from ..motion import simulate
@@ -324,11 +323,12 @@ def no_return() -> Found:
     up = ss.quasi_static_path(_at(40.0), "mu0", values)
     back = ss.quasi_static_path(_at(40.0), "mu0", values[::-1], start="large")
     (jump,) = up.jumps
-    below = np.array([numbers[1] for numbers, _ in rows(_at(40.0), "mu0", negative_friction=True)])
+    # A belt that runs back is the mirror image.
+    below = -ss.folds(_at(180.0 - 40.0), "mu0").mu0
     holds = not back.jumps and abs(back.x[0] - up.x[-1]) < 1e-9 and back.x[-1] > 1 > up.x[0]
     return Found(holds, {
         "jump rising at mu0": jump.value, "x at mu0 = 0 before, after": [float(up.x[0]), float(back.x[-1])],
-        "the next fold at mu0": float(below[below < 0].max()),
+        "the next fold at mu0": float(below.max()),
     })  # fmt: skip
 
 

@@ -43,7 +43,7 @@ def folds(
     vary = vary or "theta0"
     if vary not in NAMES:
         raise NotInClosedForm
-    found = rows(p, vary)
+    found = _rows(p, vary)
     names = (*NAMES, *STATE, "error", *(f"{name}_after" for name in STATE))
     numbers: Any = np.array([each for each, _ in found], dtype=float).reshape(-1, len(names)).T.copy()
     kind, ends, when = np.array([words for _, words in found], dtype=np.str_).reshape(-1, 3).T.copy()
@@ -66,11 +66,8 @@ def in_ranges(found: PointsT, between: Mapping[str, tuple[float, float]] | None)
 Row: TypeAlias = tuple[tuple[float, ...], tuple[str, str, str]]
 
 
-def rows(p: Parameters, vary: str, *, negative_friction: bool = False) -> list[Row]:
-    """The rows of :func:`folds` along one parameter, sorted by it; along ``mu0`` those of a belt that runs back, too.
-
-    Numbers are those of the parameters, the state, the error, and the state that is left, NaN where there is none.
-    """
+def _rows(p: Parameters, vary: str) -> list[Row]:
+    """Numbers of parameters, the state, its error, and the state that is left, NaN where there is none; sorted by ``vary``."""
     fixed = [name for name in NAMES if name != vary]
     exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
     allowed, place = RANGES[vary], NAMES.index(vary)
@@ -79,8 +76,7 @@ def rows(p: Parameters, vary: str, *, negative_friction: bool = False) -> list[R
         found = []
         for fold in fold_proofs.folds(vary, exact, bits):
             value = fold.point.parameters[place]
-            wanted = decided(value, f"{vary} = 0 on a fold") > 0 or (negative_friction and vary == "mu0")
-            row = _row(fold, value) if wanted else None
+            row = _row(fold, value) if decided(value, f"{vary} = 0 on a fold") > 0 else None
             if row and row[0][place] < allowed.high:
                 found.append((balls.ends(value), row))
         found.sort(key=lambda one: one[0][0])

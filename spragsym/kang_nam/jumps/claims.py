@@ -56,36 +56,34 @@ def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:
     return (others[1] - others[3] * (ground.s0 - ground.s)).sign() < 0
 
 
-# --------------------------------------------------------------------------------------------------- one equilibrium
+# ----------------------------------------------------------------------------------------------- all states in contact
+
+
+def _at_all_states(boxes: Boxes, slope_sign: int, discriminant: bool) -> tuple[NDArray[np.bool_], FloatArray]:
+    """Every equilibrium in contact has f′ of a sign, or a positive discriminant of K in λ² if that is asked for too."""
+
+    def test(ground: Ground) -> Verdict:
+        others = ground.others()
+        value, slope, _, _ = _balance(ground, others)
+        done = (value.sign() != 0) | (slope.sign() == slope_sign) | _not_in_contact(ground, others)
+        if not discriminant:
+            return Verdict(done, (value, slope))
+        L, _, _ = kernel.state(ground.c, ground.s, ground.c0, ground.s0, others[1], others[3], others[4], 1)
+        K = kernel.stiffness(ground.c, ground.s, L, others[0], others[2], others[3], others[4], 1)
+        flutter = kernel.invariants(*K[0], *K[1])[2]
+        return Verdict(done | (flutter.sign() > 0), (value, slope, flutter))
+
+    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
 
 
 def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
     """Every equilibrium has f′ > 0. Of three the middle one has not, and of two that meet neither has: so there is one."""
-
-    def test(ground: Ground) -> Verdict:
-        others = ground.others()
-        value, slope, _, _ = _balance(ground, others)
-        return Verdict((value.sign() != 0) | (slope.sign() > 0) | _not_in_contact(ground, others), (value, slope))
-
-    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
-
-
-# --------------------------------------------------------------------------------------------------------- no flutter
+    return _at_all_states(boxes, 1, False)
 
 
 def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
     """Every equilibrium in contact has f′ < 0, which is divergence, or a positive discriminant of K in λ²."""
-
-    def test(ground: Ground) -> Verdict:
-        others = ground.others()
-        value, slope, _, _ = _balance(ground, others)
-        done = (value.sign() != 0) | (slope.sign() < 0) | _not_in_contact(ground, others)
-        L, _, _ = kernel.state(ground.c, ground.s, ground.c0, ground.s0, others[1], others[3], others[4], 1)
-        K = kernel.stiffness(ground.c, ground.s, L, others[0], others[2], others[3], others[4], 1)
-        discriminant = kernel.invariants(*K[0], *K[1])[2]
-        return Verdict(done | (discriminant.sign() > 0), (value, slope, discriminant))
-
-    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
+    return _at_all_states(boxes, -1, True)
 
 
 # ------------------------------------------------------------------------------------------------------------ no jump

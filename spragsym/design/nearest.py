@@ -27,7 +27,7 @@ _OUTWARD, _INWARD = 512, 4096
 #: Halvings of a radius while rays are compared, and at the end, to 1e-11 of it.
 _COARSE, _FINE = 9, 36
 #: Shares of the distance of a member at which rays ask for nearer ones, and how often the nearest of these is improved at most.
-_SHARES, _ROUNDS = (0.999, 0.7, 0.4), 20
+_SHARES, _ROUNDS = np.array([0.999, 0.7, 0.4]), 20
 
 
 def nearest(
@@ -44,12 +44,13 @@ def nearest(
     rays = _rays(size)
     found = improved(np.zeros(size))
     if found is None:
-        far = _walked(member, rays, limits)
+        steps = np.array_split(_RADII, -(-_RADII.size // max(1, _OUTWARD // len(rays))))
+        far = next((far for radii in steps if (far := _on_rays(member, rays, limits, radii)) is not None), None)
         if far is None:
             return None
-        found = _better(member, far, improved)
+        found = _better(member, _turned(member, far, limits), improved)
     for _ in range(_ROUNDS):
-        nearer = _nearer(member, rays, limits, float(np.linalg.norm(found)))
+        nearer = _on_rays(member, rays, limits, float(np.linalg.norm(found)) * _SHARES)
         if nearer is None:
             break
         found = _better(member, nearer, improved)
@@ -64,30 +65,18 @@ def _better(member: Member, point: FloatArray, improved: Improved) -> FloatArray
     return border if found is None or np.linalg.norm(found) > np.linalg.norm(border) else found
 
 
-def _nearer(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray], distance: float) -> FloatArray | None:
-    """A member that is nearer than a distance by some share of it: the nearest one of those that rays meet, if any does."""
-    reach = _reach(rays, limits)
-    radii = np.array([share * distance for share in _SHARES])
-    asked = np.argwhere(radii[:, None] <= reach)
-    with doing("designs less than {:.4g} tolerances away", distance):
-        inside = asked[member(rays[asked[:, 1]] * radii[asked[:, 0], None])]
-    if not inside.size:
+def _on_rays(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray], radii: FloatArray) -> FloatArray | None:
+    """The nearest of the members that rays meet at some radii, or where they end before, brought to the border, if any does."""
+    lengths = np.minimum(radii[:, None], _reach(rays, limits))
+    with doing("designs up to {:.4g} tolerances away", lengths.max()):
+        inside = member((lengths[..., None] * rays).reshape(-1, rays.shape[1])).reshape(lengths.shape)
+    radius = np.where(inside, lengths, np.inf).min(axis=0)
+    met = np.flatnonzero(radius <= 1.5 * radius.min()) if inside.any() else np.empty(0, dtype=np.intp)
+    if not met.size:
         return None
-    found = _shortened(member, rays[inside[:, 1]], radii[inside[:, 0]], _COARSE)
-    best = int(np.argmin(found))
-    nearer: FloatArray = rays[inside[best, 1]] * found[best]
-    return nearer
-
-
-def _walked(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray | None:
-    """A member about as near to 0 as rays find it that are walked outward."""
-    radius = _first(member, rays, limits)
-    if not np.isfinite(radius).any():
-        return None
-    best = np.flatnonzero(radius <= 1.5 * radius.min())
-    found = _shortened(member, rays[best], radius[best], _COARSE)
-    place = int(np.argmin(found))
-    return _turned(member, rays[best[place]], float(found[place]), limits)
+    found = _shortened(member, rays[met], radius[met], _COARSE)
+    nearest_one: FloatArray = rays[met[np.argmin(found)]] * found.min()
+    return nearest_one
 
 
 def _rays(size: int) -> FloatArray:
@@ -108,28 +97,6 @@ def _reach(rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArra
     with np.errstate(divide="ignore", invalid="ignore"):
         ends = np.where(rays > 0, limits[1] / rays, np.where(rays < 0, limits[0] / rays, np.inf))
     return np.asarray(ends.min(axis=-1))
-
-
-def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
-    """The first of the radii at which each ray is in the set, infinite where none is."""
-    reach = _reach(rays, limits)
-    radius = np.full(len(rays), np.inf)
-    together = max(1, _OUTWARD // len(rays))
-    for begin in range(0, _RADII.size, together):
-        radii = _RADII[begin : begin + together]
-        asked = np.flatnonzero(np.isinf(radius))
-        inside = radii <= reach[asked, None]
-        with doing("designs up to {:.3g} tolerances away", radii[-1]):
-            inside[inside] = member((rays[asked, None, :] * radii[:, None])[inside])
-        radius[asked] = np.where(inside.any(axis=-1), radii[np.argmax(inside, axis=-1)], np.inf)
-        # What lies half as far again beyond the nearest is of no use.
-        if radii[-1] > 1.5 * radius.min():
-            break
-    ends = np.flatnonzero(np.isinf(radius) & np.isfinite(reach) & (reach < 1.5 * radius.min()) & (reach <= _RADII[-1]))
-    if ends.size:
-        inside = member(rays[ends] * reach[ends, None])
-        radius[ends[inside]] = reach[ends[inside]]
-    return radius
 
 
 def shortened(member: Member, point: FloatArray) -> FloatArray:
@@ -155,10 +122,10 @@ def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: i
     return high
 
 
-def _turned(
-    member: Member, ray: FloatArray, radius: float, limits: tuple[FloatArray, FloatArray]
-) -> FloatArray:  # fmt: skip
-    """The best ray turned a little, and less and less, as long as that shortens it."""
+def _turned(member: Member, point: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
+    """The ray to a member turned a little, and less and less, as long as that shortens it."""
+    radius = float(np.linalg.norm(point))
+    ray = point / radius
     if ray.size > 1:
         normal = np.random.default_rng(21).standard_normal((RAYS * ray.size, ray.size))
         for spread in (0.3, 0.1, 0.1, 0.03, 0.03, 0.01):

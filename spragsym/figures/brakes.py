@@ -15,6 +15,7 @@ import spragsym as ss
 from ..bifurcation.families import ranges
 from ..errors import ConvergenceError
 from ..models.parameters import ParameterSet
+from ..motion.pictures import symbol
 from .bifurcation_sets import draw_plane
 from .curves import curves_between, draw_branches, draw_path, folds_between, mark_folds
 from .labels import as_drawn, in_units, with_unit
@@ -136,14 +137,8 @@ def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes | No
     places = np.arange(len(names))
     ax.barh(places, total, xerr=error, color=SKY, height=0.62, error_kw={"elinewidth": 0.8, "ecolor": GREY})
     bars = ax.barh(places, np.maximum(first, 0.0), color=BLUE, height=0.3)
-    ax.set_yticks(places, [_SYMBOLS.get(name, name) for name in names])
+    ax.set_yticks(places, [f"${symbol(name)}$" if name.isidentifier() else name for name in names])
     ax.set(xlabel="share of the variance of “it jumps”", xlim=(0, 1.05))
     if names:
         write_along(ax, "dark: alone; light: with others", 0.98, -0.1, ha="right", color=GREY)
     return bars
-
-
-_SYMBOLS = {
-    "k": "$k$", "k_x": "$k_x$", "k_y": "$k_y$", "k_c": "$k_c$", "F_L": "$F_L$", "L_0": "$L_0$", "theta0": r"$\theta_0$",
-    "mu0": r"$\mu_0$",
-}  # fmt: skip

@@ -1,14 +1,12 @@
 """Parameters of the model, dimensionless and in newtons, metres and seconds, validated once."""
 
-from .dimensionless import ARTICLE, BELT_SPEED, CREEP, NAMES, RANGES, Parameters
+from .dimensionless import ARTICLE, NAMES, RANGES, Parameters
 from .physical import PhysicalParameters, Scales
-from .ranges import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_count, as_number, as_numbers, degrees, range_of, shown
+from .ranges import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_count, as_number, as_numbers, degrees, shown
 from .sets import ParameterSet, common_shape, named
 
 __all__ = [
     "ARTICLE",
-    "BELT_SPEED",
-    "CREEP",
     "FINITE",
     "NAMES",
     "NOT_NEGATIVE",
@@ -26,6 +24,5 @@ __all__ = [
     "common_shape",
     "degrees",
     "named",
-    "range_of",
     "shown",
 ]

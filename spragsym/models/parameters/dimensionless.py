@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Self
 
 from numpy.typing import ArrayLike
 
 from ... import assumed
-from ...generated.quantities import BASE_VALUES, PARAMETERS
-from .ranges import Range, range_of
+from ...generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
+from .ranges import Range
 from .sets import ParameterSet, named
 
 #: Names of the parameters of the balance of forces, in the order in which its closed forms take them.
@@ -17,10 +18,6 @@ NAMES = PARAMETERS
 
 #: The article's base values (Section 3); its θ₀ is the control parameter.
 ARTICLE = BASE_VALUES
-
-#: Allowed speeds of the belt and steepnesses of the friction law (10), which the motion needs besides.
-BELT_SPEED = Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x")
-CREEP = Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction")
 
 #: Remedies for values out of range, where the range alone does not suggest one.
 _REMEDIES = {
@@ -30,8 +27,17 @@ _REMEDIES = {
     "sigma": "without the inclined spring there is no sprag",
 }
 
-RANGES = {name: range_of(name, _REMEDIES.get(name, "")) for name in NAMES}
-_ALL_RANGES = {**RANGES, "V": BELT_SPEED, "d": CREEP}
+
+def _range(name: str, remedy: str) -> Range:
+    quantity = QUANTITIES[name]
+    return Range(quantity.low, quantity.high, quantity.low_open and not math.isinf(quantity.low), remedy)
+
+
+#: The belt's speed and the steepness of the friction law (10) are for the motion only.
+RANGES = {name: _range(name, _REMEDIES.get(name, "")) for name in NAMES} | {
+    "V": Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x"),
+    "d": Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction"),
+}
 
 
 @named
@@ -78,7 +84,7 @@ class Parameters(ParameterSet):
     0.007
     """
 
-    ranges = _ALL_RANGES
+    ranges = RANGES
     spanned = frozenset(("theta0", "mu0", "V", "d"))
     origin = "Parameters.article(...)"
     where = "kang_nam"

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import ParameterError, ParameterTypeError
-from ...generated.quantities import QUANTITIES
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
@@ -64,12 +63,6 @@ def _bound(value: float) -> str:
 POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
-
-
-def range_of(name: str, remedy: str = "") -> Range:
-    """The allowed values of a quantity of the nomenclature."""
-    quantity = QUANTITIES[name]
-    return Range(quantity.low, quantity.high, quantity.low_open and not math.isinf(quantity.low), remedy)
 
 
 def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:

@@ -129,7 +129,7 @@ def _lines(work: _Work) -> Iterator[None]:
         wait = LONG
         while not done.wait(wait):
             spent = time.monotonic() - begun
-            print(f"{work}: {spent:.0f} s so far", file=sys.stderr, flush=True)
+            print(f"{work}: {spent:.0f} s so far", file=sys.stderr)
             wait = spent
 
     teller = threading.Thread(target=say, daemon=True)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 @of_model(spanned=0)
 @click.option("--near", metavar="{state}", help="A state near the cycle, angles in degrees. Default: the motion from rest at 0.")
 @o.vary("Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too.")
-@click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
+@click.option("--points", type=click.IntRange(1), default=200, help="Most points each way.")
 @click.option("--diagram", "whole", is_flag=True, help="Equilibria too, and cycles from Hopf points and doublings; with --vary.")
 @click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
 @click.option("--digits", type=click.IntRange(1), help="Digits of that proof; more of them prove what repels strongly.")

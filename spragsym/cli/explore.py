@@ -37,7 +37,6 @@ _LINES = 20
     "-o",
     folder=True,
     default=Path("explorer.html"),
-    show_default=True,
     help="File to write; a name without an ending gets .html, and in a folder it is explorer.html.",
 )
 @o.file("--data", exists=True, metavar="FILE", help="Begin at your own data, a file like brake.toml.")

@@ -21,7 +21,7 @@ from .output import refuse, write
 
 @o.command()
 @click.option("--model", "model_name", metavar="NAME|DIR", help=o.TEXT)
-@click.option("--language", type=click.Choice(languages()), default="c", show_default=True, help="Language to write.")
+@click.option("--language", type=click.Choice(languages()), default="c", help="Language to write.")
 @o.file("--data", exists=True, metavar="FILE", help="In the units of a file like brake.toml; of an FMU only.")
 @o.file("--out", "-o", folder=True, required=True, help="Folder to write to, made if missing; of an FMU a file.")
 @o.trust

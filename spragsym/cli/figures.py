@@ -33,7 +33,7 @@ def _names(_: click.Context, option: click.Parameter, given: tuple[str, ...]) ->
 @click.option("--only", "first", multiple=True, callback=_names, metavar="NAME...", help="As NAMES.")
 @click.argument("names", nargs=-1, callback=_names)
 @o.folder("Folder to write to, made if missing.")
-@click.option("--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas.")
+@click.option("--format", "kinds", default="pdf", help="pdf, png, svg, or several with commas.")
 @o.workers(-1)
 @o.quiet
 @o.force

@@ -147,7 +147,7 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 
 
 @of_model(kind=o.Axis, start=True)
-@click.option("--t-end", type=float, default=40_000.0, show_default=True, help="How long to follow it; exponents come after.")
+@click.option("--t-end", type=float, default=40_000.0, help="How long to follow it; exponents come after.")
 @o.backend("heyoka", "scipy")
 @o.workers(1)
 @o.quiet

@@ -302,9 +302,7 @@ class OfModel(o.Command):
     def _start(self) -> list[click.Option]:
         kind, si = self.kind(Range(-math.inf)), Units(self.model).si
         texts = ((name, f"Initial {name}{', degrees' if si[name] == 'rad' else ''}.") for name in self._state())
-        return [
-            click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, show_default=True, help=text) for name, text in texts
-        ]
+        return [click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, help=text) for name, text in texts]
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them: of statics with the friction that works."""

@@ -174,9 +174,9 @@ method: Decorator = click.option(
 undamped: Decorator = click.option(
     "--undamped", is_flag=True, help="Onsets by (27), without dampers and the slope of the friction law: where two modes meet."
 )
-rtol: Decorator = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
+rtol: Decorator = click.option("--rtol", type=float, default=1e-10, help="Relative tolerance.")
 t_end: Decorator = click.option(
-    "--t-end", type=Number(POSITIVE), default=2000.0, show_default=True,
+    "--t-end", type=Number(POSITIVE), default=2000.0,
     help="Until when, in {time}; with --data in seconds, as --transient.",
 )  # fmt: skip
 transient: Decorator = click.option(
@@ -206,7 +206,7 @@ def plot(what: str) -> Decorator:
 
 def lines(default: int, text: str) -> Decorator:
     """``--n``."""
-    return click.option("--n", type=click.IntRange(2, 500), default=default, show_default=True, help=text)
+    return click.option("--n", type=click.IntRange(2, 500), default=default, help=text)
 
 
 def backend(*names: str) -> Decorator:
@@ -224,4 +224,4 @@ def _processes(_: click.Context, option: click.Parameter, count: int) -> int:
 def workers(default: int) -> Decorator:
     """``-j --workers``."""
     text = "Processes; -1 for one a core."
-    return click.option("--workers", "-j", type=int, callback=_processes, default=default, show_default=True, help=text)
+    return click.option("--workers", "-j", type=int, callback=_processes, default=default, help=text)

@@ -19,13 +19,12 @@ from .output import print_json, refuse
 @click.option("--model", metavar="NAME|DIR", help="Model of the example; or the folder that FILE names, whose code may run.")
 @click.option("--trust", is_flag=True, help="Run the code of the folder that FILE names as its model.")
 @o.file("--html", metavar="PATH", help="Write one page with pictures.")
-@click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
-@click.option("--redesign/--no-redesign", default=True, show_default=True, help="Say what to change where it jumps.")
+@click.option("--oscillation/--no-oscillation", default=True, help="Follow the motion: how hard it hits.")
+@click.option("--redesign/--no-redesign", default=True, help="Say what to change where it jumps.")
 @click.option(
     "--safety",
     type=o.Number(POSITIVE),
     default=1.2,
-    show_default=True,
     help="Factor on the largest friction, for what to change.",
 )
 @o.force

@@ -170,10 +170,8 @@ class Cycle(Result):
 
     def _save_columns(self, path: Path) -> None:
         """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
-        if path.suffix == ".nc":
-            storage.write(path, self.to_dataset, dict, {}, {})
-        else:
-            self.trajectory().save(path)
+        motion = self.trajectory()
+        storage.write(path, self.to_dataset, motion.data, motion._attributes(), motion.model.quantities)
 
     def __repr__(self) -> str:
         return (

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation.normal_forms import _pair
+from spragsym.bifurcation.normal_forms import Undecided, _pair, normal_form
 from spragsym.numerics import balls
 from tests.oracles import hopf_points
 from tests.shown import DOCS, OPTIONS, assert_shown, commands, fenced, run
@@ -46,6 +46,13 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
             assert abs(mpmath.mpf(float(stick_slip.crossing[row])) - crossing) <= stick_slip.crossing_error[row]
     assert stick_slip.criticality.tolist() == ["gentle", "dangerous"]
     assert stick_slip.when.tolist() == ["up", "down"]  # it swings at speeds between the two
+
+
+def test_where_nothing_presses_the_mass_on_the_belt_there_is_no_normal_form() -> None:
+    model = ss.load("kang_nam")
+    given = np.array([float(getattr(model.Parameters(theta0=0.7), name)) for name in model.parameters])
+    with pytest.raises(Undecided, match="contact"):
+        normal_form(model, given, np.array([0.9, 0.0]), "mu0", np.zeros(3))
 
 
 @pytest.mark.by_hand("trolley", "mode_coupling", "inclined_belt", "damped")

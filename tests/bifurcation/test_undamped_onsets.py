@@ -28,6 +28,11 @@ def test_modes_meet_on_a_curve_in_closed_form() -> None:
     assert (len(alone), alone.complete) == (0, True)
 
 
+def test_types_are_told_apart_next_to_an_onset() -> None:
+    p = ss.load("mode_coupling").Parameters(sigma=0.5, mu0=0.34 * (1 + np.array([-4e-15, 4e-15])))
+    assert ss.equilibria(p).stability[:, 0].tolist() == [ss.Stability.STABLE, ss.Stability.FLUTTER]
+
+
 @pytest.mark.thorough
 def test_a_picture_spans_what_was_asked_and_says_that_it_is_empty() -> None:
     pytest.importorskip("matplotlib")

@@ -25,6 +25,7 @@ def test_the_articles_parameters_are_those_of_its_model() -> None:
     assert model.parameters == (*NAMES, "V", "d") == tuple(ss.Parameters.ranges)
     assert ss.Parameters() == ss.Parameters.article() == ss.Parameters(**model.base)
     assert {name: float(getattr(ss.Parameters(), name)) for name in model.base} == model.base
+    assert ss.Parameters() != "article"
 
 
 def test_a_set_knows_its_model() -> None:
@@ -81,6 +82,7 @@ def test_two_ways_to_one_answer() -> None:
     closed, search = (ss.folds(one.replace(theta0=0.7), "mu0", method=method) for method in ("closed", "search"))
     assert closed.mu0 == pytest.approx(search.mu0, abs=1e-12)
     # Where there are no closed forms for what is asked, or not at all, the general way answers.
+    assert ss.equilibria(one.replace(theta0=0.5), within={"x": (5.0, 6.0)}).count == 0
     folds = ss.folds(one.replace(theta0=0.7), "d")  # which moves no equilibrium
     assert (folds.kind.size, folds.complete) == (0, True)
     assert ss.folds(one, between={"theta0": (0.5, 1.5)}).theta0.size == 1

@@ -303,6 +303,8 @@ def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, True) for seed in range(100)]
     assert 88 <= sum(study.low <= share <= study.high for study in studies) <= 100
     assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 1024)
+    # Where the function has no value it may be 1, and all of them are no more than all.
+    assert estimated(lambda u: np.where(u[..., 0] < share, math.nan, 1.0), 2, 1024, 1, True).high == 1.0
 
 
 # --------------------------------------------------------------------------------------------------- what varies together

@@ -50,6 +50,16 @@ def test_packages_are_those_of_the_tree() -> None:
     assert len(listed) == len(set(listed))
 
 
+def test_parts_are_found_beside_the_package_where_there_are_no_links(tmp_path: Path) -> None:
+    for name in ("spragsym", "derive", "generated"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").write_text(f"name = {name!r}", encoding="utf-8")
+    for name in ("__init__.py", "__init__.pyi"):
+        shutil.copy(ROOT / "spragsym" / name, tmp_path / "spragsym")
+    program = "import spragsym.derive; print(spragsym.derive.name, spragsym.generated.name)"
+    assert subprocess.check_output([sys.executable, "-c", program], cwd=tmp_path, text=True) == "derive generated\n"
+
+
 # ------------------------------------------------------------------------------------------------------ archives
 
 

@@ -77,7 +77,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "LinearSprag": lambda: ss.linear_sprag(P),
     "Path": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0))),
     "Jump": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", [0.5, 1.0]).jumps[0],
-    "Trajectory": lambda: ss.simulate(ONE, t_end=20.0, **BELT),
+    "Trajectory": lambda: ss.simulate(ONE, t_end=20.0, events=False, **BELT),
     "Outcome": lambda: ss.simulate(ONE, t_end=20.0, **BELT).outcome(),
     "Events": lambda: ss.simulate(ONE.replace(theta0=0.9), t_end=40.0, **BELT).events,
     "Sweep": lambda: ss.rms_sweep(P, t_end=20.0, **BELT),

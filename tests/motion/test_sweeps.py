@@ -46,6 +46,12 @@ def test_a_sweep_is_a_map_of_simulate(backend: str | None) -> None:
         assert found.contact_lost[i] == len(tr.events.of(Event.CONTACT_LOST))
 
 
+def test_axes_of_a_table_are_what_varies_along_them() -> None:
+    table = rms_sweep(P.replace(mu0=[[0.4], [0.5]]), V=0.5, d=10.0, t_end=1.0).to_dataset()
+    assert dict(table.rms.sizes) == {"mu0": 2, "theta0": 6}
+    assert table.theta0.dims == table.theta0_deg.dims == ("theta0",)
+
+
 @pytest.mark.thorough
 def test_the_same_bits_from_any_map() -> None:
     one = rms_sweep(P, **SHORT)

@@ -284,6 +284,7 @@ def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
     lives = found.oscillation
     assert lives is not None
     assert lives.kind == "cycle"
+    assert lives.lifts_off
     # Periods counted by hand: upward passages of the mean in a motion of the dimensionless model.
     x, y, vx, vy = lives.motion.state
     tr = ss.simulate(brake(mu0=0.45).dimensionless(), x0=x, y0=y, vx0=vx, vy0=vy, t_end=3.5 * lives.motion.period)

@@ -86,8 +86,8 @@ def sensitivity(
     >>> from spragsym.motion.sweeps import sensitivity
     >>> p = ss.Parameters.article(theta0=np.radians([38, 42, 46]))
     >>> table = sensitivity(p, V=[0.5], d=[10.0], refine=3)
-    >>> np.round(np.degrees(table.theta0), 1)
-    array([[41.3]])
+    >>> np.round(np.degrees([table.theta0[0, 0], table.width]), 2)
+    array([41.25,  0.25])
     """
     missing = [name for name in ("theta0", "V", "d") if name not in p.ranges]
     if missing:

@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..models.forces import columns_of
 from ..models.parameters import ParameterSet
-from ..numerics import balls, boxes, certified_roots
+from ..numerics import balls, certified_roots
 from ..numerics.adaptive_bits import FIRST_BITS, as_numbers, with_enough_bits
 from ..numerics.ball_functions import XP
 from ..numerics.balls import Undecided, as_mpf
@@ -86,8 +86,7 @@ def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatA
     if (low == high).all():
         return solved(balance, low)
     around, whole = region(balance, Intervals(np.stack([-low, high])))
-    outcome = boxes.search(balance, around, low, high, limits=balance.limits)
-    return once_around(balance, certified_roots.roots(balance, outcome, around, low, high)), around, whole
+    return once_around(balance, certified_roots.search(balance, around, low, high, limits=balance.limits)), around, whole
 
 
 def _beside(value: Fraction, way: float) -> float:

@@ -117,8 +117,7 @@ def _of_chart(chart: _Chart, family: Family) -> list[tuple[FloatArray, float, in
     around, fixed = np.array([*sides, *([-low, high] for low, high in family.spans)]).T[:, :, None], family.begin
     try:
         with np.errstate(all="ignore"):
-            outcome = boxes.search(chart, around, fixed, fixed, budget=BUDGET)
-            roots = certified_roots.roots(chart, outcome, around, fixed, fixed)
+            roots = certified_roots.search(chart, around, fixed, fixed, budget=BUDGET)
             unknowns = Intervals(roots.ends)
             prepared = chart.prepared(Intervals.point(np.repeat(fixed, roots.point.size, axis=1)))
             side = chart.exists(unknowns, prepared) if len(chart.vary) == 1 and roots.point.size else np.zeros(roots.point.size)

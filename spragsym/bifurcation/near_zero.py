@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..numerics import boxes, certified_roots
+from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots, concatenated, distinct
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..statics.mechanics.laws import XP
@@ -58,8 +58,7 @@ def searched(system: Augmented, around: FloatArray, limits: FloatArray) -> Roots
     """All roots with a parameter from :data:`LEAST` to :data:`HIGH`, as boxes of the parameter itself."""
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
     ends = np.concatenate([around[:, :-1], [[[-np.log(LEAST)]], [[np.log(HIGH)]]]], axis=1)
-    outcome = boxes.search(by_logarithm, ends, given, given, limits=limits, budget=BUDGET)
-    found = certified_roots.roots(by_logarithm, outcome, ends, given, given)
+    found = certified_roots.search(by_logarithm, ends, given, given, limits=limits, budget=BUDGET)
     return replace(found, ends=_raised(found.ends), alone=_raised(found.alone), left=_raised(found.left))
 
 

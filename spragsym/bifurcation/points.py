@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics import boxes, certified_roots
+from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.jets import Jet, variables
@@ -61,8 +61,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET if system.n == 4 else COSTLY_BUDGET
     from_least = alone and near_zero.begins(system, around)
     searched = np.concatenate([around[:, :-1], [[[-near_zero.LOW]], around[1:, -1]]], axis=1) if from_least else around
-    outcome = boxes.search(system, searched, fixed, fixed, limits=limits, budget=budget)
-    roots = certified_roots.roots(system, outcome, searched, fixed, fixed)
+    roots = certified_roots.search(system, searched, fixed, fixed, limits=limits, budget=budget)
     if from_least:
         roots = near_zero.joined(near_zero.searched(system, around, limits), roots)
         around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)

@@ -18,7 +18,7 @@ from ..numerics.ball_functions import XP
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.krawczyk import Digits
-from ..statics.mechanics.precise_balance import PreciseBalance, Spans, settled_by_digits, unsettled
+from ..statics.mechanics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
 from ..statics.mechanics.state import State
 from .defining_systems import Augmented
 
@@ -30,8 +30,7 @@ CLUSTERS = 12
 
 def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
     """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
-    points = unsettled(found)
-    if not points.size or system.condition.order or found.left.shape[2] > MANY:
+    if not boxes_of(found)[1].size or system.condition.order or found.left.shape[2] > MANY:
         return found
     with np.errstate(all="ignore"):
         if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():

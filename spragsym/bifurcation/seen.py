@@ -2,8 +2,8 @@
 
 States are found at many values of the parameter, and from one value to the next each pair λ, λ̄ is followed on its own: others
 may grow already, or never be damped. Where the growth of one changes its sign, bisection leads to the onset; where friction alone
-damps, or nothing, it is the condition's own value that changes its sign, and Newton's method leads there. Krawczyk's operator
-proves the onset in a small box; what it does not prove is listed as ``"detected"``.
+damps, or nothing, it is the condition's own value that changes its sign. Krawczyk's operator proves the onset in a small box;
+what it does not prove is listed as ``"detected"``.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from ..numerics import certified_roots
-from ..numerics.balls import Undecided
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..numerics.krawczyk import as_intervals, narrowed
@@ -32,8 +31,6 @@ from .precise_points import PreciseAugmented
 
 #: Values of the parameter that are looked at.
 VALUES = 61
-#: Steps of Newton's method, the last of which has to be as small as this.
-STEPS, CONVERGED = 12, 1e-9
 #: Half-width of the box in which an onset is proved with many digits, over its size.
 ROOM = 1e-6
 #: Imaginary part of a λ that oscillates, over its size.
@@ -55,9 +52,10 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     candidates = np.array([z for z, _ in sightings]).reshape(-1, system.n).T
     room = ROOM * np.maximum(1.0, np.abs(candidates))
     wide = np.stack([room - candidates, room + candidates])
-    proved_ends = [_proved(system, fixed[:, 0], box) for box in np.moveaxis(wide, 2, 0)]
-    sure = np.array([ends is not None for ends in proved_ends], dtype=np.bool_)
-    ends = np.concatenate([wide[:, :, :0], *(part for part in proved_ends if part is not None)], axis=2)
+    precise = PreciseAugmented(system, fixed[:, 0], ROOT_BITS)
+    known = [narrowed(precise, box, box) for box in np.moveaxis(wide, 2, 0)]
+    sure = np.array([root is not None for root in known], dtype=np.bool_)
+    ends = np.concatenate([wide[:, :, :0], *(as_intervals(root).ends for root in known if root is not None)], axis=2)
     omega = np.array([omega for _, omega in sightings])[~sure]
     proved, open_ = (
         on_its_side(system, fixed, Roots.at(part), partial(PreciseAugmented, system)) for part in (ends, wide[:, :, ~sure])
@@ -66,15 +64,6 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     omega = omega[linear_sum_assignment(apart.T)[1]]  # of several pairs that cross at one place each has its own
     every = certified_roots.concatenated([found.roots, proved.kept(left=slice(0))], system.n)
     return replace(found, roots=certified_roots.distinct(every)), open_, omega
-
-
-def _proved(system: Augmented, given: FloatArray, box: FloatArray) -> FloatArray | None:
-    """Floats around the onset in a box of shape (2, n + 1), None where it is not proved."""
-    try:
-        root = narrowed(PreciseAugmented(system, given, ROOT_BITS), box, box)
-    except (Undecided, ZeroDivisionError):
-        return None
-    return None if root is None else as_intervals(root).ends
 
 
 def _sightings(system: Augmented) -> list[Sighting]:
@@ -88,9 +77,15 @@ def _sightings(system: Augmented) -> list[Sighting]:
         if following.size:
             neighbours.append((one, int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])))
     z = np.concatenate([q, values[point][None]])
+    every, out = _signals(system, z), list[Sighting]()
+    for one, other in neighbours:
+        if _crossing(every[one], every[other]).size:
+            out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
     if system.condition is HOPF:
-        return _pairs_that_cross(system, z, neighbours)
-    return _sign_changes(system, z, neighbours)
+        return out
+    # Not where the condition changes its sign at a pole.
+    most = SMALL * max(np.abs(np.concatenate(every)), default=0.0)
+    return [(state, omega) for state, omega in out if (np.abs(_signals(system, state[:, None])[0]) <= most).any()]
 
 
 def _states(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
@@ -106,17 +101,8 @@ def _states(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
     return q[:, first], point[first]
 
 
-def _pairs_that_cross(system: Augmented, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
-    """Numerically detected crossings of the imaginary axis by a pair λ, λ̄ along states z of one branch."""
-    every, out = _oscillations(system, z), list[Sighting]()
-    for one, other in neighbours:
-        if _crossing(every[one], every[other]).size:
-            out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), HALVINGS)
-    return out
-
-
 def _crossing(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Eigenvalues above the real axis whose real part changes sign to the next state; each is followed."""
+    """Those whose real part changes sign to the next state; each is followed."""
     i, j = linear_sum_assignment(np.abs(a[:, None] - b[None]))
     size = max(np.abs([*a, *b]), default=0.0)
     before, after = a[i], b[j]
@@ -132,7 +118,7 @@ def _bisected(
 ) -> list[Sighting]:
     """The onsets between two states with their λ, of which some cross: those are followed anew to the middle and from there."""
     state = _state(system, 0.5 * (low[0] + high[0]))
-    (roots,) = _oscillations(system, state[:, None])
+    (roots,) = _signals(system, state[:, None])
     middle = state, roots
     halves = [(one, other) for one, other in ((low, middle), (middle, high)) if _crossing(one[1], other[1]).size]
     if halvings and halves:
@@ -141,6 +127,8 @@ def _bisected(
         return [sighting for one, other in halves for sighting in _bisected(system, one, other, share)]
     # Else the ends do not lie on one branch.
     crossing = _crossing(low[1], high[1])
+    if system.condition is not HOPF:
+        return [(state, np.nan) for _ in crossing]
     nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
     return [(state, abs(here.imag)) for here in nearest if abs(here.real) <= SMALL * abs(here)]
 
@@ -153,30 +141,14 @@ def _state(system: Augmented, z: FloatArray) -> FloatArray:
     return np.append(q[:, 0], z[-1])
 
 
-def _oscillations(system: Augmented, z: FloatArray) -> list[NDArray[np.complex128]]:
-    """The λ above the real axis of each state z, shape (n + 1, N)."""
-    every = stability.roots(*matrices(system.family, z))
-    return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
+def _signals(system: Augmented, z: FloatArray) -> list[NDArray[np.complex128]]:
+    """Numbers whose real part changes its sign at an onset, of each state z, shape (n + 1, N).
 
-
-def _sign_changes(system: Augmented, z: FloatArray, neighbours: list[tuple[int, int]]) -> list[Sighting]:
-    """Numerically detected zeros of a condition along states z of one branch, where Newton's method converges."""
-    if not neighbours:
-        return []
+    The λ above the real axis; where friction alone damps, or nothing, the condition's own value.
+    """
+    if system.condition is HOPF:
+        every = stability.roots(*matrices(system.family, z))
+        return [row[np.isfinite(row) & (row.imag > OSCILLATES * np.abs(row))] for row in every]
     with np.errstate(all="ignore"):
-        tested = system.residuals(Intervals.point(z), system.fixed(z.shape[1])).middle[-1]
-    passed = [(i, j) for i, j in neighbours if np.isfinite(tested[[i, j]]).all() and tested[i] * tested[j] < 0]
-    starts = [z[:, i] + (z[:, j] - z[:, i]) * tested[i] / (tested[i] - tested[j]) for i, j in passed]
-    found = _converged(system, np.array(starts).reshape(-1, system.n).T)
-    return [(column, np.nan) for column in found.T]
-
-
-def _converged(system: Augmented, start: FloatArray) -> FloatArray:
-    """Where Newton's method leads from the given ones, of those from which it converges."""
-    z, change = start, np.full(start.shape[1], np.inf)
-    with np.errstate(all="ignore"):
-        parameters = system.fixed(start.shape[1])
-        for _ in range(STEPS if start.size else 0):
-            after = Intervals(certified_roots.stepped(system, np.stack([-z, z]), parameters).ends).middle
-            change, z = np.abs(after - z).max(axis=0), after
-    return z[:, change <= CONVERGED * np.maximum(1.0, np.abs(z).max(axis=0, initial=0.0))]
+        tested = system.residuals(Intervals.point(z), system.fixed(z.shape[1])).middle[-1:].T.astype(complex)
+    return [row[np.isfinite(row)] for row in tested]

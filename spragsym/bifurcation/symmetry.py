@@ -161,8 +161,7 @@ def pitchforks(family: Family, mirror: _Mirror) -> Roots:
     side = np.array([[-family.spans[:, 0]], [family.spans[:, 1]]])
     around = np.concatenate([around[:, system.even], side], axis=1)
     limits = np.concatenate([limits[:, system.even], np.full((2, 1), np.inf)], axis=1)
-    outcome = boxes.search(system, around, fixed, fixed, limits=limits)
-    found = certified_roots.roots(system, outcome, around, fixed, fixed)
+    found = certified_roots.search(system, around, fixed, fixed, limits=limits)
 
     def whole(ends: FloatArray) -> FloatArray:
         parameters = system.prepared(Intervals.point(np.repeat(fixed, ends.shape[2], axis=1)))

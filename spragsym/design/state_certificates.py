@@ -162,8 +162,10 @@ class _Box:
         if new.size:
             around = around.copy()
             around[:, :, new], whole[new] = region(balance, bounds[:, new])
-        outcome = boxes.search(balance, around, parts.low, parts.high, limits=balance.limits, budget=BUDGET, narrow=NARROW)
-        found = once_around(balance, certified_roots.roots(balance, outcome, around, parts.low, parts.high))
+        found = once_around(
+            balance,
+            certified_roots.search(balance, around, parts.low, parts.high, limits=balance.limits, budget=BUDGET, narrow=NARROW),
+        )
         ends, point = np.concatenate([found.ends, found.left], axis=2), np.concatenate([found.point, found.left_point])
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
         proved = np.arange(point.size) < found.point.size

@@ -84,8 +84,13 @@ def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
     return out
 
 
+def search(system: System, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any) -> Roots:
+    """The roots of each point in a region; arguments as of :func:`spragsym.numerics.boxes.search`."""
+    return roots(system, boxes.search(system, region, low, high, **how), region, low, high)
+
+
 def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray, high: FloatArray) -> Roots:
-    """The roots of each point, from what a search found; arguments as for :func:`spragsym.numerics.boxes.search`.
+    """The roots of each point, from what a search found.
 
     A root that can't be told from one on the border of the region is among the boxes that are left.
     """

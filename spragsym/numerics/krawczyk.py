@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any, Protocol
 
 import numpy as np
 
 from . import balls, contractors
-from .balls import Ball, ball
+from .balls import Ball, Undecided, ball
 from .interval_arrays import FloatArray, Intervals
 from .jets import constant, gradient, variables
 
@@ -47,14 +48,15 @@ def narrowed(system: Digits, box: FloatArray, alone: FloatArray, enough: Fractio
     small box lies in ``alone``, or where |1 − Y J| is at most 1/2 all over a box that holds both.
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
-    for _ in range(STEPS):
-        Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
-        values = as_balls([system.values(z)], system.bits)[0]
-        step = [_dot(row, values) for row in Y]
-        size = _norm(step)
-        if size <= enough:
-            return _proved(system, z, 2 * size, Y, box, alone)
-        z = [balls.middle(part - change) for part, change in zip(z, step, strict=True)]
+    with suppress(Undecided, ZeroDivisionError):
+        for _ in range(STEPS):
+            Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
+            values = as_balls([system.values(z)], system.bits)[0]
+            step = [_dot(row, values) for row in Y]
+            size = _norm(step)
+            if size <= enough:
+                return _proved(system, z, 2 * size, Y, box, alone)
+            z = [balls.middle(part - change) for part, change in zip(z, step, strict=True)]
     return None
 
 

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics import boxes, certified_roots, contractors
+from ..numerics import certified_roots, contractors
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals, raised, stacked
 from .mechanics.balance import Balance
@@ -149,8 +149,7 @@ def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatA
 def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: FloatArray) -> Roots:
     """All roots of points, as boxes of coordinates."""
     with np.errstate(all="ignore"):
-        outcome = boxes.search(system, sides, given, given)
-        found = certified_roots.roots(system, outcome, sides, given, given)
+        found = certified_roots.search(system, sides, given, given)
         found = refined(given, found, system.precise)
         found = settled_by_digits(system, given, sides, found, system.precise)
         found = found if system.turns else _once_around(found)

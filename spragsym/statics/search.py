@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..errors import ParameterError, ParameterTypeError
 from ..models.field import SETTLED, apart
 from ..models.parameters import ParameterSet
-from ..numerics import boxes, certified_roots
+from ..numerics import certified_roots
 from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals
 from ..questions import question
@@ -97,8 +97,7 @@ def columns(p: Any, names: list[str]) -> FloatArray:
 def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> Roots:
     """The roots of all points that one search in floats decides, on either side of the border; those it leaves are missing."""
     around, _ = region(balance, Intervals.point(given), asked)
-    outcome = boxes.search(balance, around, given, given, limits=balance.limits, budget=SEEN_BUDGET)
-    return certified_roots.roots(balance, outcome, around, given, given)
+    return certified_roots.search(balance, around, given, given, limits=balance.limits, budget=SEEN_BUDGET)
 
 
 def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
@@ -118,8 +117,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     if not given.shape[1]:
         return Roots.none(balance.n)
-    outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
-    found = certified_roots.roots(balance, outcome, around, given, given)
+    found = certified_roots.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     along = np.flatnonzero(np.bincount(found.left_point) > ALL_OVER)
     parts = [clustered(around, found.of(along, others=True))]
     for point in along.tolist():

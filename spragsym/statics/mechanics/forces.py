@@ -126,24 +126,24 @@ class Forces:
     def _listed(self, values: Mapping[str, Any], kind: str) -> list[Any]:
         return [values[name] for name in self.model.about["arguments"][kind]]
 
+    def _of(self, name: str, first: Iterable[Any], values: Mapping[str, Any], *last: Any, kind: str = "motion", xp: Any) -> Any:
+        """A generated function of coordinates, and directions perhaps, of arguments of a kind, and of what comes behind these."""
+        return undecorated(getattr(self.model.algebra, name))(*first, *self._listed(values, kind), *last, xp=xp)
+
     # ---------------------------------------------------------------------------------------------- forces
 
     def geometry(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Vector and undeformed length of every line."""
-        return undecorated(self.model.algebra.geometry)(*q, *self._listed(values, "statics"), xp=xp)
+        return self._of("geometry", q, values, kind="statics", xp=xp)
 
     def of_no_place(self, name: str, values: Mapping[str, Any], xp: Any = XP) -> Sequence[Any]:
         """A function that depends on parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
-        found: Sequence[Any] = undecorated(getattr(self.model.algebra, name))(
-            *[0] * self.n, *self._listed(values, "statics"), xp=xp
-        )
+        found: Sequence[Any] = self._of(name, [0] * self.n, values, kind="statics", xp=xp)
         return found
 
     def at_rest(self, values: Mapping[str, Any], xp: Any = XP) -> list[tuple[Any, Any]]:
         """Cosine and sine of the direction in which each torsion spring rests: a line along x has turned by minus its angle."""
-        pairs = undecorated(self.model.algebra.turnings)(
-            *[0] * self.n, *[1, 0, 1] * self.springs, *self._listed(values, "statics"), xp=xp
-        )
+        pairs = self._of("turnings", [0] * self.n + [1, 0, 1] * self.springs, values, kind="statics", xp=xp)
         return [(cosine, -sine) for cosine, sine in pairs]
 
     def directions(
@@ -201,7 +201,7 @@ class Forces:
         directions = [part for dx, dy, _ in self.geometry(q, values, xp) for part in quotients(dx, dy, xp)]
         if len(turnings) == len(self.torsions):
             return [*directions, *turnings]
-        pairs = undecorated(self.model.algebra.turnings)(*q, *directions, *self._listed(values, "statics"), xp=xp)
+        pairs = self._of("turnings", [*q, *directions], values, kind="statics", xp=xp)
         return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
@@ -218,20 +218,18 @@ class Forces:
         pushing: Any = None,
     ) -> Any:
         """Rows by coordinate; with ``pushing`` 0 as in lift-off."""
-        mu = self.friction(values, xp)
-        function = undecorated(getattr(self.model.algebra, name))
-        given = self.pushing if pushing is None else pushing
-        return function(*q, *directions, *self._listed(values, "statics"), mu, given, xp=xp)
+        pushing = self.pushing if pushing is None else pushing
+        return self._of(name, [*q, *directions], values, self.friction(values, xp), pushing, kind="statics", xp=xp)
 
     def contact_force(self, q: Sequence[Any], values: Mapping[str, Any], pushing: Any, xp: Any = XP) -> Any:
         """The normal force of the contact."""
-        return undecorated(self.model.algebra.contact_force)(*q, *self._listed(values, "motion"), pushing, xp=xp)
+        return self._of("contact_force", q, values, pushing, xp=xp)
 
     def by_parameters(
         self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
     ) -> list[list[Any]]:
         """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
-        law = undecorated(self.model.algebra.friction_by_parameters)(*self._listed(values, "motion"), xp=xp)
+        law = self._of("friction_by_parameters", (), values, xp=xp)
         own = self.model.about["by_parameters"]
         return [
             [(row[own.index(name)] if name in own else 0) + row[-1] * law[self.parameters.index(name)] for name in names]
@@ -240,30 +238,29 @@ class Forces:
 
     def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The friction coefficient at steady sliding."""
-        return undecorated(getattr(self.model.algebra, self.law))(*self._listed(values, "motion"), xp=xp)
+        return self._of(self.law, (), values, xp=xp)
 
     def mass(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """M of the kinetic energy."""
-        return undecorated(self.model.algebra.mass_matrix)(*q, *self._listed(values, "motion"), xp=xp)
+        return self._of("mass_matrix", q, values, xp=xp)
 
     def damping(
         self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None, xp: Any = XP
     ) -> Any:
         """C of dampers and of the slope of the friction law."""
-        function = undecorated(self.model.algebra.damping)
-        lines = directions[: 3 * self.springs]
-        return function(*q, *lines, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=xp)
+        pushing = self.pushing if pushing is None else pushing
+        return self._of("damping", [*q, *directions[: 3 * self.springs]], values, pushing, xp=xp)
 
     def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Slope of the friction law at steady sliding."""
-        return undecorated(self.model.algebra.friction_slope)(*self._listed(values, "motion"), xp=xp)
+        return self._of("friction_slope", (), values, xp=xp)
 
     def slope_has_a_sign(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
         """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
         out = np.zeros(shape, dtype=np.bool_)
         if not self.slope_is_a_sum:
             return out
-        for terms in undecorated(self.model.algebra.friction_slope_by_sizes)(*self._listed(values, "motion"), xp=XP):
+        for terms in self._of("friction_slope_by_sizes", (), values, xp=XP):
             kept = [(factor, power) for factor, power in terms if stacked([factor], shape)[0].ends.any()]
             total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(shape)))
             out |= ~total.holds_zero()
@@ -271,11 +268,11 @@ class Forces:
 
     def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The gap of the contact."""
-        return undecorated(self.model.algebra.contact_gap)(*q, *self._listed(values, "statics"), xp=xp)
+        return self._of("contact_gap", q, values, kind="statics", xp=xp)
 
     def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
         """The image of a state in the model's mirror."""
-        image: Sequence[Any] = undecorated(self.model.algebra.mirror)(*q, *self._listed(values, "statics"), xp=XP)
+        image: Sequence[Any] = self._of("mirror", q, values, kind="statics", xp=XP)
         return image
 
 

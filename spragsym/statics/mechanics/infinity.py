@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from ...numerics.arithmetic import Arithmetic
 from .laws import XP
 
 
@@ -17,7 +18,7 @@ class NoChart(Exception):
     """A function of what runs to infinity that has no expansion there."""
 
 
-class Scaled:
+class Scaled(Arithmetic):
     """A number value · w^−order, with one w for all."""
 
     __slots__ = ("order", "value", "w")
@@ -46,21 +47,11 @@ class Scaled:
         shift = large.order - small.order
         return Scaled(large.value + (small.value * self.w**shift if shift else small.value), large.order, self.w)
 
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Scaled:
-        return self + -self._of(other)
-
-    def __rsub__(self, other: Any) -> Any:
-        return -self + other
-
     def __mul__(self, other: Any) -> Any:
         other = self._of(other)
         if isinstance(other.value, int) and other.value == 0:
             return 0
         return Scaled(self.value * other.value, self.order + other.order, self.w)
-
-    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Any:
         other = self._of(other)

@@ -67,12 +67,6 @@ class PreciseBalance(Digits):
         return rows
 
 
-def unsettled(found: Roots) -> NDArray[np.int64]:
-    """Points with boxes that are left, or with roots that are known to few digits only."""
-    out: NDArray[np.int64] = np.unique(boxes_of(found)[1])
-    return out
-
-
 def renewed(found: Roots, around: FloatArray, points: NDArray[np.int64], parts: Sequence[Roots]) -> Roots:
     """Roots and boxes of all points, of the given ones those that are known well or are in the parts, each once."""
     mine, n = found.of(points), around.shape[1]
@@ -92,11 +86,9 @@ def refined(given: FloatArray, found: Roots, precise: Precise, among: NDArray[np
     """Roots in narrower boxes where the error is beyond :data:`TOLERANCE`, and others ``among`` them."""
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= TOLERANCE) | among):
-        system = precise(given[:, found.point[root]], ROOT_BITS)
-        with suppress(Undecided, ZeroDivisionError):
-            box = narrowed(system, ends[:, :, root], found.alone[:, :, root])
-            if box is not None:
-                ends[:, :, root] = np.fmin(as_intervals(box).ends[:, :, 0], ends[:, :, root])
+        box = narrowed(precise(given[:, found.point[root]], ROOT_BITS), ends[:, :, root], found.alone[:, :, root])
+        if box is not None:
+            ends[:, :, root] = np.fmin(as_intervals(box).ends[:, :, 0], ends[:, :, root])
     return replace(found, ends=ends)
 
 
@@ -134,15 +126,9 @@ def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
     return ends, np.concatenate([found.left_point, found.point[poor]])
 
 
-def _widened(hull: FloatArray) -> FloatArray:
-    """The box in which a cluster is looked at."""
-    out: FloatArray = hull + 0.25 * (hull[0] + hull[1]) + 1e-9
-    return out
-
-
 def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Precise, point: int = 0) -> Roots:
     """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave something."""
-    cluster = _widened(cluster)
+    cluster = cluster + (0.25 * (cluster[0] + cluster[1]) + 1e-9)
     middle = Intervals(cluster).middle
     with np.errstate(all="ignore"):
         parameters = system.prepared(Intervals.point(given[:, None]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,12 +19,13 @@ from ..remarks import Remark
 from ..results.bifurcation_sets import BifurcationSet, Curve
 from ..results.points import Points
 from ..statics.remarks import kinds_of, of_ranges, summed
-from .bifurcation_conditions import FOLD
+from .bifurcation_conditions import FOLD, FOLD_ON_BORDER, TURN
+from .cusps import cusps
 from .defining_systems import Augmented, Condition
 from .families import Family
 from .fold_curves import FoldCurves
-from .fold_extrema import extrema
-from .points import Found, search
+from .folds import folds
+from .points import OVER_BORDER, Found, isolated, search
 
 #: Rounds in which points are joined to those next to them.
 ROUNDS = 4
@@ -85,7 +87,7 @@ def bifurcation_set(
     Notes
     -----
     Source: F = 0 and det K = 0 along these lines, all searched at once; extrema of curves in the second parameter, cusps among
-    them, and ends of curves by :func:`spragsym.bifurcation.fold_extrema.extrema`: where all of these are known, no curve
+    them, and ends of curves by :func:`spragsym.bifurcation.bifurcation.extrema`: where all of these are known, no curve
     is missed, however small it is. Points between by :mod:`spragsym.bifurcation.fold_curves`. Two points are neighbours
     only if no line separates them on which all folds are known.
     Of the article's model: :mod:`spragsym.kang_nam.folds.bifurcation_sets`.
@@ -259,3 +261,29 @@ def _link(cost: FloatArray, free: NDArray[np.bool_], links: list[set[int]]) -> N
             if free[there, other] and nearest[there, other] == one:
                 link(links, [(one, other)])
                 free[side, one] = free[there, other] = False
+
+
+def extrema(
+    p: Any, vary: Sequence[str], between: Mapping[str, tuple[float, float]],
+    within: Mapping[str, tuple[float, float]] | None = None,
+) -> Iterator[tuple[str, Points]]:  # fmt: skip
+    """Where curves of folds have extreme values of the second parameter or end, by kind, each proved; arguments as of ``folds``.
+
+    Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v, with w K = 0; ``"end"``, at
+    either end of the range of v; and ``"border"``, where folds leave a contact that opens.
+    """
+    over, along = vary
+    family, rest = Family.of(p, vary, between, within), {name: ends for name, ends in between.items() if name != over}
+    with doing("cusps over {} and {}", *vary):
+        found = cusps(p, vary, between=between, within=within)
+    yield "cusp", found
+    # Where no state depends on one of the two, curves are straight along it.
+    bends = set(vary) <= set(family.balance.balanced)
+    if bends:
+        yield "turn", isolated(family, TURN, "turn")
+    low, high = family.spans[0].tolist()
+    for end in (low, high):
+        value = p.ranges[over].reached(end, high - low)
+        yield "end", folds(p.replace(**{over: value}), along, between=rest, within=within)
+    if family.balance.opens and bends:
+        yield "border", isolated(Family.of(p, vary, between, within, room=OVER_BORDER), FOLD_ON_BORDER, "border")

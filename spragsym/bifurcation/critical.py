@@ -22,11 +22,11 @@ from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
 from ..statics.reference_state import reference_state
 from ..statics.remarks import of_ranges
+from .bifurcation import extrema
 from .bifurcation_conditions import TOUCH, TOUCH_TURN
 from .cusps import cusps
 from .escapes import INFINITY, escapes
 from .families import Family, endless, given_column, ranges
-from .fold_extrema import extrema
 from .folds import folds
 from .paths import ModelEnd, first_end
 from .points import OVER_BORDER, isolated

@@ -1,22 +1,29 @@
 """Defining systems of folds, cusps and onsets: coordinates and parameters are unknowns together.
 
 The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter is a fold; with two, and
-with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals.
+with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals. Where two points
+lie so near to each other that float64 does not tell them apart, the same is evaluated in balls.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..numerics.ball_functions import XP as BALLS
 from ..numerics.boxes import POLE, System
+from ..numerics.certified_roots import Roots
 from ..numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 from ..numerics.jets import constant, gradient, variables
+from ..numerics.krawczyk import Digits
 from ..statics.mechanics.laws import XP
+from ..statics.mechanics.precise_balance import PreciseBalance, Spans, boxes_of, settled_by_digits
 from ..statics.mechanics.state import State
 from .families import Family
 from .near_anchors import regular_at_anchors
@@ -132,3 +139,40 @@ class Augmented(System):
         at = self.state(list(unknowns), parameters, shape, self.balance.anywhere)
         ends = self.balance.with_directions(unknowns[:n], at.values, at.directions)
         return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)
+
+
+#: Boxes beyond which they lie around no points.
+MANY = 400
+#: Clusters of boxes that are looked at.
+CLUSTERS = 12
+
+
+def settled(system: Augmented, region: FloatArray, found: Roots) -> Roots:
+    """What a search along one parameter in a region has left open, or knows to few digits only, again with many digits."""
+    if not boxes_of(found)[1].size or system.condition.order or found.left.shape[2] > MANY:
+        return found
+    with np.errstate(all="ignore"):
+        if system.given_up(Intervals(found.left), system.fixed(found.left.shape[2])).any():
+            return found  # no number of digits tells what is there
+    return settled_by_digits(system, system.family.begin, region, found, partial(PreciseAugmented, system), most=CLUSTERS)
+
+
+class PreciseAugmented(Digits):
+    """Balance and condition of balls at one point of the parameters that do not vary; ``spans`` as of the balance."""
+
+    def __init__(self, system: Augmented, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
+        self.system, self.bits, self.order = system, bits, system.condition.order
+        self.arguments = PreciseBalance(system.balance, np.nan_to_num(given), bits, spans).arguments
+
+    def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """Forces and condition."""
+        at = self.state(unknowns)
+        return [*at.forces(), *self.system.condition.equations(at)]
+
+    def gap(self, unknowns: Sequence[Any]) -> Any:
+        """Gap of the contact."""
+        return self.state(unknowns).gap()
+
+    def state(self, unknowns: Sequence[Any]) -> State:
+        """The evaluation at balls or jets of balls."""
+        return self.system.evaluated(unknowns, self.arguments, (), BALLS)

@@ -23,16 +23,15 @@ from ..numerics.krawczyk import narrowed
 from ..questions import Method, question
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.periodic_coordinates import once_around
+from ..statics.mechanics.border import once_around
 from ..statics.mechanics.precise_balance import PreciseBalance
 from ..statics.regions import region
 from ..statics.search import balance_of, solved
 from ..statics.spectrum import type_at
 from .bifurcation_conditions import cusp
 from .cusp_search import isolated
-from .defining_systems import Augmented
+from .defining_systems import Augmented, PreciseAugmented
 from .families import Family, endless, ranges
-from .precise_points import PreciseAugmented
 
 #: Bits that may be lost where forces are summed.
 ROOM = 96

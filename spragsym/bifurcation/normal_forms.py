@@ -27,7 +27,7 @@ from ..numerics import balls
 from ..numerics.ball_functions import XP
 from ..numerics.balls import Ball, Undecided, ball
 from ..numerics.complex_numbers import Complex, as_complex
-from ..numerics.elimination import solved
+from ..numerics.determinants import solved
 from ..numerics.interval_arrays import FloatArray
 from ..numerics.jets import Jet, constant
 from ..statics.mechanics.balance import Balance

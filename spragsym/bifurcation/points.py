@@ -18,16 +18,13 @@ from ..progress import doing
 from ..results.points import Ended, Points
 from ..statics import stability
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.border import on_its_side
-from ..statics.mechanics.periodic_coordinates import once_around
+from ..statics.mechanics.border import on_its_side, once_around
 from ..statics.regions import region
 from ..statics.remarks import kinds_of, of_ranges, of_region, summed
 from ..statics.tie_breaking import in_order
-from . import near_zero
-from .defining_systems import Augmented, Condition
-from .degenerate_ends import shared
+from . import degenerate_ends
+from .defining_systems import Augmented, Condition, PreciseAugmented, settled
 from .families import Family
-from .precise_points import PreciseAugmented, settled
 
 #: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.
 BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
@@ -59,18 +56,18 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     system, fixed = Augmented(family, condition), family.begin
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET if system.n == 4 else COSTLY_BUDGET
-    from_least = alone and near_zero.begins(system, around)
-    searched = np.concatenate([around[:, :-1], [[[-near_zero.LOW]], around[1:, -1]]], axis=1) if from_least else around
+    from_least = alone and degenerate_ends.begins(system, around)
+    searched = np.concatenate([around[:, :-1], [[[-degenerate_ends.LOW]], around[1:, -1]]], axis=1) if from_least else around
     roots = certified_roots.search(system, searched, fixed, fixed, limits=limits, budget=budget)
     if from_least:
-        roots = near_zero.joined(near_zero.searched(system, around, limits), roots)
-        around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)
+        roots = degenerate_ends.joined(degenerate_ends.searched(system, around, limits), roots)
+        around = np.concatenate([around[:, :-1], [[[-degenerate_ends.LEAST]], around[1:, -1]]], axis=1)
     if alone:
         roots = settled(system, around, roots)
     roots = on_its_side(system, fixed, roots, partial(PreciseAugmented, system))
     roots = once_around(balance, roots)
     if alone:
-        roots = roots.kept(left=~shared(system, roots.left))
+        roots = roots.kept(left=~degenerate_ends.shared(system, roots.left))
     return Found(roots, around, whole)
 
 

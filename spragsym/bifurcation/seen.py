@@ -25,9 +25,8 @@ from ..statics.mechanics.border import on_its_side
 from ..statics.mechanics.precise_balance import ROOT_BITS
 from ..statics.search import seen
 from .bifurcation_conditions import HOPF
-from .defining_systems import Augmented
+from .defining_systems import Augmented, PreciseAugmented
 from .points import Found, matrices
-from .precise_points import PreciseAugmented
 
 #: Values of the parameter that are looked at.
 VALUES = 61

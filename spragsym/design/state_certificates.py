@@ -26,8 +26,7 @@ from ..results.equilibria import Equilibria, Stability
 from ..statics import spectrum
 from ..statics.equilibria import equilibria
 from ..statics.mechanics.balance import Balance
-from ..statics.mechanics.border import on_side
-from ..statics.mechanics.periodic_coordinates import once_around
+from ..statics.mechanics.border import on_side, once_around
 from ..statics.regions import region
 from .certificates import Certificate
 

@@ -7,12 +7,16 @@ the size of the box. Every rounding goes into the error: a sign that it leaves o
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import interval_functions
 from .interval_arrays import FUNCTION_ULPS, Intervals, raised
+from .jets import Functions, Jet
 from .rounded import UNIT, Rounded
 
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
@@ -122,3 +126,36 @@ def cosine_and_sine(angle: Affine) -> tuple[Affine, Affine]:
     reach = angle.radius()
     beyond = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK
     return Affine(cosine, -sine * angle.terms, beyond), Affine(sine, cosine * angle.terms, beyond)
+
+
+def _through(name: str) -> Callable[[Affine], Affine]:
+    """A function of affine numbers from itself and its slope, of intervals."""
+    function = getattr(interval_functions, name)
+
+    def through(x: Affine) -> Affine:
+        with np.errstate(all="ignore"):
+            slope = _INTERVALS.of(name, Jet.variable(x.interval(), 0, 1)).derivative(0)
+            return Affine.linear(x, Affine.between(function(Intervals.point(x.value))), slope)
+
+    return through
+
+
+def _taken(value: Any) -> Affine:
+    """A number as one without terms."""
+    return value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))
+
+
+class _Functions(Functions):
+    #: π.
+    pi = Affine.between(interval_functions.PI)
+
+    def sign(self, value: Any) -> Affine:
+        """−1, 0, 1."""
+        return Affine.between(self.taken(value).interval().sign())
+
+
+_INTERVALS = Functions(interval_functions, lambda value: value)
+#: The one that is needed.
+AFFINE = _Functions(
+    SimpleNamespace(**{name: _through(name) for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")}), _taken
+)

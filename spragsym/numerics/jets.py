@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .arithmetic import Arithmetic
-from .elimination import is_zero
+from .determinants import is_zero
 from .interval_arrays import Intervals
 from .rounded import repeated_product
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from . import balls
 from .balls import Ball, Undecided
-from .elimination import is_zero, solved
+from .determinants import is_zero, solved
 from .jets import Jet, gradient, variables
 from .polynomials import derivative, evaluate
 

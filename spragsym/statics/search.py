@@ -20,9 +20,8 @@ from ..results.equilibria import Equilibria, Undecided
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
 from .mechanics.balance import Balance
-from .mechanics.border import on_its_side
+from .mechanics.border import on_its_side, once_around
 from .mechanics.forces import Model
-from .mechanics.periodic_coordinates import once_around
 from .mechanics.precise_balance import (
     PreciseBalance,
     clustered,

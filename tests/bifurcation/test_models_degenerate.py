@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.bifurcation import near_zero
+from spragsym.bifurcation import degenerate_ends
 
 
 @pytest.mark.thorough
@@ -55,7 +55,7 @@ def test_beside_a_line_of_equilibria_all_is_decided(name):
 @pytest.fixture
 def with_a_line(monkeypatch):
     """A model whose sigma is searched down to 0, where nothing holds the mass along the belt."""
-    monkeypatch.setattr(near_zero, "begins", lambda *_: False)
+    monkeypatch.setattr(degenerate_ends, "begins", lambda *_: False)
     return ss.load("kang_nam")
 
 

@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from spragsym.numerics import affine, rounded
-from spragsym.numerics.affine import Affine
-from spragsym.numerics.affine_functions import AFFINE
+from spragsym.numerics.affine import AFFINE, Affine
 from spragsym.numerics.rounded import Rounded
 from tests.support import as_fraction, as_mpf, fractions
 

@@ -19,14 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...numerics import contractors
-from ...numerics.affine import Affine
-from ...numerics.affine_functions import AFFINE
+from ...numerics.affine import AFFINE, Affine
 from ...numerics.interval_arrays import FloatArray, Intervals, matrix, stacked
 from ...statics.mechanics.balance import Balance
 from ...statics.mechanics.border import on_side
 from ...statics.mechanics.laws import XP
-from .tube_regions import UP, Flags, Parts, Place, Region, beside_tube
-from .tube_slopes import Slopes, of_affine
+from .tube_regions import UP, Flags, Parts, Place, Region, Slopes, beside_tube, of_affine
 
 #: The first step over the whole way, the least one, and most steps.
 FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400

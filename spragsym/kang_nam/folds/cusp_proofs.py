@@ -12,7 +12,7 @@ from ...numerics import balls, descartes, polynomials
 from ...numerics.adaptive_bits import decided
 from ...numerics.ball_functions import atan2
 from ...numerics.balls import Interval, sign
-from ...numerics.line_roots import roots_on_the_line
+from ...numerics.polynomials import roots_on_the_line
 from .fold_enclosures import Angles, Point, SineRoot, in_contact
 
 #: Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².

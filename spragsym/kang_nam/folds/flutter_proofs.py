@@ -27,7 +27,7 @@ from ...numerics.ball_functions import atan2
 from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.descartes import Root, real_roots
 from ...numerics.half_angle import in_t, on_circle
-from ...numerics.line_roots import roots_on_the_line
+from ...numerics.polynomials import roots_on_the_line
 from ..quartic import kernel
 
 #: Degrees in cos θ, sin θ of the resultant and of L = X/Y over one denominator; half of the degrees in v.

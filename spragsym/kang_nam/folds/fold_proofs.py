@@ -20,7 +20,7 @@ from ...numerics.adaptive_bits import decided, sign_or_zero
 from ...numerics.ball_functions import atan2
 from ...numerics.balls import Interval, Undecided, sign
 from ...numerics.half_angle import in_t, on_circle
-from ...numerics.line_roots import Root, roots_on_the_line
+from ...numerics.polynomials import Root, roots_on_the_line
 from ..quartic import kernel
 from .fold_enclosures import Angles, Point, in_contact
 

@@ -15,7 +15,7 @@ from ...numerics import balls, descartes, polynomials
 from ...numerics.adaptive_bits import as_floats, decided, sign_or_zero, with_enough_bits
 from ...numerics.balls import Interval
 from ...numerics.half_angle import on_circle
-from ...numerics.line_roots import roots_on_the_line
+from ...numerics.polynomials import roots_on_the_line
 from ...questions import NotInClosedForm
 from ...results.lowest_ends import LowestEnd
 from ..quartic import kernel

@@ -19,8 +19,7 @@ from ...numerics import balls
 from ...numerics.adaptive_bits import as_numbers
 from ...numerics.balls import Interval, Undecided, as_mpf
 from ...numerics.half_angle import on_circle
-from ...numerics.line_roots import roots_on_the_line
-from ...numerics.polynomials import derivative, evaluate, squarefree
+from ...numerics.polynomials import derivative, evaluate, roots_on_the_line, squarefree
 from . import kernel
 
 #: Bits of the first try, unless parameters are farther apart than that with :data:`ROOM` beside it: where one is far below the

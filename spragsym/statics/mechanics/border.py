@@ -1,4 +1,4 @@
-"""On which side of the contact's border a root lies: the one place where roots of a search are accepted, whatever they are of.
+"""Roots of a search that are accepted, whatever they are of: on one side of the contact's border, and within one turn of angles.
 
 A search excludes boxes that lie beyond the border; a box that meets it may hold a root on either side. So the sign of the gap is
 proved at the root itself: over the box in which it is known to floats, and where that meets the border over one of many digits.
@@ -14,10 +14,12 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ...models.field import BEGIN, TURN
 from ...numerics.balls import Ball, Undecided
 from ...numerics.certified_roots import Roots
 from ...numerics.interval_arrays import FloatArray, Intervals
 from ...numerics.krawczyk import as_intervals, narrowed
+from .balance import Balance
 from .precise_balance import ROOT_BITS
 
 
@@ -69,3 +71,28 @@ def on_side(system: WithGap, parameters: Intervals, ends: FloatArray) -> tuple[N
 def _at(system: WithGap, given: FloatArray, point: NDArray[np.int64]) -> Intervals:
     with np.errstate(all="ignore"):
         return system.prepared(Intervals.point(given[:, point]))
+
+
+#: Where the turn ends; the search goes beyond it at both ends.
+END = BEGIN + TURN
+
+
+def once_around(balance: Balance, found: Roots) -> Roots:
+    """Roots and boxes that are left, without those whose image after a turn is there too.
+
+    What meets an end of the turn itself, of which this can't be said, is among the boxes that are left.
+    """
+    if not balance.around:
+        return found
+    beyond, across = _parted(found.ends, balance.around)
+    hidden, _ = _parted(found.left, balance.around)
+    open_ = across & ~beyond
+    return found.kept(~beyond & ~across, ~hidden).besides(found.ends[:, :, open_], found.point[open_])
+
+
+def _parted(ends: FloatArray, around: list[int]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of it."""
+    low, high = -ends[0, around], ends[1, around]
+    beyond = np.logical_or.reduce((low > END) | (high < BEGIN))
+    across = np.logical_or.reduce((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN))
+    return np.asarray(beyond), np.asarray(across)

@@ -1,8 +1,9 @@
 /*
  * Calls an FMU as importers do and as they must not, and prints each call whose status is another than the standard asks for.
  *
- * Linked with its sources, under sanitizers. Arguments: the instantiation token, and value references of a state, a derivative, a
- * parameter that is positive, and the first that is none.
+ * It compares the partial derivatives with differences too. Linked with the FMU's sources, under sanitizers. Arguments: the
+ * instantiation token, and value references: the first state, the first derivative, the first quantity, and of a model with two
+ * coordinates a derivative of a rate, a quantity that is positive, the first that is no number, and the first that is none.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -43,6 +44,7 @@ int fmi3SetContinuousStates(void *, const double *, size_t);
 int fmi3GetContinuousStateDerivatives(void *, double *, size_t);
 int fmi3GetEventIndicators(void *, double *, size_t);
 int fmi3GetDirectionalDerivative(void *, const Ref *, size_t, const Ref *, size_t, const double *, size_t, double *, size_t);
+int fmi3GetAdjointDerivative(void *, const Ref *, size_t, const Ref *, size_t, const double *, size_t, double *, size_t);
 int fmi3GetFMUState(void *, void **);
 int fmi3SetFMUState(void *, void *);
 int fmi3FreeFMUState(void *, void **);
@@ -89,16 +91,46 @@ static int step(void *it, double from, double length) {
     return fmi3DoStep(it, from, length, true, &event, &terminate, &early, &reached);
 }
 
+/* Derivatives of all rates by a number, against differences of the rates where that number is a millionth more and less. */
+static void compare(void *it, Ref known, Ref rates) {
+    const Ref unknowns[4] = {rates, rates + 1, rates + 2, rates + 3};
+    const double one = 1.0;
+    double here, ends[2][4], sensitivity[4], size = 0.0;
+    IS(OK, fmi3GetFloat64(it, &known, 1, &here, 1));
+    for (int side = 0; side < 2; side++) {
+        const double moved = here * (side ? 1.0 - 1e-6 : 1.0 + 1e-6);
+        IS(OK, fmi3SetFloat64(it, &known, 1, &moved, 1));
+        IS(OK, fmi3GetFloat64(it, unknowns, 4, ends[side], 4));
+    }
+    IS(OK, fmi3SetFloat64(it, &known, 1, &here, 1));
+    IS(OK, fmi3GetDirectionalDerivative(it, unknowns, 4, &known, 1, &one, 1, sensitivity, 4));
+    for (int i = 0; i < 4; i++) {
+        size = fmax(size, fabs(sensitivity[i]));
+    }
+    for (int i = 0; i < 4 && here != 0.0; i++) {
+        const double slope = (ends[0][i] - ends[1][i]) / (2e-6 * here);
+        double adjoint;
+        IS(OK, fmi3GetAdjointDerivative(it, unknowns + i, 1, &known, 1, &one, 1, &adjoint, 1));
+        if (!(fabs(slope - sensitivity[i]) <= 1e-6 * size) || adjoint != sensitivity[i]) {
+            printf("rate %d by %u: %g and %g, by differences %g\n", i, (unsigned)known, sensitivity[i], adjoint, slope);
+        }
+    }
+}
+
 int main(int argc, char **argv) {
     const char *const token = argv[1];
-    const Ref state = (Ref)atoi(argv[2]), rate = (Ref)atoi(argv[3]), positive = (Ref)atoi(argv[4]), none = (Ref)atoi(argv[5]);
+    Ref of[7];
+    for (int i = 0; i < 7 && i + 2 < argc; i++) {
+        of[i] = (Ref)atoi(argv[i + 2]);
+    }
+    const Ref state = of[0], rate = of[3], positive = of[4], none = of[6];
+    const double place[4] = {2e-3, -1e-4, 0.3, -0.1};
     double value = 0.1, other = -1.0, many[64] = {0.0};
     void *saved = NULL, *again = NULL, *it;
     bool flag;
     int32_t number;
     size_t size = 0;
     uint8_t *bytes;
-    (void)argc;
 
     if (fmi3InstantiateCoSimulation("a", "no token", "", false, false, false, false, NULL, 0, NULL, count, NULL)) {
         printf("the token is not looked at\n");
@@ -183,6 +215,13 @@ int main(int argc, char **argv) {
     start(it);
     FAILS(fmi3GetContinuousStateDerivatives(it, NULL, size));
     start(it);
+    IS(OK, fmi3SetFloat64(it, (const Ref[]){state, state + 1, state + 2, state + 3}, 4, place, 4));
+    for (Ref known = state; known < of[1]; known++) {
+        compare(it, known, of[1]);
+    }
+    for (Ref known = of[2]; known < of[5]; known++) {
+        compare(it, known, of[1]);
+    }
     IS(OK, fmi3Terminate(it));
     FAILS(fmi3Terminate(it));
     fmi3FreeInstance(it);

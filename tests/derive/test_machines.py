@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 
 import pytest
 
 from tests.oracles.machines import MACHINES, PROGRAM, SOURCES, Machine, points
+
+POINTS = points(60)
 
 
 def _results(machine: Machine, folder: Path) -> str:
@@ -15,12 +16,7 @@ def _results(machine: Machine, folder: Path) -> str:
         pytest.skip(reason)
     program = machine.built(folder, [PROGRAM, SOURCES / "spragsym.c"])
     assert program, f"{machine.name}: not compiled without a warning"
-    return machine.results(program, _points())
-
-
-@cache
-def _points() -> str:
-    return points(60)
+    return machine.results(program, POINTS)
 
 
 @pytest.fixture(scope="module")
@@ -28,7 +24,7 @@ def expected(tmp_path_factory: pytest.TempPathFactory) -> str:
     """What the first machine prints, which is checked to be something."""
     found = _results(MACHINES[0], tmp_path_factory.mktemp("first"))
     lines = found.splitlines()
-    assert len(lines) == _points().count("\n")
+    assert len(lines) == POINTS.count("\n")
     assert {line.split()[0] for line in lines} <= {"0", "1"}
     return found
 

@@ -29,16 +29,14 @@ from .output import refuse, write
 def export(model_name: str | None, language: str, data: Path | None, out: Path, trust: bool, force: bool) -> None:
     """Write the solver in another language, with an example that runs.
 
-    All equilibria with stability, error bound and status, the generated algebra, the right-hand side, and a step in time
-    across the kinks. Of another model, and as an FMU: forces with first and second derivatives, the motion with Jacobians,
-    borders, energy and powers, derived anew from its model page (extra derive).
+    The article's solver, generated algebra and a step in time; of another model, and as an FMU, its forces and motion with
+    their derivatives, derived anew from its model page (extra derive).
 
     \b
     Examples:
       spragsym export --language c --out sprag
       spragsym export --model trolley --out trolley_c
       make -C sprag && ./sprag/example
-      spragsym export --language matlab --out octave
       spragsym export --language fmu --data brake.toml --out brake.fmu
 
     \b

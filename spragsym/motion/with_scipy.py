@@ -32,6 +32,8 @@ RTOL, IMPLICIT, ABSOLUTE = 2.3e-14, 1e-12, 1e-15 / 2.3e-14
 
 #: Steps after which a stretch of a flow is given up, and between two looks at whether they have collapsed.
 MAX_STEPS, LOOK = 200_000, 2000
+#: Coordinates and rates that are larger where steps have become as small as floats grow beyond all bounds in a finite time.
+LARGE = 1e12
 
 #: Each step is searched for crossings, and for zeros of rates, on so many intervals, and between them at extrema.
 _CROSSINGS, _TURNS = (np.linspace(0.0, 1.0, count + 1) for count in (8, 12))
@@ -141,6 +143,8 @@ class Flight:
             found = None
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
+                if solver.status == "failed" and np.abs(solver.y[:m]).max() > LARGE:
+                    raise out_of_range()
                 if solver.status == "failed":
                     name, t = method.__name__, clock + solver.t
                     raise ConvergenceError(f"SciPy's {name} stopped at t = {t:.6g}: {message}; use a larger rtol")

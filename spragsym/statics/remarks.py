@@ -17,6 +17,8 @@ from .mechanics.balance import NOTHING, Balance
 ONE_PLACE = 1e-9
 #: A box no wider than this is around a place.
 SMALL = 1e-3
+#: A region this wide is no bound: it is what floats leave of none.
+UNBOUNDED = 1e12
 
 ANCHOR = "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
 POLE = "at an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
@@ -78,7 +80,10 @@ def of_region(balance: Balance, region: FloatArray, whole: NDArray[np.bool_]) ->
     where = f" at {open_.size} of {whole.size} points" if whole.size > 1 else ""
     units = {entry["name"]: " rad" if entry["unit"] == "rad" else "" for entry in balance.model.about["coordinates"]}
     ends = zip(balance.coordinates, -hull[0], hull[1], strict=True)
-    places = [At(name, (float(low), float(high)), unit=units[name]) for name, low, high in ends]
+    places = [
+        At(name, (float(low), float(high)), unit=units[name]) if high - low < UNBOUNDED else Remark(f"any {name}")
+        for name, low, high in ends
+    ]
     within = ", ".join(["{}"] * len(places))
     return (Remark(f"searched within {within}{where}; there may be others beyond it", *places),)
 

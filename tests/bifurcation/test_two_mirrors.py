@@ -77,14 +77,3 @@ def test_all_loads_of_a_column_on_two_springs(kappa: float) -> None:
     assert (found.complete, set(found.kind)) == (True, {"pitchfork"})
     np.testing.assert_allclose(found.P, sorted([1.0, kappa]) + [angle / np.sin(angle) for angle in tilts[2:]], atol=1e-12)
     np.testing.assert_allclose([found.a, found.b], [tilts, np.zeros(len(tilts))], atol=1e-12)
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize("kappa", [2.0, 0.5])
-def test_a_path_leans_to_the_weaker_side(kappa: float) -> None:
-    p = model_of(COLUMN, "column").Parameters(kappa=kappa)
-    load = 1.2 * min(1.0, kappa)
-    path = ss.quasi_static_path(p, "P", [0.3, load])
-    tilt = brentq(lambda angle: angle * min(1.0, kappa) - load * np.sin(angle), 0.5, 3.0)
-    assert [path.a[-1], path.b[-1]] == pytest.approx([tilt, 0.0] if kappa > 1 else [0.0, tilt], abs=1e-9)
-    assert not path.jumps

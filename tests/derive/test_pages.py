@@ -69,6 +69,7 @@ REFUSED = {
     "a name of two words": ('page.parameter("k_y"', 'page.parameter("k y"', "k_y = page.parameter(", "no name; give .* 'k_y'"),
     "a meaning of two lines": ('"preload', '"pre\\nload', "F_L = page", r"U\+000A, which is not printed"),
     "a Greek name": ('becomes="beta"', 'becomes="β"', "k_y = page.parameter(", "which C can't spell"),
+    "another name of an angle": ('"(0, pi)", latex', '"(0, pi)", becomes="q", latex', '"(0, pi)"', "has no unit to be rid of"),
     "a base value in degrees": ('"(0, pi)", latex', '"(0, pi)", 45, latex', '"(0, pi)", 45', "45 degrees are pi/4"),
     "a kink in the contact": (LAW, "lambda depth: k_c * (depth + Abs(depth - L_0))", "page.contact(", "not smooth"),
     "a step in friction": (FRICTION, "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v) * (2 + sgn(d * Abs(v) - 3))",

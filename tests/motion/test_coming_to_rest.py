@@ -1,4 +1,4 @@
-"""A block that friction brings to rest on a belt that stands still: its speed decays to 0 from above, and is never reversed."""
+"""A block that friction brings to rest: its speed decays to 0 and is never reversed; and one that runs away in a finite time."""
 
 import pytest
 
@@ -27,3 +27,12 @@ def test_coming_to_rest_is_no_reversal(backend: str) -> None:
     assert rms_sweep(block, transient=50.0, **starts).slip_reversed.tolist() == [0, 0]
     swung = rms_sweep(block.replace(s=1.0, mu_s=0.02), vx0=1.0, t_end=30.0, transient=0.0, backend=backend)
     assert swung.slip_reversed == 10
+
+
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+def test_a_motion_that_grows_beyond_all_bounds_is_told_so(backend: str) -> None:
+    pytest.importorskip(backend)
+    page = shipped_page("stick_slip", ("page.spring(k, along=x)", "page.force(k**3 * x**3 / N_0**2, along=x)"))
+    p = model_of(page, "runaway").Parameters(mu_s=0.0, zeta=0.0)
+    with pytest.raises(ss.ConvergenceError, match="grows beyond all bounds"):
+        ss.simulate(p, start=(2.0, 0.0), t_end=50.0, backend=backend)

@@ -16,8 +16,8 @@ from ..progress import doing
 from ..remarks import At, Remark
 from ..results.result import Result
 from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
-from .halving import between_halves, due, halved, in_halves, meets, nearer, twice
-from .inspection import Finding, NotLocated, Seen, differing, findings, unlocated, vertical
+from .halving import between_halves, due, halved, in_halves, meets, parted
+from .inspection import Finding, NotLocated, Seen, findings, vertical
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of, sampled
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
@@ -40,15 +40,9 @@ SHRUNK = 0.1
 STILL = 2e-3
 
 
-#: Steps longer than this are cut where the halves of a doubled cycle seem to meet and do not.
-COARSE = 1e-4
-
-#: Steps shorter than this are cut no more to see what happens before such an end.
-FINEST = 1e-9
-
-#: The last cycles before such an end have halves half as far apart, each than the one before: at least so many, and at most
-#: so many more while anything differs there from the end itself.
-LAST, MORE = 3, 12
+#: Steps longer than this are cut where the halves of a doubled cycle seem to meet; they are one where they are no farther apart
+#: than this share of its extent: on the little that is left of the branch nothing is looked for.
+COARSE, NEAREST = 1e-4, 1e-3
 
 #: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
 ALIKE = 1e-7
@@ -263,6 +257,7 @@ class _Trace:
         """Points and findings in one direction, an end the last of them."""
         point = Point(start.loop, direction * start.tangent)
         setting, length, before, count = self.setting, FIRST, None, 0
+        last, gap = None, np.inf
         seen = Seen(setting, point)
         while count < self.points:
             try:
@@ -285,16 +280,13 @@ class _Trace:
                     continue
                 ahead = stop
             arc = length if stop is None else between(setting, point, ahead)
-            share = meets(point, ahead)
-            if share is not None:
-                merged = halved(setting, *between_halves(point, ahead, share, setting.free[0]))
-                last = self._last_ones(point, merged[0]) if merged is not None else []
-                if merged is not None and (len(last) >= LAST or arc < FINEST):
-                    yield from self._merging(seen, before, last, *merged)
-                    return
-                if arc > COARSE or merged is not None:
-                    length = arc / 3
-                    continue
+            over, last = meets(point, ahead) is not None, last or self._merged(point, ahead)
+            if over and last is not None and arc < COARSE:
+                yield last
+                return
+            if over and (last is not None or arc > COARSE):
+                length = arc / 3
+                continue
             after = Seen(setting, ahead)
             try:
                 happened = list(findings(seen, after, arc, before))
@@ -318,65 +310,34 @@ class _Trace:
             if end is not None:
                 yield end
                 return
-            merged = self._soon(point, ahead)
-            if merged is not None and len(last := self._last_ones(ahead, merged[0])) >= LAST:
-                yield from self._merging(after, seen, last, *merged)
-                return
             finer = cut_finer(setting, ahead)
             before = seen if finer is ahead else None
             point, seen = finer, after if finer is ahead else Seen(setting, finer)
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
+            if last is not None:
+                gap, wider = float(np.linalg.norm(parted(point))), gap
+                if gap < NEAREST * extent(point.loop):
+                    yield last
+                    return
+                length, last = min(length, 2 * gap), last if gap <= wider else None
         yield Finding("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
 
-    def _last_ones(self, point: Point, end: Loop) -> list[Point]:
-        """The points on the last part of a branch of doubled cycles, a bit short of its end, as far as they are found."""
-        found: list[Point] = []
-        for count in range(LAST + MORE):
-            if count >= LAST and not self._left_out(Seen(self.setting, point), end):
-                break
-            near = nearer(self.setting, point, end, 0.5)
-            if near is None:
-                break
-            found.append(near)
-            point = near
-        return found
-
-    def _left_out(self, last: Seen, end: Loop) -> list[str]:
-        """What happens between a point of a branch of doubled cycles and its end."""
-        return differing(last, Seen(self.setting, twice(self.setting, end, last.point)))
-
-    def _merging(
-        self, seen: Seen, before: Seen | None, points: list[Point], loop: Loop, error: float
-    ) -> Iterator[Point | Finding]:
-        """What happens on the last part of a branch of doubled cycles, and the end."""
-        for near in points:
-            last = Seen(self.setting, near)
-            try:
-                yield from findings(seen, last, between(self.setting, seen.point, near), before)
-            except NotLocated as unfound:
-                # Shorter steps than these there are none so close to the end.
-                width = abs(self.value(near.loop) - self.value(seen.point.loop))
-                yield from unlocated(str(unfound), near.loop, width)
-            yield near
-            before, seen = None, last
-        for kind in self._left_out(seen, loop):
-            last_one = seen.point.loop
-            yield from unlocated(kind, last_one, abs(self.value(loop) - self.value(last_one)))
-        yield Finding("end", loop, error, how=MERGES)
-
-    def _soon(self, point: Point, ahead: Point) -> tuple[Loop, float] | None:
-        """Where a branch of doubled cycles is about to end within the range."""
-        index = self.setting.free[0]
-        value = due(point, ahead, index)
-        if value is None or not self.to[0] <= value <= self.to[1]:
+    def _merged(self, point: Point, ahead: Point) -> Finding | None:
+        """The end of a branch of doubled cycles whose halves come together in a step, or are about to within the range."""
+        index, share = self.setting.free[0], meets(point, ahead)
+        value = due(point, ahead, index) if share is None else None
+        if share is None and (value is None or not self.to[0] <= value <= self.to[1]):
             return None
-        guess, reach = between_halves(point, ahead, 1.0, index)
-        found = halved(self.setting, guess.at(index, value), reach)
+        guess, reach = between_halves(point, ahead, 1.0 if share is None else share, index)
+        found = halved(self.setting, guess if value is None else guess.at(index, value), reach)
         if found is None:
             return None
-        begun, there = self.value(ahead.loop), found[0].guess.values[index]
-        onward = (there - begun) * (begun - self.value(point.loop)) > 0
-        return found if onward and self.to[0] <= there <= self.to[1] else None
+        loop, error = found
+        if value is not None:
+            begun, there = self.value(ahead.loop), loop.guess.values[index]
+            if (there - begun) * (begun - self.value(point.loop)) <= 0 or not self.to[0] <= there <= self.to[1]:
+                return None
+        return Finding("end", loop, error, how=MERGES)
 
     def _shrunk(self, before: Seen | None, last: Seen) -> Finding:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""

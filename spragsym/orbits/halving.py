@@ -99,27 +99,3 @@ def halved(setting: Setting, begun: Guess, reach: float) -> tuple[Loop, float] |
     tangent = point_of(setting, loop).tangent
     steepness = float(doubling(loop)[1][-1] @ tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)
     return loop, unsure(loop, kind) * abs(float(tangent[-1]) / steepness) + 1e-15 * (1 + abs(loop.guess.values[index]))
-
-
-def twice(setting: Setting, end: Loop, along: Point) -> Point:
-    """The end of a branch of doubled cycles as one of these; it has no tangent of its own, and takes that of a point near it."""
-    guess = Guess(np.tile(end.guess.states, (2, 1)), 2 * end.guess.period, end.guess.values)
-    return Point(setting.looped(guess), along.tangent)
-
-
-def nearer(setting: Setting, point: Point, end: Loop, share: float) -> Point | None:
-    """The doubled cycle whose halves are a share as far apart as a point's, on its way to where they meet; None if not found."""
-    index, guess = setting.free[0], point.loop.guess
-    value = end.guess.values[index] + share**2 * (guess.values[index] - end.guess.values[index])
-    twice = np.tile(end.guess.states, (2, 1))
-    middle = (guess.states + np.roll(guess.states, len(guess.states) // 2, axis=0)) / 2
-    states = twice + share**2 * (middle - twice) + share * (guess.states - middle)
-    begun = Guess(states, 2 * end.guess.period + share**2 * (guess.period - 2 * end.guess.period), guess.values)
-    try:
-        near = fixed(setting, setting.looped(begun.at(index, value)))
-    except ConvergenceError:
-        return None
-    found = point_of(setting, near, point.tangent)
-    return (
-        found if 0.3 * share < float(parted(found) @ parted(point)) / float(parted(point) @ parted(point)) < 3 * share else None
-    )

@@ -36,9 +36,6 @@ UPRIGHT, DOUBLE, OF_ONES = 1e-8, 1e-4, frozenset(("fold", "crossing"))
 #: Said of an event that is none of a multiplier that is continuous.
 JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
 
-#: Said of an event whose place is not known better than the step.
-UNFOUND = "a sign changes there, and no zero was found"
-
 #: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at the ends of the step.
 JUMPS = 1e-2
 
@@ -105,16 +102,6 @@ class Finding:
     crossed: FloatArray | None = None
     how: str = ""
     value: float | None = None
-
-
-def differing(one: Seen, other: Seen) -> list[str]:
-    """Kinds of event that lie between two points of a branch of doubled cycles, the other one its end.
-
-    There one of its multipliers is 1, so that test functions of a fold say nothing.
-    """
-    told = [kind for kind in ("period_doubling", "torus") if kind not in one.lost | other.lost]
-    kinds = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
-    return kinds + ["grazing"] * (signature(one.point) != signature(other.point))
 
 
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
@@ -246,12 +233,6 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
             raise NotLocated(kind)
         off, how = max(off, abs(_value(one) - _value(other))), JUMPED
     yield Finding(_of_multipliers(kind), point.loop, off, crossed=crossed, how=how)
-
-
-def unlocated(kind: str, loop: Loop, width: float) -> Iterator[Finding]:
-    """What is said of a step in which a test function changes its sign and no zero is found; of a crossing nothing."""
-    if kind != "crossing":
-        yield Finding(_of_multipliers(kind), loop, width, how=UNFOUND)
 
 
 def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:

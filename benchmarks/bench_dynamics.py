@@ -157,7 +157,7 @@ def overhead_table() -> None:
             p = ss.Parameters.article(theta0=math.radians(degrees))
             problem = prepare(p.model, p.replace(V=V, d=D), start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
             motions, flow = Motions.of([problem]), periodic_orbit.Onward(problem, "heyoka")
-            course = integrators.measure(motions, "heyoka").course(0)
+            course = integrators.measure(motions, "heyoka")[0]
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)
             measured = fastest(lambda motions=motions: integrators.measure(motions, "heyoka"), times)

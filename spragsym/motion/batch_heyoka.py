@@ -16,7 +16,7 @@ from ..models.field import Field, Mode
 from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
 from .measures import Course
-from .motions import Measured, Motions, Turns
+from .motions import Motions, Turns
 from .problem import Event, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
 from .with_heyoka import CHUNK, Carrier, Equations, compiled, missed
 
@@ -217,8 +217,8 @@ def ends(motions: Motions) -> FloatArray:
     return stage.carried
 
 
-def watch(motions: Motions) -> tuple[Measured, list[int]]:
-    """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept.
+def watch(motions: Motions) -> tuple[list[Course | Exception], list[int]]:
+    """What follows ``t_record``, measured on the way: no continuous output, which would have to be kept; or why there is none.
 
     And the rows of those that are to be measured from samples.
     """
@@ -227,27 +227,19 @@ def watch(motions: Motions) -> tuple[Measured, list[int]]:
         stage = compiled(Lanes, motions.field, motions.rtol, watch=False).carry(stage, 0.0, motions.t_record)
     first, begin, end = stage.carried, motions.t_record, motions.t_end
     stage = compiled(Lanes, motions.field, motions.rtol, watch=True).carry(stage, begin, end)
-    size = first.shape[1]
-    last, integrals = stage.carried[:, :size], stage.carried[:, size:] / _scale(end - begin)
-    low, high = np.fmin(first[:, 0], last[:, 0]), np.fmax(first[:, 0], last[:, 0])
-    maxima = np.zeros(len(low), dtype=np.intp)
-    for row, seen in enumerate(stage.turns):
-        if seen is not None:
-            low[row], high[row], maxima[row] = min(low[row], seen.low), max(high[row], seen.high), len(seen.tops)
+    size, scale = first.shape[1], _scale(end - begin)
 
     def course(row: int) -> Course:
-        if row in sampled:
-            return sampled[row]
-        seen = stage.turns[row] or Turns()
-        tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + stage.carried.shape[1])
+        last, seen = stage.carried[row], stage.turns[row] or Turns()
+        tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + len(last))
         lows = np.array([carried[:size] for _, carried in seen.lows]).reshape(-1, size)
-        sums = np.vstack([tops[:, 1 + size :] / _scale(end - begin), integrals[row]])
+        integrals = np.vstack([tops[:, 1 + size :], last[size:]]) / scale
+        low, high = (float(pick(first[row, 0], last[0], most)) for pick, most in ((min, seen.low), (max, seen.high)))
         return Course(
-            begin, end, first[row], last[row], tops[:, 0], tops[:, 1 : 1 + size], sums, lows, events[row],
-            (float(low[row]), float(high[row])),
+            begin, end, first[row], last[:size], tops[:, 0], tops[:, 1 : 1 + size], integrals, lows,
+            np.array(stage.counts[row]), (low, high),
         )  # fmt: skip
 
-    events, sampled, errors = np.array(stage.counts), dict[int, Course](), stage.errors
-    found = Measured(begin, end, first, last, integrals, low, high, maxima, events, course, errors, sampled)
-    stiff = {row for row, error in errors.items() if isinstance(error, StiffError)}
-    return found, sorted(stiff | (stage.resting - errors.keys()))
+    found = [stage.errors.get(row) or course(row) for row in range(len(motions))]
+    stiff = {row for row, error in stage.errors.items() if isinstance(error, StiffError)}
+    return found, sorted(stiff | (stage.resting - stage.errors.keys()))

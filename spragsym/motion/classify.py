@@ -7,7 +7,7 @@ linearization (:mod:`.rest`), and cycles by the closed orbit itself and its mult
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError
 from ..models.field import SETTLED, TURN
 from .measures import Course
-from .motions import Measured, Motions
+from .motions import Motions
 from .periodic_orbit import Onward
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
@@ -45,21 +45,24 @@ def keeps_apart(events: NDArray[np.intp]) -> Any:
 
 
 def classified(
-    measured: Measured, motions: Motions, backend: str, tol: float = SETTLED
+    found: Sequence[Course | Exception], motions: Motions, backend: str, tol: float = SETTLED
 ) -> Iterator[tuple[int, Outcome | Exception]]:
     """Outcomes of many motions, with their rows; those that are left out are the plain ``Outcome()``, or have stopped.
 
     Most short motions are: they hardly turn. They are told by what every other regime asks for first.
     """
-    extent, moved = measured.high - measured.low, measured.last[:, 0] - measured.first[:, 0]
-    aloft = keeps_apart(measured.events)
-    aloft[aloft] = motions.field.aloft(motions.constants[aloft], measured.last[aloft])
-    for row in np.flatnonzero(aloft).tolist():
+    courses = {row: course for row, course in enumerate(found) if not isinstance(course, Exception)}
+    apart = [row for row, course in courses.items() if keeps_apart(course.events)]
+    aloft: Any = motions.field.aloft(motions.constants[apart], np.array([courses[row].last for row in apart])) if apart else []
+    for row in (row for row, up in zip(apart, aloft, strict=True) if up):
         yield row, Outcome(Regime.LIFT_OFF, names=motions.field.components)
-    turning = (0 in motions.field.around) & (np.abs(moved) > FEWEST * TURN)
-    for row in np.flatnonzero(~aloft & ((measured.maxima >= FEWEST) | turning | is_still(moved, extent, tol))).tolist():
-        problem = motions.problem(row)
-        try:
-            yield row, classify(measured.course(row), problem, Onward(problem, backend), tol)
-        except (ConvergenceError, ArithmeticError) as error:
-            yield row, error
+        del courses[row]
+    for row, course in courses.items():
+        moved = float(course.last[0] - course.first[0])
+        turning = 0 in motions.field.around and abs(moved) > FEWEST * TURN
+        if len(course.maxima) >= FEWEST or turning or is_still(moved, course.reach[1] - course.reach[0], tol):
+            problem = motions.problem(row)
+            try:
+                yield row, classify(course, problem, Onward(problem, backend), tol)
+            except (ConvergenceError, ArithmeticError) as error:
+                yield row, error

@@ -16,8 +16,8 @@ from ..errors import BackendError, ConvergenceError, MissingExtraError, Paramete
 from ..models.model import Model
 from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
 from .events import events_of
-from .measures import course_of
-from .motions import Measured, Motions
+from .measures import Course, course_of
+from .motions import Motions
 from .problem import Event, Problem, StiffError
 from .solution import Solution, without_chatter
 
@@ -70,21 +70,22 @@ def integrate(problem: Problem, backend: str) -> Solution:
     return without_chatter(solution, problem)
 
 
-def measure(motions: Motions, backend: str) -> Measured:
-    """Quantities of many motions after ``t_record``, from their samples; heyoka measures them while it integrates.
+def measure(motions: Motions, backend: str) -> list[Course | Exception]:
+    """What is measured of many motions after ``t_record``, from their samples, or why there is nothing.
 
-    But where steps collapse, and where a motion may rest on a border, whose crossings only the samples tell from chatter.
+    heyoka measures while it integrates, but where steps collapse, and where a motion may rest on a border, whose crossings only
+    the samples tell from chatter.
     """
+    found: dict[int, Course | Exception] = {}
+    rows = list(range(len(motions)))
     if backend == "heyoka":
-        found, rows = batch_heyoka.watch(motions)
-    else:
-        found, rows = Measured.none(motions), list(range(len(motions)))
+        watched, rows = batch_heyoka.watch(motions)
+        found = dict(enumerate(watched))
     for row in rows:
         try:
             solution = integrate(motions.problem(row), backend)
-        except (ConvergenceError, ArithmeticError) as error:
-            found.errors[row] = error
-        else:
             counts = np.bincount(events_of(motions.field, solution.crossings).which, minlength=len(Event))
-            found.put(row, course_of(solution.samples, counts))
-    return found
+            found[row] = course_of(solution.samples, counts)
+        except (ConvergenceError, ArithmeticError) as error:
+            found[row] = error
+    return [found[row] for row in range(len(motions))]

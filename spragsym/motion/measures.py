@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,13 +39,12 @@ class Course:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
         end = self.end if row == -1 else self.maxima_t[row]
         shift, square, *_ = self.integrals[row] / (end - self.begin)
-        mean, spread = moments_of(self.first[0], shift, square)
-        return float(mean), float(spread)
+        return float(self.first[0] + shift), math.sqrt(max(square - shift * shift, 0.0))
 
-
-def moments_of(first: Any, shift: Any, square: Any) -> tuple[Any, Any]:
-    """Mean of x and root mean square about it, from x at the beginning and the means of u = x − x(begin) and of u²."""
-    return first + shift, np.sqrt(np.maximum(square - shift * shift, 0.0))
+    @property
+    def means(self) -> FloatArray:
+        """Of all coordinates."""
+        return np.array([self.moments()[0], *(self.integrals[-1, 2:] / (self.end - self.begin))])
 
 
 def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:

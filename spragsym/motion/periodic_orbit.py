@@ -67,10 +67,12 @@ class Onward:
 
     def courses(self, states: FloatArray, duration: float) -> list[Course]:
         """What is measured on the way from each of many states; an error where one of them cannot be continued."""
-        found = integrators.measure(self._motions(states, duration), self.backend)
-        for error in found.errors.values():
-            raise error
-        return [found.course(row) for row in range(len(states))]
+        courses = list[Course]()
+        for course in integrators.measure(self._motions(states, duration), self.backend):
+            if isinstance(course, Exception):
+                raise course
+            courses.append(course)
+        return courses
 
     def ends(self, states: FloatArray, duration: float) -> FloatArray:
         """Where they end."""

@@ -88,8 +88,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     if not (still or decaying):
         return None
     n = len(course.last) // 2
-    means = np.array([course.moments()[0], *(course.integrals[-1, 2:] / (course.end - course.begin))])
-    rest = rest_near(problem, course.last[:n] if still else means)
+    rest = rest_near(problem, course.last[:n] if still else course.means)
     if rest is None:
         return None
     place = tuple(in_one_turn(rest.state[:n], problem.field.around).tolist())

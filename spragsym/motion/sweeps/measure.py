@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -14,7 +15,8 @@ from ...models.model_field import field_of
 from ...models.parameters import FloatArray
 from .. import integrators
 from ..classify import classified
-from ..motions import Measured, Motions
+from ..measures import Course
+from ..motions import Motions
 from ..problem import MAX_STEPS, out_of_range
 from ..problems import without_direction
 from ..regimes import Regime
@@ -67,24 +69,28 @@ def _no_result(error: Exception) -> Record:
 def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Exception]]:
     """What records of motions hold, a row each, and why there is none."""
     found, names, n = integrators.measure(motions, backend), motions.field.components, len(motions.field.coordinates)
-    first = _averages(found)
-    told = (*reported(names[:n], names[n:])[len(first) :], "regime")
-    table, errors = np.full((len(motions), len(first) + len(told)), np.nan), found.errors.copy()
-    table[:, : len(first)] = first.T
+    told = reported(names[:n], names[n:])
+    table, errors = np.full((len(motions), len(told) + 1), np.nan), dict[int, Exception]()
     table[:, -1] = Regime.UNSETTLED
-    for row in np.flatnonzero(~np.isfinite(first).all(axis=0)).tolist():
-        errors.setdefault(row, out_of_range())
+    for row, course in enumerate(found):
+        if isinstance(course, Exception):
+            errors[row] = course
+            continue
+        first = _averages(course)
+        table[row, : len(first)] = first
+        if not np.isfinite(first).all():
+            errors[row] = out_of_range()
+    after = 5 + n
     for row, outcome in classified(found, motions, backend):
         if isinstance(outcome, Exception):
             errors.setdefault(row, outcome)
         else:
-            table[row, len(first) :] = [getattr(outcome, name) for name in told]
+            table[row, after:] = [getattr(outcome, name) for name in (*told[after:], "regime")]
     return table, errors
 
 
-def _averages(found: Measured) -> FloatArray:
+def _averages(course: Course) -> list[float]:
     """The measured values after the transient, in the order of :func:`reported`."""
-    mean, spread, *others = found.averages
-    lost, _, *reversals = found.events.T
-    largest = np.maximum(np.abs(found.low), np.abs(found.high))
-    return np.array([np.hypot(mean, spread), spread, largest, mean, *others, lost, sum(reversals)])
+    mean, spread = course.moments()
+    lost, _, *reversals = course.events
+    return [math.hypot(mean, spread), spread, max(map(abs, course.reach)), *course.means, lost, sum(reversals)]

@@ -111,7 +111,14 @@ def _columns(balance: Balance, q: Sequence[Any], arguments: Mapping[str, Any]) -
     """Direction and length of each inclined spring."""
     directions = balance.plain_directions(q, arguments, XP)
     springs = (directions[3 * spring : 3 * spring + 3] for spring in range(balance.springs))
-    return [value for c, s, length in springs for value in (XP.atan2(s, c), length)]
+    return [value for c, s, length in springs for value in (_angle(c, s), length)]
+
+
+def _angle(c: Any, s: Any) -> Any:
+    """The angle of a direction, π where the digits do not tell it from −π."""
+    with suppress(Undecided):
+        return XP.atan2(s, c)
+    return balls.pi() + XP.atan2(-s, -c)
 
 
 @question

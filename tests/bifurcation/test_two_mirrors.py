@@ -50,6 +50,9 @@ def test_all_cusps_of_a_plane_that_pitchforks_cross() -> None:
     found = ss.cusps(p, ("P", "beta"), between={"P": (-1.0, 1.0), "beta": (3.0, 5.0)})
     assert found.complete
     np.testing.assert_allclose([found.P, found.beta, found.x, found.y], [[0.0], [4.0], [0.0], [0.0]], atol=1e-12)
+    (digits,) = ss.precise.cusps(p, vary=("P", "beta"), between={"P": (-0.1, 0.1), "beta": (3.9, 4.1)}, dps=30)
+    angles = sorted(float(digits.numbers[f"theta_{i}"]) for i in (1, 2))
+    assert angles == pytest.approx([0.0, np.pi], abs=1e-15)  # the bars lie in one line
 
 
 @pytest.mark.thorough

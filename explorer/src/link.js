@@ -28,10 +28,19 @@ function inside(value, { low = -Infinity, high = Infinity, low_open, high_open }
   return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
 }
 
+/** Puts a link into the address; the frame of a notebook's cell has none of its own. */
+export function addressed(text) {
+  try {
+    history.replaceState(null, "", text);
+  } catch {
+    // about:srcdoc
+  }
+}
+
 /** Puts a link to what stands after # into the address and into the clipboard, and says which of the two it came to. */
 export async function copied(after, says) {
   const text = `${location.href.split("#")[0]}#${after}`;
-  history.replaceState(null, "", text);
+  addressed(text);
   try {
     await navigator.clipboard.writeText(text);
     says.textContent = "The link is copied.";

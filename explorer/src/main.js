@@ -7,7 +7,7 @@ import { whenColoursChange } from "./colours.js";
 import { createCounts } from "./counts.js";
 import { fieldOf } from "./field.js";
 import { besides, createInputs } from "./inputs.js";
-import { copied, linked, unlinked } from "./link.js";
+import { addressed, copied, linked, unlinked } from "./link.js";
 import { createMechanism } from "./mechanism.js";
 import { degrees, radians } from "./numbers.js";
 import { createPanel } from "./panel.js";
@@ -266,7 +266,7 @@ export function start({ algebra, closed = null }) {
   let later = 0;
   function remember() {
     clearTimeout(later);
-    later = setTimeout(() => history.replaceState(null, "", `#${link()}`), 250);
+    later = setTimeout(() => addressed(`#${link()}`), 250);
   }
 
   presets.forEach(({ name }, i) => $("preset").append(new Option(name, i)));

@@ -71,9 +71,6 @@ def explore(
       spragsym explore --data brake.toml
       spragsym explore --model two_springs --onsets --out two_springs.html
       spragsym explore --out web/explorer.html --no-open
-
-    \b
-    Exit codes: 0 written; 1 the file can't be written; 2 usage, or a file that differs is in the way.
     """
     study = None if data is None else study_of(data, model, trust)
     chosen = load(study.model if study is not None else model or USUAL)

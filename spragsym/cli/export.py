@@ -38,9 +38,6 @@ def export(model_name: str | None, language: str, data: Path | None, out: Path, 
       spragsym export --model trolley --out trolley_c
       make -C sprag && ./sprag/example
       spragsym export --language fmu --data brake.toml --out brake.fmu
-
-    \b
-    Exit codes: 0 written; 1 it can't be written; 2 usage, or a file that differs is in the way.
     """
     pack = packer(language)
     if data and not pack:
@@ -76,9 +73,6 @@ def derive(page: Path, out: Path, force: bool) -> None:
     \b
     Examples:
       spragsym derive my_brake.py --out my_brake
-
-    \b
-    Exit codes: 0 written; 1 the model page can't be carried through; 2 usage, or a folder is in the way.
     """
     from ..derive import folder
     from ..derive.model import PageError

@@ -156,10 +156,10 @@ def resumed(force: bool) -> Iterator[None]:
         raise TargetError(f"{error}, or use --force to overwrite") from error
 
 
-def drawable(path: Path | None, what: str = "") -> None:
-    """Raise for a file of a kind that figures are not written in, and say what else a figure needs."""
+def drawable(path: Path | None) -> None:
+    """Raise for a file of a kind that figures are not written in."""
     if path is not None and path.suffix not in (".pdf", ".png", ".svg"):
-        raise ParameterError(f"--plot {path}: {what}the ending must be .pdf, .png or .svg")
+        raise ParameterError(f"--plot {path}: the ending must be .pdf, .png or .svg")
 
 
 def drawn(path: Path, part: str, make: Callable[[], Sheet], axes: Iterable[tuple[Shown | None, Shown | None]] = ()) -> None:

@@ -41,9 +41,6 @@ def report(
       spragsym report --example --model two_springs > other.toml
       spragsym report brake.toml
       spragsym report brake.toml --html report.html
-
-    \b
-    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     if example:
         from ..models.load import USUAL, load

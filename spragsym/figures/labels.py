@@ -22,13 +22,10 @@ ROOM = 1.25
 
 
 def label(model: Model, name: str) -> str:
-    """A parameter, a coordinate or its rate as an axis names it; the page's own symbol is that of a quantity with its unit."""
+    """A parameter, a coordinate or its rate as an axis names it."""
     if name in model.rates:
         return rf"$\dot{{{label(model, model.coordinates[model.rates.index(name)])[1:-1]}}}$"
-    entries = {entry["name"]: entry for entry in model.about["parameters"]}
-    own = name in entries and entries[name]["quantity"] == name
-    letters = entries[name]["symbol"] if own else symbol(name)
-    return f"${letters}$ (deg)" if model.is_angle(name) else f"${letters}$"
+    return shown(model, name)[0]
 
 
 def shown(known: Model | Field, name: str) -> tuple[str, float]:

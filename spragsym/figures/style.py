@@ -5,8 +5,8 @@ from __future__ import annotations
 import functools
 import io
 import textwrap
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any, ParamSpec, TypeAlias, TypeVar
 
 import numpy as np
@@ -91,10 +91,14 @@ class Sheet(Figure):
             return file.getvalue()
 
 
-def house_style() -> AbstractContextManager[None]:
+@contextmanager
+def house_style() -> Iterator[None]:
     """The house style for as long as the context lasts."""
     style: Any = STYLE  # matplotlib's type for it lists every setting by name
-    return matplotlib.rc_context(style)
+    with matplotlib.rc_context(style):
+        yield
+        interactive = matplotlib.is_interactive()
+    matplotlib.interactive(interactive)  # which a notebook turns on when pyplot is first imported, perhaps in here
 
 
 def styled(function: Callable[_P, _R]) -> Callable[_P, _R]:

@@ -19,8 +19,8 @@ GREEK = {
 def symbol(name: str) -> str:
     """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_0``."""
     base, _, index = name.partition("_")
-    if not index and (numbered := re.fullmatch(r"([^\W\d]+)(\d)", base)):
-        return f"{symbol(numbered[1])}_{numbered[2]}"
+    if numbered := re.fullmatch(r"([^\W\d]+)(\d)", base):
+        return f"{symbol(numbered[1])}_{numbered[2]}" if not index else f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
     return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
 
 

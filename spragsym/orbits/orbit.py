@@ -200,27 +200,30 @@ def cycle_of(loop: Loop) -> Cycle:
     )  # fmt: skip
 
 
+@dataclass(frozen=True, eq=False)
 class Cycles(Sequence[Cycle]):
     """The cycles that closed loops are, each made when it is asked for first."""
+
+    loops: tuple[Loop, ...]
 
     @property
     def field(self) -> Field | None:
         """The model, if there is a cycle."""
-        return self._loops[0].field if self._loops else None
+        return self.loops[0].field if self.loops else None
 
-    def __init__(self, loops: tuple[Loop, ...]) -> None:
-        self._loops = loops
-        self._known: dict[int, Cycle] = {}
+    @cached_property
+    def _known(self) -> dict[int, Cycle]:
+        return {}
 
     def __len__(self) -> int:
-        return len(self._loops)
+        return len(self.loops)
 
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, slice):
             return tuple(self[i] for i in range(*index.indices(len(self))))
         place = range(len(self))[index]
         if place not in self._known:
-            self._known[place] = cycle_of(self._loops[place])
+            self._known[place] = cycle_of(self.loops[place])
         return self._known[place]
 
 

@@ -102,6 +102,9 @@ class Report(Facts, Result):
         """The rows of its text."""
         return Table(self.verdict, ("", "value"), tuple(row for _, rows in texts.sections(self) for row in rows))
 
+    def _for_file(self) -> Report:
+        raise ParameterError("path: a report is computed anew from its study; write to_html(path), or json.dumps(to_dict())")
+
     def table_values(self) -> dict[str, Any]:
         """It has no columns."""
         return {}

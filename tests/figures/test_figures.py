@@ -18,7 +18,7 @@ from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib wa
 
 import spragsym as ss  # noqa: E402  # after matplotlib was found
 from spragsym.cli.figures import figures as command  # noqa: E402  # after matplotlib was found
-from spragsym.figures import FIGURES, Sheet, curves, extras, figure_11, figure_12, surfaces, write  # noqa: E402  # after matplotlib was found
+from spragsym.figures import FIGURES, Sheet, curves, extras, figure_11, figure_12, style, surfaces, write  # noqa: E402  # after matplotlib was found
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
@@ -161,3 +161,7 @@ def test_command(tmp_path: Path) -> None:
 
 def test_a_notebook_shows_a_figure() -> None:
     assert figure_12()._repr_png_().startswith(b"\x89PNG")
+    with style.house_style():
+        matplotlib.interactive(True)  # as the backend of a notebook does when pyplot is first imported
+    assert matplotlib.is_interactive()
+    matplotlib.interactive(False)

@@ -9,11 +9,11 @@ import numpy as np
 
 from ..display import Table
 from ..models.parameters import FloatArray
-from ..results.result import Result
+from ..results.named_columns import Columns
 
 
 @dataclass(frozen=True, eq=False)
-class JumpGradient(Result):
+class JumpGradient(Columns, held_in="slopes"):
     """A jump value and its derivatives by the parameters, each of the shape of the points; NaN where nothing jumps.
 
     The derivative by the parameter that varies is 0: where it jumps does not depend on where it started. Each derivative is an
@@ -23,11 +23,6 @@ class JumpGradient(Result):
     vary: str
     value: FloatArray
     slopes: Mapping[str, FloatArray]
-
-    def __getattr__(self, name: str) -> FloatArray:
-        if name not in self.__dict__.get("slopes", ()):
-            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
-        return self.slopes[name]
 
     def as_table(self) -> Table:
         """The value and its slopes; of many points the smallest and the largest."""

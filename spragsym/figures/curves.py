@@ -20,6 +20,7 @@ from ..models import Model
 from ..models.forces import columns_of
 from ..models.parameters import FloatArray, ParameterSet
 from ..results.equilibria import Equilibria, Stability
+from ..results.named_columns import Columns
 from ..results.paths import Path
 from ..results.points import Points
 from ..statics.stability import REAL
@@ -31,7 +32,7 @@ LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\the
 
 
 @dataclass(frozen=True)
-class Branch:
+class Branch(Columns, held_in="states"):
     """A piece of an equilibrium curve of one stability, from end to end; angles in radians.
 
     ``states`` are the columns of :class:`spragsym.Equilibria` that say where a state is, by name, each an attribute too.
@@ -42,11 +43,6 @@ class Branch:
     values: FloatArray
     states: Mapping[str, FloatArray]
     stability: Stability
-
-    def __getattr__(self, name: str) -> FloatArray:
-        if name == "states" or name not in self.states:  # the first while it is being unpickled
-            raise AttributeError(name)
-        return self.states[name]
 
     def shown(self, name: str) -> FloatArray:
         """A column or the parameter as an axis shows it: angles in degrees."""

@@ -16,8 +16,8 @@ from ..errors import ConvergenceError, SpragsymError
 from ..models import forces
 from ..models.parameters import FloatArray
 from ..motion.regimes import Regime
-from ..names import hint
 from ..results.equilibria import Equilibria, Stability
+from ..results.named_columns import Columns
 from ..results.result import Result
 from ..statics.mechanics.balance import Balance
 from ..statics.stability import NEUTRAL, linearization, roots
@@ -51,20 +51,8 @@ _COMES_TO = {
 OfSprings: TypeAlias = float | Mapping[str, float] | None
 
 
-class _Named(Result):
-    """A result that has numbers by name and unit as attributes too."""
-
-    held = "places"  #: which field holds them
-
-    def __getattr__(self, name: str) -> Any:
-        known = self.__dict__.get(type(self).held, {})
-        if name not in known:
-            raise AttributeError(f"a {type(self).__name__} has no {name!r}{hint(name, known)}")
-        return known[name]
-
-
 @dataclass(frozen=True)
-class State(_Named):
+class State(Columns, held_in="places"):
     """A state of steady sliding in contact.
 
     ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too. Direction, length and force of
@@ -96,7 +84,7 @@ class State(_Named):
 
 
 @dataclass(frozen=True)
-class JumpPeak(_Named):
+class JumpPeak(Columns, held_in="ranges"):
     """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or degrees.
 
     ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates on the fold and of the state
@@ -115,7 +103,6 @@ class JumpPeak(_Named):
     lifts_off: bool
     settles: str
     followed_s: float
-    held = "ranges"
 
 
 @dataclass(frozen=True)

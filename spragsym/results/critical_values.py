@@ -32,8 +32,7 @@ def value_at(
     if ends[0] * ends[1] > 0:
         frictions = ", ".join(f"{_in_words(lowest(value))} at {vary} = {value:g}" for value in (low, high))
         raise ParameterError(f"bracket: the critical {along} is {frictions}, both on one side of {along} = {height:g}; widen it")
-    low, high = _within_a_factor(excess, low, high)
-    root = low if low == high else float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=200))
+    root = float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=1000))
     if abs(excess(root)) > 1e-9:
         below, above = (lowest(max(float(np.nextafter(root, end)), allowed.low)) for end in (-math.inf, math.inf))
         raise ConvergenceError(
@@ -41,22 +40,6 @@ def value_at(
             f"{_in_words(above)}: there it has no value between; try a bracket on one side"
         )
     return root
-
-
-def _within_a_factor(excess: Callable[[float], float], low: float, high: float) -> tuple[float, float]:
-    """A bracket whose larger end is at most twice the smaller, or one value: halved in the exponent, at most 12 times."""
-    ends = [excess(low), excess(high)]
-    for value, end in zip((low, high), ends, strict=True):
-        if end == 0:
-            return value, value
-    smallest = float(np.finfo(float).smallest_normal)
-    while high > 2 * max(low, smallest):
-        middle = math.sqrt(max(low, smallest)) * math.sqrt(high)
-        value = excess(middle)
-        if value == 0:
-            return middle, middle
-        low, high = (low, middle) if value * ends[0] < 0 else (middle, high)
-    return low, high
 
 
 def _in_words(friction: float) -> str:

@@ -10,11 +10,10 @@ from typing import Any
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError
-from ..models.parameters import FloatArray, ParameterSet
+from ..models.parameters import FloatArray, ParameterSet, as_number
 from ..progress import doing
 from ..questions import Method, question
 from ..remarks import At, Remark
-from ..results.critical_values import value_at
 from ..results.equilibria import Stability
 from ..results.lowest_ends import LowestEnd
 from ..results.points import Points
@@ -245,6 +244,8 @@ def critical_value(
     >>> print(f"{ss.critical_value(ss.Parameters.article(), 'beta', (1, 2)):.9f}")
     1.632329272
     """
+    from scipy.optimize import brentq
+
     rising, over = p.model.rising_over(along, over, "along")
     if vary not in p.ranges or vary in (rising, over):
         others = ", ".join(name for name in p.ranges if name not in (rising, over))
@@ -258,7 +259,29 @@ def critical_value(
             raise ConvergenceError(f"at {vary} = {value:.12g} the lowest end is undecided: {'; '.join(found.remarks)}")
         return float(found.value)
 
-    return value_at(lowest, (rising, level), vary, bracket, p.ranges[vary])
+    allowed = p.ranges[vary]
+    low, high = (as_number(f"bracket[{i}]", value, allowed) for i, value in enumerate(bracket))
+    if not low < high:
+        raise ParameterError(f"bracket = ({low}, {high}) is empty; give two values, the smaller first")
+
+    def excess(value: float) -> float:
+        return math.atan(lowest(value)) - math.atan(level)  # finite where there is no fold
+
+    if excess(low) * excess(high) > 0:
+        ends = ", ".join(f"{_in_words(lowest(value))} at {vary} = {value:g}" for value in (low, high))
+        raise ParameterError(f"bracket: the critical {rising} is {ends}, both on one side of {rising} = {level:g}; widen it")
+    root = float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=1000))
+    if abs(excess(root)) > 1e-9:
+        below, above = (lowest(max(float(np.nextafter(root, end)), allowed.low)) for end in (-math.inf, math.inf))
+        raise ConvergenceError(
+            f"the critical {rising} jumps across {level:g} at {vary} = {root:.12g}, from {_in_words(below)} to "
+            f"{_in_words(above)}: there it has no value between; try a bracket on one side"
+        )
+    return root
+
+
+def _in_words(value: float) -> str:
+    return "infinite (there is no fold)" if math.isinf(value) else f"{value:.6g}"
 
 
 def carried(balance: Balance, p: Any, name: str, values: FloatArray, q: FloatArray) -> FloatArray:

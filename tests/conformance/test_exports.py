@@ -88,7 +88,8 @@ def export(name: str, language: str, folder: Path) -> Path:
 def in_c(name: str, folder: Path) -> list[float]:
     """Compiled without a warning."""
     model, python = load(name), dict(functions(load(name)))
-    asked = [(one.function, with_angles(model, python[one.function], one.given), len(one.results)) for one in calls(name)]
+    given = [list(with_angles(model, python[one.function], one.given).values()) for one in calls(name)]
+    asked = [(one.function, taken, len(one.results)) for one, taken in zip(calls(name), given, strict=True)]
     return results_of_c(folder, name, asked)
 
 
@@ -118,11 +119,7 @@ def in_this_process(name: str, folder: Path) -> list[float]:
     exported: dict[str, Any] = {}
     exec((folder / f"{name}.py").read_text(encoding="utf-8"), exported)
     for call in calls(name):
-        values = dict(zip(names_of(python[call.function]), call.given, strict=True))
-        for angle, (cosine, sine) in model.about["angles"].items():
-            if cosine in values:
-                values.setdefault(angle, math.atan2(values[sine], values[cosine]))
-        function = exported[call.function]
+        values, function = with_angles(model, python[call.function], call.given), exported[call.function]
         found += map(float, flat(function(*map(values.get, inspect.signature(function).parameters))))
     return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import inspect
 import re
 import shutil
 import subprocess
@@ -14,11 +15,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+import spragsym as ss
 from spragsym.derive.emit import targets
 from spragsym.derive.kang_nam import library
 from tests.oracles import languages
 from tests.oracles.languages import NODE, OCTAVE
-from tests.shown import DOCS, programs
+from tests.shown import DOCS, programs, run
 from tests.support import ROOT
 
 PAGE = ROOT / "CONTRIBUTING.md"
@@ -59,8 +61,8 @@ def in_octave(program: str) -> str:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("language", "there", "run"), [("javascript", NODE, in_node), ("matlab", OCTAVE, in_octave)])
-def test_programs_of_the_page_print_what_it_shows(language: str, there: str | None, run: Callable[[str], str]) -> None:
+@pytest.mark.parametrize(("language", "there", "ran"), [("javascript", NODE, in_node), ("matlab", OCTAVE, in_octave)])
+def test_programs_of_the_page_print_what_it_shows(language: str, there: str | None, ran: Callable[[str], str]) -> None:
     if there is None:
         pytest.skip("it is not on this machine")
     shown = programs(DOCS / "howto_languages.md", language)
@@ -68,7 +70,48 @@ def test_programs_of_the_page_print_what_it_shows(language: str, there: str | No
     for example in languages.library(language).glob("example_*.m"):
         assert example.read_text(encoding="utf-8") in dict(shown)
     for program, output in shown:
-        assert run(program).startswith(output)
+        assert ran(program).startswith(output)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("language", ["casadi", "jax"])
+def test_a_library_that_differentiates_has_our_jacobians_and_finds_the_design(language: str, tmp_path: Path) -> None:
+    """Its own of forces and accelerations, at a thousand sets at once; and what the page asks of its optimizer."""
+    pytest.importorskip(language)
+    model = {"jax": _with_jax, "casadi": _with_casadi}[language]
+    run(f"spragsym export --language {language} --model two_springs --out .", tmp_path)
+    exec((tmp_path / "two_springs.py").read_text(encoding="utf-8"), space := {})
+    for function, jacobian in (("forces", "forces_jacobian"), ("regime_rhs", "regime_jacobian")):
+        names = list(inspect.signature(space[function]).parameters)
+        switches = [name in ("pushing", "side", "near1") for name in names]
+        table = np.where(switches, 1.0, np.random.default_rng(59).uniform(0.2, 0.9, (1000, len(names))))
+        ours, theirs = model(space[function], space[jacobian], table)
+        np.testing.assert_allclose(ours[..., : theirs.shape[-1]], theirs, rtol=1e-11, atol=1e-11)
+    run(f"spragsym export --language {language} --model kang_nam --out .", tmp_path)
+    ((program, shown),) = (one for one in programs(DOCS / "howto_languages.md", "python") if f"import {language}" in one[0])
+    (tmp_path / "design.py").write_text(program, encoding="utf-8")
+    assert run("python design.py", tmp_path) == shown
+    sigma, mu0 = map(float, re.findall(r"0\.\d+", shown))
+    p = ss.load("kang_nam").Parameters(theta0=np.radians(50.0), sigma=sigma)
+    assert ss.jump_value(p) == pytest.approx(mu0, abs=1e-6)
+
+
+def _with_jax(function: Any, jacobian: Any, table: Any) -> tuple[Any, Any]:
+    import jax
+
+    with jax.enable_x64(True):
+        whole = jax.vmap(jax.jacfwd(lambda row: jax.numpy.array(function(*row))))(table)
+        return whole, np.moveaxis(jax.vmap(lambda row: jacobian(*row))(table), -1, 0)
+
+
+def _with_casadi(function: Any, jacobian: Any, table: Any) -> tuple[Any, Any]:
+    import casadi as ca
+
+    row = ca.SX.sym("row", table.shape[1])
+    parts = ca.vertsplit(row)
+    derived = ca.jacobian(ca.vertcat(*function(*parts)), row), ca.vertcat(*(ca.horzcat(*line) for line in jacobian(*parts)))
+    ours, theirs = ca.Function("derived", [row], list(derived)).map(len(table))(table.T)
+    return np.array(ours).reshape(2, len(table), -1), np.array(theirs).reshape(2, len(table), -1)
 
 
 # ------------------------------------------------------------------------------------------------- a new language

@@ -1,8 +1,7 @@
-"""Generated functions of a model in floats, intervals, 50 digits and C: each held against the 50 digits."""
+"""Generated functions of a model in floats, intervals and 50 digits: each held against the 50 digits; and their exports in C."""
 
 from __future__ import annotations
 
-import ctypes
 import inspect
 import math
 import subprocess
@@ -14,15 +13,12 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 
-from spragsym.cli import main as command
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.statics.mechanics.laws import XP
 from tests.oracles.by_hand import load
 
 DIGITS = 50
 WIDE = SimpleNamespace(sqrt=mp.sqrt, exp=mp.exp, log=mp.log, sign=mp.sign, atan2=mp.atan2, pi=mp.pi)
-#: What C may differ from Python by, over the size of the numbers that a result is made of.
-CLOSE = 1e-12
 
 
 def functions(model: Any) -> Iterator[tuple[str, Any]]:
@@ -61,27 +57,8 @@ def flat(value: Any) -> list[Any]:
     return [entry for part in value for entry in flat(part)] if isinstance(value, tuple | list) else [value]
 
 
-def library(name: str, model: Any, folder: Path) -> Any:
-    """The model in C, compiled."""
-    try:
-        command(["export", "--model", model.where, "--out", str(folder)])
-    except SystemExit as ended:
-        if ended.code:
-            raise
-    (source,) = (path for path in folder.glob("*.c") if path.name != "main.c")
-    build = [
-        *["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC"],
-        str(source),
-        "-lm",
-        "-o",
-        str(folder / "model.so"),
-    ]
-    subprocess.run(build, check=True, timeout=300)
-    return ctypes.CDLL(str(folder / "model.so")), source.stem
-
-
-def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]) -> list[float]:
-    """Arguments of a generated function as exported C takes them: an angle in the place of its cosine and sine."""
+def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]) -> dict[str, float]:
+    """Arguments of a generated function by their names, an angle in the place of its cosine and sine, as exports take them."""
     code = inspect.unwrap(function).__code__
     values = dict(zip(code.co_varnames[: code.co_argcount], given, strict=True))
     named: dict[str, float] = {}
@@ -89,7 +66,7 @@ def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]
     for name, value in values.items():
         angle, (cosine, sine) = angle_of.get(name, (name, ("", "")))
         named.setdefault(angle, value if angle == name else math.atan2(values[sine], values[cosine]))
-    return list(named.values())
+    return named
 
 
 def results_of_c(
@@ -117,13 +94,11 @@ def results_of_c(
 def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:
     """What is off with the functions of one model."""
     model = load(name, folder)
-    code, prefix = library(name, model, folder / f"{name}_c")
     rng, wrong = np.random.default_rng([seed, *name.encode()]), []
     for called, function in functions(model):
         plain = inspect.unwrap(function)
         names = [key for key, it in inspect.signature(plain).parameters.items() if it.kind is not it.KEYWORD_ONLY]
         taken = {"xp"} & set(inspect.signature(plain).parameters)
-        in_c = getattr(code, f"{prefix}_{called}", None)
         for _ in range(count):
             given = arguments(names, rng)
             floats = np.array([float(part) for part in flat(function(*given))])
@@ -135,11 +110,6 @@ def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:
             size = 1.0 + np.abs(exact).max()
             if not np.abs(floats - exact).max() <= 1e-9 * size:
                 wrong.append(f"{name}.{called}: floats {floats} and 50 digits {exact} at {dict(zip(names, given, strict=True))}")
-            if in_c is not None:
-                room = (ctypes.c_double * floats.size)()
-                in_c(*map(ctypes.c_double, with_angles(model, function, given)), room)
-                if not np.abs(np.array(room[:]) - floats).max() <= CLOSE * size:
-                    wrong.append(f"{name}.{called}: C {room[:]} and Python {floats} at {dict(zip(names, given, strict=True))}")
             wrong += enclosed(f"{name}.{called}", plain, given, wide, {"xp": XP} if taken else {})
     return wrong
 

@@ -67,7 +67,9 @@ def compare(model: Any, home: Path, rng: np.random.Generator, names: list[str]) 
 def in_c(model: Any, out: Path, calls: list[Any]) -> list[float]:
     subprocess.run(["make", "-s"], cwd=out, check=True, capture_output=True, text=True, timeout=120)
     (header,) = out.glob("*.h")
-    return results_of_c(out, header.stem, [(name, with_angles(model, it, given), len(found)) for name, it, given, found in calls])
+    return results_of_c(
+        out, header.stem, [(name, [*with_angles(model, it, given).values()], len(found)) for name, it, given, found in calls]
+    )
 
 
 def in_node(_: Any, out: Path, calls: list[Any]) -> list[float]:

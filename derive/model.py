@@ -19,9 +19,10 @@ from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tan
 
 from . import limits
 from .emit.quantities import interval
+from .from_mechanics import page_from
 
 __all__ = [
-    "Abs", "Page", "PageError", "atan", "cos", "cosh", "exp", "log", "pi", "sgn", "sin", "sinh", "sqrt", "tanh",
+    "Abs", "Page", "PageError", "atan", "cos", "cosh", "exp", "log", "page_from", "pi", "sgn", "sin", "sinh", "sqrt", "tanh",
 ]  # fmt: skip
 
 #: The sign function under the name that articles give it.
@@ -145,12 +146,12 @@ def expression_of(value: object) -> sp.Expr:
     """A number or an expression, as an expression; decimals in it as the fractions that are written."""
     if value is None or isinstance(value, str):
         said = "nothing" if value is None else f"{value!r}, a text"
-        raise _refused(f"here is {said}; give a quantity of the page, without quotation marks, or a number")
+        raise refused(f"here is {said}; give a quantity of the page, without quotation marks, or a number")
     try:
         expression = sp.sympify(value)
     except sp.SympifyError as error:
         said = "a function" if callable(value) else repr(value)
-        raise _refused(f"here is {said}; give an expression of parameters and coordinates, or a number") from error
+        raise refused(f"here is {said}; give an expression of parameters and coordinates, or a number") from error
     if expression.has(sinh, cosh):
         for function in (sinh, cosh):
             expression = expression.replace(function, lambda u, whole=function: whole(u).rewrite(exp))
@@ -219,16 +220,16 @@ class Page:
         if base is not None and (
             isinstance(base, bool) or not isinstance(base, int | float | sp.Expr) or not sp.sympify(base).is_number
         ):
-            raise _refused(f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
+            raise refused(f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
         number, allowed = None if base is None else float(base), interval(domain)
         if number is not None and not allowed.holds(number):
             turn = "; angles are in radians: 45 degrees are pi/4" if unit == "rad" else ""
-            raise _refused(f"the base value {base} of {name} is not in its domain {domain}{turn}")
+            raise refused(f"the base value {base} of {name} is not in its domain {domain}{turn}")
         if unit == "rad" and 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf:  # as one in degrees is
-            raise _refused(f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)")
+            raise refused(f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)")
         for other in self.parameters:
             if other.becomes == (becomes or name):
-                raise _refused(
+                raise refused(
                     f"{other.symbol} and {name} both become {other.becomes}; give one of them another name with becomes"
                 )
         self.parameters.append(Datum(symbol, unit, meaning, domain, latex or sp.latex(symbol), _line(), becomes or name, number))
@@ -262,7 +263,7 @@ class Page:
         """A spring: straight between two ``ends``, of undeformed ``length``; or along a coordinate."""
         for what, value in (("stiffness", stiffness), ("undeformed length", length)):
             if moving := self._moving(expression_of(value)):
-                raise _refused(f"the {what} of this spring depends on {moving}; say its energy with page.potential")
+                raise refused(f"the {what} of this spring depends on {moving}; say its energy with page.potential")
         self.springs.append(_element("spring", stiffness, ends, along, length))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
@@ -281,9 +282,9 @@ class Page:
     def force(self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None) -> None:
         """An applied force: two components at a point, or one along a coordinate."""
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
-            raise _refused("a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
+            raise refused("a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
         if at is not None and (not isinstance(at, tuple | list) or len(at) != 2):
-            raise _refused(f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
+            raise refused(f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
         place = (_along(along),) if at is None else tuple(map(expression_of, at))
         self.forces.append(Force(tuple(map(expression_of, components)), place, _line()))
 
@@ -319,31 +320,31 @@ class Page:
         """A law is one of expressions, and of its own variable alone."""
         limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
         if len(needed := _needed(law, kind, of)) > 1:
-            raise _refused(f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}")
+            raise refused(f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}")
         try:
             moving = self._moving(expression_of(law(sp.Dummy(positive=True))))
         except PageError:
             raise
         except Exception as error:  # whatever the page's own code raises
-            raise _refused(
+            raise refused(
                 f"the {kind} law can't be taken of an expression: {type(error).__name__}: {error}; give a function of one argument, "
                 f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model"
             ) from error
         if moving:
             rates = kind == "friction" or any(str(entry.rate) in moving.split(", ") for entry in self.coordinates)
-            raise _refused(f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}")
+            raise refused(f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}")
 
     def _check_speeds(self, expression: sp.Expr, what: str, limit: object = limits.CONTACT_DAMPING) -> None:
         """The normal force follows from the place; the coefficient of a damper holds no speed either."""
         held = [str(entry.rate) for entry in self.coordinates if expression.has(entry.rate)]
         if held:
-            raise _refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
+            raise refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
     def _first(self, said: Contact | Friction | tuple[sp.Expr, int] | None, what: str, remedy: str) -> None:
         """A statement that a page has once."""
         if said is not None:
             line = said[1] if isinstance(said, tuple) else said.line
-            raise _refused(f"line {line} says the {what} already, and this would replace it; {remedy}")
+            raise refused(f"line {line} says the {what} already, and this would replace it; {remedy}")
 
     def _moving(self, expression: sp.Expr) -> str:
         """The coordinates and rates that an expression holds."""
@@ -353,25 +354,26 @@ class Page:
     def _once(self, name: str) -> None:
         names = [str(entry.symbol) for entry in (*self.units, *self.parameters, *self.coordinates)]
         if names.count(name) > 1:
-            raise _refused(f"{name} is defined twice; give the second quantity another name")
+            raise refused(f"{name} is defined twice; give the second quantity another name")
 
 
 def _line() -> int:
-    """The line of the page that is being read: the innermost frame outside this file."""
+    """The line of the page that is being read: the innermost frame outside this file, and that of other methods."""
     frame = inspect.currentframe()
-    while frame is not None and frame.f_code.co_filename == __file__:
+    while frame is not None and frame.f_code.co_filename in (__file__, page_from.__code__.co_filename):
         frame = frame.f_back
     return frame.f_lineno if frame else 0
 
 
-def _refused(message: str) -> PageError:
+def refused(message: str) -> PageError:
+    """The error of the line of the page that is being read."""
     return PageError(_line(), message)
 
 
 def _needed(law: Law, kind: str, of: str) -> list[str]:
     """The arguments that a law has to be given."""
     if not callable(law):
-        raise _refused(f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …")
+        raise refused(f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …")
     try:
         arguments = inspect.signature(law).parameters.values()
     except ValueError:  # a function of a library that does not say what it takes
@@ -381,16 +383,16 @@ def _needed(law: Law, kind: str, of: str) -> list[str]:
 
 def _along(along: sp.Expr | None) -> sp.Expr:
     if not isinstance(along, sp.Expr):
-        raise _refused(f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks")
+        raise refused(f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks")
     return expression_of(along)
 
 
 def _element(what: str, strength: sp.Expr, ends: tuple[Point, ...], along: sp.Expr | None, rest: sp.Expr | int) -> Element:
     way = None if along is None else _along(along)
     if (len(ends), along is None) not in ((2, True), (0, False)):
-        raise _refused("a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
+        raise refused("a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
     if any(not isinstance(end, tuple | list) or len(end) != 2 for end in ends):
-        raise _refused(f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}")
+        raise refused(f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}")
     both = tuple((expression_of(x), expression_of(y)) for x, y in ends)
     return Element(what, expression_of(strength), (both[0], both[1]) if both else None, way, expression_of(rest), _line())
 
@@ -399,7 +401,7 @@ def _check_texts(**texts: object) -> None:
     """What describes a quantity is text."""
     for what, text in texts.items():
         if not isinstance(text, str):
-            raise _refused(f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments")
+            raise refused(f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments")
         check_characters(what, text, _line())
 
 
@@ -416,9 +418,9 @@ def _assumptions(domain: str) -> dict[str, bool]:
     try:
         allowed = interval(domain)
     except ValueError as error:
-        raise _refused(str(error)) from error
+        raise refused(str(error)) from error
     if not allowed.low < allowed.high:
-        raise _refused(f"the domain {domain} holds no number; give its lower end first")
+        raise refused(f"the domain {domain} holds no number; give its lower end first")
     if allowed.low > 0 or (allowed.low == 0 and allowed.low_open):
         return {"positive": True}
     return {"nonnegative": True} if allowed.low == 0 else {"real": True}

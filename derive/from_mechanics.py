@@ -1,0 +1,216 @@
+"""A page from SymPy's mechanics: what a method of Lagrange or Kane holds, in a page's own statements."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from . import limits, units
+
+if TYPE_CHECKING:
+    from .model import Page
+
+
+def page_from(
+    method: Any,
+    page: Page,
+    coordinates: Mapping[sp.Expr, tuple[str, str]],
+    contact: tuple[Any, ...] | None = None,
+    friction: tuple[Any, ...] | None = None,
+) -> Page:
+    """Say on a page what a ``LagrangesMethod`` or ``KanesMethod`` of SymPy holds, which is made of the page's quantities.
+
+    Parameters
+    ----------
+    method : LagrangesMethod or KanesMethod
+        Without constraints. Of Kane's the bodies have the kinetic energy, and all forces are loads.
+    page : Page
+        With its units and parameters.
+    coordinates : mapping
+        Unit and meaning of each coordinate of the method: ``{x: ("m", "displacement along the belt")}``.
+    contact : tuple, optional
+        The symbol that stands for the normal force in the method, the gap in its coordinates, and the law.
+    friction : tuple, optional
+        The symbol that stands for the friction coefficient, the displacement that friction opposes, the belt's speed, the law, and
+        what statics takes for it, if not the law at that speed.
+
+    Returns
+    -------
+    Page
+        The same page.
+
+    Raises
+    ------
+    PageError
+        Where the method holds what no page can say, which is named: a constraint, a gyroscopic term, a force that varies in time, or
+        one that is no spring, damper, contact or friction.
+    """
+    it = _Reader(method, page, coordinates)
+    page.kinetic(it.kinetic)
+    forces, still = it.split(contact, friction), dict.fromkeys(it.rates, 0)
+    it.dampers((forces - forces.subs(still)).applyfunc(it.expanded))
+    it.springs((forces.subs(still) - it.gradient(it.stored)).applyfunc(it.expanded))
+    return page
+
+
+class _Reader:
+    """What a method holds, in a page's symbols."""
+
+    def __init__(self, method: Any, page: Page, coordinates: Mapping[sp.Expr, tuple[str, str]]) -> None:
+        from sympy.physics.vector import dynamicsymbols
+
+        from .model import refused
+
+        self.page, self.refused, self.loads, self.time = page, refused, [*(method.loads or ())], dynamicsymbols._t
+        kane = hasattr(method, "kindiffdict")
+        if any(map(len, (method._qdep, method._udep) if kane else (method.coneqs,))):
+            raise refused("the method has constraints; eliminate them, so that its coordinates are independent")
+        if set(coordinates) != set(method.q):
+            raise refused(f"the coordinates are {', '.join(map(str, method.q))}; give unit and meaning of each of these")
+        self.places = [page.coordinate(q.func.__name__, *coordinates[q]) for q in method.q]
+        self.rates = [page.rate(place) for place in self.places]
+        by_speeds = [rate - value for rate, value in method.kindiffdict().items()] if kane else []
+        self.names = [
+            sp.solve(by_speeds, [*method.u], dict=True)[0] if kane else {},
+            {q.diff(self.time): rate for q, rate in zip(method.q, self.rates, strict=True)},
+            dict(zip(method.q, self.places, strict=True)),
+        ]
+        self.frame = method._inertial if kane else method.inertial
+        whole = self.plain(sum(body.kinetic_energy(self.frame) for body in method.bodies) if kane else method._L[0])
+        still = dict.fromkeys(self.rates, 0)
+        self.stored = -whole.subs(still)
+        self.kinetic = sp.expand(whole + self.stored)
+        if any(sp.diff(self.kinetic, rate).subs(still) != 0 for rate in self.rates):
+            raise refused(f"the Lagrangian holds a term linear in the rates, and {limits.GYROSCOPIC}")
+
+    def plain(self, expression: Any) -> sp.Expr:
+        """In the page's symbols."""
+        value = sp.sympify(expression)
+        for names in self.names:
+            value = value.subs(names)
+        if value.has(self.time):
+            raise self.refused(f"{value} varies in time by itself: {limits.FORCING}")
+        return value
+
+    def gradient(self, expression: sp.Expr) -> sp.Matrix:
+        return sp.Matrix([expression]).jacobian(self.places).T
+
+    def split(self, contact: tuple[Any, ...] | None, friction: tuple[Any, ...] | None) -> sp.Matrix:
+        """Generalized forces of the loads without those of contact and friction, which become statements."""
+        if contact is None and friction is not None:
+            raise self.refused("there is friction and no normal force; give contact=(N, gap, law)")
+        forces = sp.zeros(len(self.places), 1)
+        for point, vector in self.loads:
+            velocity = point.vel(self.frame) if hasattr(point, "vel") else point.ang_vel_in(self.frame)
+            moves, pulls = (part.to_matrix(self.frame).applyfunc(self.plain) for part in (velocity, vector))
+            forces += moves.jacobian(self.rates).T * pulls
+        if contact is not None:
+            normal, gap, law = contact
+            self.page.contact(self.plain(gap), law)
+            forces -= normal * self.gradient(self.plain(gap))
+        if friction is not None:
+            coefficient, along, belt, *laws = friction
+            self.page.friction(self.plain(along), belt, *laws)
+            forces -= normal * coefficient * self.gradient(self.plain(along))
+        forces = forces.applyfunc(self.expanded)
+        known = {*self.places, *self.rates, *(entry.symbol for entry in (*self.page.units, *self.page.parameters))}
+        for place, force in zip(self.places, forces, strict=True):
+            if unknown := sorted(map(str, force.free_symbols - known)):
+                raise self.refused(
+                    f"the force along {place} holds {', '.join(unknown)} beside contact and friction, which act along the slope of the "
+                    "gap and of the displacement; give contact=(N, gap, law) and friction=(mu, along, belt, law) as the loads have them"
+                )
+        return forces
+
+    def bases(self, expression: sp.Expr) -> set[sp.Expr]:
+        """What it takes roots and quotients of, where that moves."""
+        powers = (node for node in expression.atoms(sp.Pow) if not (node.exp.is_Integer and node.exp.is_positive))
+        return {node.base for node in powers if node.base.has(*self.places)}
+
+    def expanded(self, expression: sp.Expr) -> sp.Expr:
+        """Written out, but for these."""
+        kept = {base: sp.Dummy(positive=True) for base in self.bases(expression)}
+        held = expression.replace(lambda it: isinstance(it, sp.Pow) and it.base in kept, lambda it: kept[it.base] ** it.exp)
+        return sp.expand(held).xreplace({dummy: base for base, dummy in kept.items()})
+
+    def lines(self, forces: sp.Matrix) -> Iterator[tuple[sp.Expr, sp.Matrix, int, tuple[Any, Any]]]:
+        """Squared lengths that forces hold, half the slopes of each, a coordinate that changes it, and the ends of the line."""
+        for base in sorted({base for force in forces for base in self.bases(force)}, key=sp.default_sort_key):
+            parts = [part.base for part in sp.Add.make_args(base) if part.is_Pow and part.exp == 2]
+            if len(parts) != 2 or sp.expand(sum(part**2 for part in parts) - base) != 0:
+                raise self.refused(f"the root of {base} is no length between two points; write it as sqrt(dx**2 + dy**2)")
+            # Along x comes first, and from the mass to the anchor both parts fall as the mass moves.
+            parts.sort(key=lambda part: next((row for row, place in enumerate(self.places) if part.has(place)), len(self.places)))
+            ends = []
+            for part in parts:
+                slopes = {sp.diff(part, place): place for place in reversed(self.places)}
+                falling = part if -1 in slopes or 1 not in slopes else -part
+                start = slopes.get(-1, slopes.get(1, sp.S.Zero))
+                ends.append((start, sp.expand(falling + start)))
+            half = (self.gradient(base) / 2).applyfunc(sp.expand)
+            row = next(row for row, slope in enumerate(half) if slope != 0)
+            yield base, half, row, tuple(zip(*ends, strict=True))
+
+    def dampers(self, forces: sp.Matrix) -> None:
+        """Those that the forces of speeds are made of."""
+        C = -forces.jacobian(self.rates).applyfunc(self.expanded)
+        if C.has(*self.rates):
+            raise self.refused(
+                f"{', '.join(str(one) for one in forces if one != 0)} is no damper of a page: {limits.NONLINEAR_DAMPER}"
+            )
+        if not (C - C.T).applyfunc(self.expanded).is_zero_matrix:
+            raise self.refused(f"the forces {', '.join(map(str, forces))} are no dampers: {limits.GYROSCOPIC}")
+        for base, half, row, ends in self.lines(C):
+            square = sp.Add(*(term for term in sp.Add.make_args(C[row, row]) if base in self.bases(term)))
+            coefficient = sp.simplify(square * base / half[row] ** 2)
+            self.page.damper(coefficient, *ends)
+            C = (C - coefficient / base * half * half.T).applyfunc(self.expanded)
+        for i, j in itertools.combinations(range(len(self.places)), 2):
+            if C[i, j] != 0:
+                self.page.damper(-C[i, j], along=self.places[i] - self.places[j])
+                C[i, i], C[j, j] = C[i, i] + C[i, j], C[j, j] + C[i, j]
+        for place, coefficient in zip(self.places, C.diagonal(), strict=True):
+            if coefficient != 0:
+                self.page.damper(coefficient, along=place)
+
+    def springs(self, forces: sp.Matrix) -> None:
+        """Straight springs, those along coordinates, other potentials, and applied forces."""
+        for base, half, row, ends in self.lines(forces):
+            product = sp.simplify(forces[row].subs(1 / sp.sqrt(base), length := sp.Dummy()).coeff(length) / half[row])
+            left = {
+                stiffness: (forces + (stiffness - product / sp.sqrt(base)) * half).applyfunc(self.expanded)
+                for stiffness in self.stiffnesses(product)
+            }
+            if not left or any(base in self.bases(force) for force in next(iter(left.values()))):
+                raise self.refused(
+                    f"the force {forces[row]} depends on {sp.sqrt(base)}, and is no k (l - r): it is no spring of a page"
+                )
+            # Of k_2 λ_2 L_0, say, k_2 is the stiffness if it takes away what stands without the root.
+            stiffness = min(left, key=lambda one: sum(len(sp.Add.make_args(force)) for force in left[one]))
+            self.page.spring(stiffness, *ends, length=product / stiffness)
+            forces = left[stiffness]
+        potential = sp.S.Zero
+        for place, force in zip(self.places, forces, strict=True):
+            potential -= sp.expand(sp.integrate(sp.expand(force + sp.diff(potential, place)), place))
+        for place, force in zip(self.places, (forces + self.gradient(potential)).applyfunc(sp.expand), strict=True):
+            pull, square = (potential.coeff(place, power) for power in (1, 2))
+            pull, square = (sp.S.Zero if part.has(*self.places) else part for part in (pull, square))
+            if force != pull:
+                self.page.force(force - pull, along=place)
+            if square != 0:
+                self.page.spring(2 * square, along=place)
+            potential -= pull * place + sp.expand(square * place**2)
+        if potential != 0:
+            self.page.potential(potential)
+
+    def stiffnesses(self, product: sp.Expr) -> Iterator[sp.Expr]:
+        """Parts of k r, a stiffness times a length, that may be the stiffness."""
+        known = {it.symbol: units.read(it.unit) for it in (*self.page.units, *self.page.parameters)}
+        factors = sp.Mul.make_args(product) if product.free_symbols <= known.keys() else ()
+        for size in range(1, len(factors)):
+            for part in map(sp.prod, itertools.combinations(factors, size)):
+                if units.of(part, known) == units.STIFFNESS:
+                    yield part

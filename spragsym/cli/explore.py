@@ -7,7 +7,7 @@ import shlex
 import sys
 import webbrowser
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -82,7 +82,7 @@ def explore(
     click.echo(out)
     if unopened:
         return
-    if _has_display():
+    if sys.platform in ("win32", "darwin") or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
         webbrowser.open(out.resolve().as_uri())
     else:
         click.echo(f"there is no display; open {out} in a browser", err=True)
@@ -128,25 +128,17 @@ def _map(model: Model, p: ParameterSet, study: Study | None, asked: bool) -> tup
 
 def _units(study: Study) -> Units:
     """The units of the user's file."""
-    from ..models.units import factor
-
-    kind = study.kind
-    length = next((study.quantities[name].unit for name, unit in kind.bases.items() if unit == "m"), "m")
-    parameters: dict[str, Any] = {}
-    for quantity, name in kind.parameters.items():
-        unit = kind.units[quantity]
-        if quantity in study.quantities and unit not in ("rad", "1"):
-            one = study.in_file(quantity, study.scale(unit))
-            parameters[name] = quantity, one, study.quantities[quantity].unit or unit
+    kind, given = study.kind, study.in_units()
+    length, metres = next((given[name][1:] for name, unit in kind.bases.items() if unit == "m"), ("m", 1.0))
+    parameters = {
+        name: (quantity, study.in_file(quantity, study.scale(kind.units[quantity])), given[quantity][1] or kind.units[quantity])
+        for quantity, name in kind.parameters.items() if quantity in given and kind.units[quantity] not in ("rad", "1")
+    }  # fmt: skip
     fixed = ", ".join(f"{name} = {study.shown(name)}" for name in kind.bases)
     return Units(
         f"those of {study.source}, at its {fixed}.",
-        (study.scales.length / factor(length, "m"), length or "m"),
+        (study.scales.length / metres, length or "m"),
         (study.scales.time, "s"),
         (study.scales.force, "N"),
         parameters,
     )
-
-
-def _has_display() -> bool:
-    return sys.platform in ("win32", "darwin") or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))

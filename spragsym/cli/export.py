@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import click
 
@@ -12,7 +10,7 @@ from ..derive.emit.targets import languages, packer
 from ..derive.kang_nam.library import exported
 from ..errors import ParameterError, StoreError
 from ..files.writing import probe
-from ..models import Model, load
+from ..models import load
 from ..models.load import USUAL, page_of
 from . import options as o
 from .of_model import study_of
@@ -45,19 +43,18 @@ def export(model_name: str | None, language: str, data: Path | None, out: Path, 
     probe(out if pack else out / "file", made=True)
     study = study_of(data, model_name, trust) if data else None
     name = study.model if study else model_name or (USUAL if pack else None)
-    texts = of_model(load(name), language, study.in_units() if study else None) if name else exported(language)
+    if name:
+        from ..derive import export as translation
+        from ..derive import pages
+
+        page = page_of(load(name), pages.SHIPPED)
+        texts = translation.export(page, load(name).name, language, study.in_units() if study else None)
+    else:
+        texts = exported(language)
     files = {out: pack(texts)} if pack else {out / path: text for path, text in texts.items()}
     write(files, force, made=True)
     for path in files:
         click.echo(path)
-
-
-def of_model(model: Model, language: str, data: Mapping[str, Any] | None = None) -> dict[str, str]:
-    """The functions of a model in the language, from its page, of the package or in its folder; with data in their units."""
-    from ..derive import export as translation
-    from ..derive import pages
-
-    return translation.export(page_of(model, pages.SHIPPED), model.name, language, data)
 
 
 @o.command()

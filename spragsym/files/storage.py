@@ -96,11 +96,10 @@ def write(
     """
     path = check_target(path, 0)
     # In memory first: HDF5 ends the process when a disk fills while it writes.
-    put(path, _netcdf(dataset()) if path.suffix == ".nc" else _csv(columns(), attrs, explained))
-
-
-def _netcdf(dataset: Any) -> bytes:
-    return _sealed(bytes(dataset.to_netcdf(engine="h5netcdf")) + b"\n")
+    if path.suffix == ".nc":
+        put(path, _sealed(bytes(dataset().to_netcdf(engine="h5netcdf")) + b"\n"))
+    else:
+        put(path, _csv(columns(), attrs, explained))
 
 
 def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Mapping[str, tuple[str, str]]) -> bytes:
@@ -142,7 +141,10 @@ _TRAILED = re.compile(rb"(.*\n)# sha256: ([0-9a-f]{64})\n", re.DOTALL)
 def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Columns, flat, and attributes of a file that :func:`write` wrote; a StoreError if a bit of it has changed."""
     content = _verified(path)
-    return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
+    if path.suffix != ".nc":
+        return _read_csv(content)
+    with xarray().open_dataset(io.BytesIO(content), engine="h5netcdf") as dataset:
+        return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(dataset.attrs)
 
 
 def read_own(path: Path, key: str) -> dict[str, Any]:
@@ -176,11 +178,6 @@ def _verified(path: Path) -> bytes:
             "take it from a copy, or remove it to compute it again"
         )
     return parts[1]
-
-
-def _read_netcdf(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
-    with xarray().open_dataset(io.BytesIO(data), engine="h5netcdf") as dataset:
-        return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(dataset.attrs)
 
 
 def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:

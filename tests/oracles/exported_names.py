@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from spragsym.cli.export import of_model
+from spragsym.derive import export, pages
+from spragsym.models.load import page_of
 from tests.oracles.emission import flat, functions, results_of_c, with_angles
 from tests.oracles.languages import NODE, octave
 
@@ -52,7 +53,7 @@ def compare(model: Any, home: Path, rng: np.random.Generator, names: list[str]) 
     exact, wrong = np.concatenate([results for *_, results in calls]), []
     for language, run in (("c", in_c), ("javascript", in_node), ("matlab", in_octave)):
         out = home / language
-        for name, text in of_model(model, language).items():
+        for name, text in export.export(page_of(model, pages.SHIPPED), model.name, language).items():
             (out / name).parent.mkdir(parents=True, exist_ok=True)
             (out / name).write_text(text, encoding="utf-8")
         try:

@@ -31,7 +31,7 @@ class TargetError(ParameterError, FileExistsError):
 
 
 class ConvergenceError(SpragsymError, RuntimeError):
-    """A computation could not reach what it promises."""
+    """A computation did not converge, or its result could not be certified."""
 
 
 class MissingExtraError(SpragsymError, ImportError):

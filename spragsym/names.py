@@ -1,4 +1,4 @@
-"""Names as people type them, and the one that was meant."""
+"""Closest match for a mistyped name."""
 
 from __future__ import annotations
 

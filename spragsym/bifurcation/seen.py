@@ -1,4 +1,4 @@
-"""Onsets that floats see where a search over boxes ends before all is decided: each proved on its own if that succeeds.
+"""Numerically detected onsets where the search is undecided; verified one by one.
 
 States are found at many values of the parameter, and from one value to the next each pair λ, λ̄ is followed on its own: others
 may grow already, or never be damped. Where the growth of one changes its sign, bisection leads to the onset; where friction alone

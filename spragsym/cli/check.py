@@ -1,4 +1,4 @@
-"""``spragsym check``: the ledgers of equations and of claims, recomputed."""
+"""``spragsym check``: the ledgers of equations and of claims, as committed, or recomputed with ``--again``."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from ..results.result import Result
 
 @dataclass(frozen=True)
 class Certificate(Result):
-    """What is known of a claim over a box.
+    """Certificate of a claim over a box of parameters: proved, refuted or undecided.
 
     Attributes
     ----------

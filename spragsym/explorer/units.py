@@ -1,4 +1,4 @@
-"""Units of the reader's own: what the page multiplies its dimensionless numbers with, and what it calls the product."""
+"""Units of the user in the explorer: what one of the model's dimensionless numbers is, and the name of its unit."""
 
 from __future__ import annotations
 

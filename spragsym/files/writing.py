@@ -1,4 +1,4 @@
-"""One way to write a file: beside its place under a name that nobody can guess, to the disk, then into its place in one step.
+"""Atomic writing of files: to a temporary file beside the target, flushed to the disk, then renamed.
 
 Whatever ends a write, a full disk or a kill, what stood there before stays, and nothing half-written stands under a name that was
 asked for. What a killed process leaves, ``.spragsym-`` with its number, is removed by the next write to the same folder.

@@ -1,4 +1,4 @@
-"""Lift-off for good: in a well of the energy above the belt, which nothing changes without contact.
+"""Permanent lift-off: without contact the energy above the belt is conserved, and its well holds the motion.
 
 Without contact nothing changes the energy U + kinetic. About a stable equilibrium in lift-off the region of less energy than any
 higher stationary value of U, its brim, has no way out and does not reach the belt: such values are at the other equilibria in

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Model:
-    """A model from its model page.
+    """A loaded model: its names, parameters, generated functions and closed forms.
 
     Attributes
     ----------

@@ -85,7 +85,7 @@ class _Cycle:
     def _next(self, place: FloatArray, course: Course) -> FloatArray:
         late = np.flatnonzero(course.maxima_t > 0.5 * self.orbit.period)
         if not len(late):
-            raise ConvergenceError("the motion does not come back")
+            raise ConvergenceError("no cycle: the motion does not return to its section; start elsewhere")
         returns = section(_near(course.maxima[late], self.orbit.state, self.around), self.orbit.fixed) / self.scale
         off = np.abs(returns - place).max(axis=1) + np.abs(course.maxima_t[late] / self.orbit.period - 1)
         found: FloatArray = returns[int(np.argmin(off))]

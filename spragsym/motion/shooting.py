@@ -202,7 +202,7 @@ def solved(
         if not 0.5 < guess.period / start.period < 2:
             break
         loop, before = looped(flow, guess, free), width
-    raise ConvergenceError("Newton's method finds no closed orbit there")
+    raise ConvergenceError("Newton's method finds no closed orbit there; start nearer to one")
 
 
 def chorded(flow: Flow, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, steps: int = 4) -> Guess:

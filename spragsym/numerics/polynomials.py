@@ -1,4 +1,4 @@
-"""Exact polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation, roots on the line."""
+"""Exact polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation, real roots."""
 
 from __future__ import annotations
 

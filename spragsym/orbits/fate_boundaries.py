@@ -80,7 +80,7 @@ TRIES = 12
 
 @dataclass(frozen=True, eq=False)
 class FateBoundary(Result):
-    """Where a start changes its fate.
+    """The value of a parameter at which a motion changes its fate, and the edge state there.
 
     Both attractors are there on both sides: each was followed to the other side, and is stable there. An attractor that itself
     ends or loses its stability is no change of fate, but an event of its branch.

@@ -43,7 +43,7 @@ class Kind(IntEnum):
 
 @dataclass(frozen=True, eq=False)
 class FateMap(Result):
-    """What motions come to; every array has the common shape of the parameters.
+    """Fates of motions over a grid of parameters; every array has the common shape of the parameters.
 
     Attributes
     ----------

@@ -75,7 +75,7 @@ def fate(
     p: ParameterSet, *, V: float | None = None, d: float | None = None, start: Any = None, t_end: float = 40_000.0,
     backend: str | None = None,
 ) -> Fate:  # fmt: skip
-    """What a motion comes to, as far as that can be told.
+    """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
 
     An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers decide. Where none is found, the
     motion is chaotic if its Lyapunov exponents prove that: one is positive, every other one but the trivial one is told from 0,

@@ -22,7 +22,7 @@ from .study import Study
 
 
 class Report(Facts, Result):
-    """What can be said of a brake; None where a model gives no answer, with the reason among ``warnings``.
+    """Report on a brake; what its model does not answer is None, with the reason among ``warnings``.
 
     What is computed is an attribute.
     """

@@ -1,4 +1,4 @@
-"""Numbers that are allowed as an argument, and arguments as numbers."""
+"""Validation of arguments: numbers and arrays of numbers within a range."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from .result import Sweep
 
 @dataclass(frozen=True, eq=False)
 class Basin(Result):
-    """Which attractor each initial state reaches, over two axes of starts, which have their names: x, vx.
+    """Basins of attraction: the attractor that each initial state reaches, over two axes of starts, named as x and vx.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ def basin(
     d: float | None = None,
     **starts: Any,
 ) -> Basin:
-    """Which attractor is reached from a grid of starts: two coordinates or rates, as x and vx.
+    """Basins of attraction on a grid of starts: two coordinates or rates, as x and vx.
 
     Parameters
     ----------

@@ -52,7 +52,7 @@ class Sensitivity(Result):
 def sensitivity(
     p: Parameters, V: ArrayLike | None = None, d: ArrayLike | None = None, *, refine: int = 6, **options: Any
 ) -> Sensitivity:
-    """What V and d, which the article does not state, do to the jump of its Figure 7b.
+    """Sensitivity of the jump in the article's Figure 7b to V and d, which it does not state.
 
     Parameters
     ----------

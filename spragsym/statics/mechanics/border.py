@@ -1,4 +1,4 @@
-"""Roots of a search that are accepted, whatever they are of: on one side of the contact's border, and within one turn of angles.
+"""Acceptance of roots of a search: on one side of the contact's border, and within one turn of angles.
 
 A search excludes boxes that lie beyond the border; a box that meets it may hold a root on either side. So the sign of the gap is
 proved at the root itself: over the box in which it is known to floats, and where that meets the border over one of many digits.

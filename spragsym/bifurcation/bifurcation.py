@@ -66,12 +66,8 @@ def bifurcation_set(
         Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes between two extrema of
         curves; on each all folds are found and proved. Of closed forms about how many directions θ to solve at, 2000, 600 at
         least.
-    between : mapping, optional
-        Ranges of the two, as for :func:`spragsym.folds`.
-    within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.equilibria`.
-    method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or the search.
+    between, within, method
+        As for :func:`spragsym.folds`, ranges of the two.
 
     Returns
     -------

@@ -70,10 +70,8 @@ def critical_friction(
     vary, over : str, optional
         Two parameters: the one along which the state is followed, mu0 unless told otherwise, and the one over whose range that is
         done, theta0 unless told otherwise.
-    between : mapping, optional
-        Their ranges, as for :func:`spragsym.folds`.
-    method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or the search.
+    between, method
+        Their ranges and the way to the answer, as for :func:`spragsym.folds`.
 
     Returns
     -------
@@ -106,13 +104,10 @@ def critical_friction(
     >>> round(found.mu0, 6), found.kind, found.complete
     (0.207376, 'cusp', True)
     """
-    model = p.model
-    vary, over = model.rising_over(vary, over)
+    vary, over = p.model.rising_over(vary, over)
     if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
-    between = between or {}
-    search_of = _Search(p, vary, over, ranges(model, (over, vary), between))
-    unsaid = endless(model, (over, vary), between)
+    search_of = _Search(p, vary, over, ranges(p.model, (over, vary), between or {}))
     try:
         found, open_from, remarks = search_of.lowest()
     except ConvergenceError as error:
@@ -122,8 +117,9 @@ def critical_friction(
         at = At(vary, (open_from,), ".6g")
         why = Remark("candidates from {} on are not all decided: the state may end there", at)
         found, remarks = _Candidate(open_from, math.nan, "undecided", math.nan), (*remarks, why)
+    unsaid = endless(p.model, (over, vary), between or {})
     cut = [name for name in unsaid if name == over or not math.isfinite(found.value)]
-    remarks += of_ranges(tuple(cut), search_of.spans[[(over, vary).index(name) for name in cut]]) if cut else ()
+    remarks += of_ranges(cut, search_of.spans[[(over, vary).index(name) for name in cut]])
     complete = not remarks and found.kind != "undecided"
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
 

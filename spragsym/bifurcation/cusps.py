@@ -28,12 +28,8 @@ def cusps(
         Of any model, scalars; those that vary are not used.
     vary : pair of str, optional
         Two parameters; without it ``theta0`` and ``mu0``.
-    between : mapping, optional
-        Their ranges, as for :func:`spragsym.folds`.
-    within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.equilibria`.
-    method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or the search.
+    between, within, method
+        As for :func:`spragsym.folds`.
 
     Returns
     -------

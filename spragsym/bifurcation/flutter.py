@@ -51,12 +51,8 @@ def flutter_onsets(
     damping : bool, optional
         True for Hopf points of the full linearization, det(λ² M + λ C + K) = 0 with dampers and slope of the friction law; False
         for (27), without C, as the article's flutter. Without it True, unless C is 0.
-    between : mapping, optional
-        Its range, as for :func:`spragsym.folds`.
-    within : mapping, optional
-        Ranges of coordinates, as for :func:`spragsym.equilibria`.
-    method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, as for (27) along θ₀, the closed form only, or the search.
+    between, within, method
+        As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
 
     Returns
     -------

@@ -319,23 +319,9 @@ def _atan(x: int, places: int) -> tuple[int, int]:
 
 @lru_cache(maxsize=64)
 def _pi_fixed(places: int) -> int:
-    """π to less than two units: Machin's 16 atan(1/5) − 4 atan(1/239)."""
+    """π to less than two units."""
     inner = places + 2 * GUARD_BITS
-    return (16 * _atan_of_reciprocal(5, inner) - 4 * _atan_of_reciprocal(239, inner)) >> 2 * GUARD_BITS
-
-
-def _atan_of_reciprocal(n: int, places: int) -> int:
-    """atan(1/n), off by less than two units for each of its terms, of which there are fewer than ``places``."""
-    power = (1 << places) // n
-    result, order = power, 1
-    while power:
-        power = -(power // (n * n))
-        order += 2
-        result += power // order
-    return result
-
-
-# ----------------------------------------------------------------------------------------------- numbers of mpmath
+    return 4 * _atan(1 << inner, inner)[0] >> 2 * GUARD_BITS
 
 
 def as_mpf(value: Fraction) -> mpmath.mpf:

@@ -157,10 +157,8 @@ class Intervals(Arithmetic):
         return Intervals(ends if abs(factor) == 1 else raised(ends * abs(factor)))
 
     def __truediv__(self, other: Any) -> Intervals:
-        if isinstance(other, int | float | np.ndarray):
-            other = Intervals.point(exactly(other) if isinstance(other, int) else other)
         if not isinstance(other, Intervals):
-            return NotImplemented
+            return NotImplemented if (point := _point(other)) is None else self / point
         quotient = _extremes(np.divide, self.ends, other.ends)
         zero = _by_zero(other.ends, quotient.ndim)
         if zero.any():
@@ -168,9 +166,7 @@ class Intervals(Arithmetic):
         return Intervals(raised(quotient))
 
     def __rtruediv__(self, other: Any) -> Intervals:
-        if isinstance(other, int | float | np.ndarray):
-            return Intervals.point(exactly(other) if isinstance(other, int) else other) / self
-        return NotImplemented
+        return NotImplemented if (point := _point(other)) is None else point / self
 
     def squared(self) -> Intervals:
         """x²."""
@@ -243,6 +239,13 @@ def exactly(number: float) -> float:
     if value != number:
         raise ValueError(f"{number!r} is no float; give an interval around it")
     return value
+
+
+def _point(value: Any) -> Intervals | None:
+    """A number or an array of floats as intervals without width."""
+    if not isinstance(value, int | float | np.ndarray):
+        return None
+    return Intervals.point(exactly(value) if isinstance(value, int) else value)
 
 
 def stacked(parts: Sequence[Any], shape: tuple[int, ...]) -> Intervals:

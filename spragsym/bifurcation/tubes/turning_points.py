@@ -44,7 +44,8 @@ def turned(tubes: Tubes, parts: Parts, start: Place, forward: int, segments: int
     out = Turned(start.z.copy(), nothing, nothing.copy(), np.zeros(start.sure.size, dtype=np.bool_))
     for pivot, rows, by_v in tubes.pivots(parts, start):
         towards = forward * np.sign(by_v)
-        z, found = _in_floats(tubes, parts[rows], start.z[:, rows], pivot, towards)
+        z, met = secants(tubes, parts[rows], start.z[:, rows], pivot, towards)
+        found = met & ((z[pivot] - start.z[pivot, rows]) * towards > 0)
         some = rows[found]
         out.z[:, some] = z[:, found]
         out.low[some], out.high[some], out.sure[some] = _proved(
@@ -92,13 +93,6 @@ def _on(
 def _size(z: FloatArray) -> FloatArray:
     size: FloatArray = np.maximum(np.abs(z), SMALL)
     return size
-
-
-def _in_floats(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: FloatArray) -> tuple[FloatArray, Flags]:
-    """Where dv/ds = 0, by secants from a state on the curve; whether that was found, on the side where v moves on."""
-    begun = z[pivot]
-    z, met = secants(tubes, parts, z, pivot, towards)
-    return z, met & ((z[pivot] - begun) * towards > 0)
 
 
 def secants(tubes: Tubes, parts: Parts, z: FloatArray, pivot: int, towards: FloatArray) -> tuple[FloatArray, Flags]:

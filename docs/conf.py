@@ -20,6 +20,7 @@ extensions = [
     "numpydoc",
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
+    "sphinx-mathjax-offline",
 ]
 exclude_patterns = ["_build", "jupyter_execute"]
 nitpicky = False
@@ -42,7 +43,7 @@ numpydoc_xref_param_type = False
 
 html_theme = "furo"
 html_title = f"spragsym {__version__}"
-# No fonts, scripts or formulas from elsewhere but MathJax, which a reader without a network sees as TeX.
+# No fonts, scripts or formulas come from elsewhere.
 
 
 def _bars(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:

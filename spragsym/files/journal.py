@@ -46,7 +46,7 @@ def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[i
         file, data = _opened(stack, path)
         found = _understood(data, fingerprint)
         _begin(file, path, fingerprint, found)
-        done = {index: record for index, record in found.points.items() if 0 <= index < total}
+        done = dict(found.points)
 
         def keep(index: int, record: Record) -> None:
             _append(file, path, _line(fingerprint, [index, *record]))

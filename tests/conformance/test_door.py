@@ -81,6 +81,7 @@ def test_two_ways_to_one_answer() -> None:
     assert np.nanmax(np.abs(np.sort(closed.x) - np.sort(search.x))) < 1e-12
     closed, search = (ss.folds(one.replace(theta0=0.7), "mu0", method=method) for method in ("closed", "search"))
     assert closed.mu0 == pytest.approx(search.mu0, abs=1e-12)
+    assert (closed.parameters.model, search.parameters.model) == (one.model, one.model.search)
     # Where there are no closed forms for what is asked, or not at all, the general way answers.
     assert ss.equilibria(one.replace(theta0=0.5), within={"x": (5.0, 6.0)}).count == 0
     folds = ss.folds(one.replace(theta0=0.7), "d")  # which moves no equilibrium

@@ -14,6 +14,7 @@ from scipy.stats import truncnorm
 
 import spragsym as ss
 from spragsym.design import sampling
+from spragsym.design.design_space import space
 from spragsym.kang_nam.jumps import jump_values
 from spragsym.kang_nam.jumps.cells import Boxes
 from spragsym.kang_nam.jumps.claims import CLAIMS
@@ -305,6 +306,14 @@ def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 1024)
     # Where the function has no value it may be 1, and all of them are no more than all.
     assert estimated(lambda u: np.where(u[..., 0] < share, math.nan, 1.0), 2, 1024, 1, True).high == 1.0
+
+
+@pytest.mark.parametrize("name", ["m", "k", "k_c", "L_0"])
+def test_a_design_at_a_limit_is_allowed(name: str) -> None:
+    """Where the range has no least number."""
+    values = dict(m=0.35, k=180e3, k_x=9e3, k_y=0.0, k_c=1.5e6, F_L=420.0, L_0=0.038, theta0=0.9, mu0=0.3)
+    designs = space(ss.PhysicalParameters(**values), None, [name])
+    assert 0 < getattr(designs.made(designs.limits()[0]), name) < 1e-6 * values[name]
 
 
 # --------------------------------------------------------------------------------------------------- what varies together

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib wa
 
 import spragsym as ss  # noqa: E402  # after matplotlib was found
 from spragsym.cli.figures import figures as command  # noqa: E402  # after matplotlib was found
-from spragsym.figures import FIGURES, Sheet, curves, extras, figure_11, figure_12, style, surfaces, write  # noqa: E402  # after matplotlib was found
+from spragsym.figures import FIGURES, Sheet, curves, extras, fate_map_figure, figure_11, figure_12, style, surfaces, write  # noqa: E402  # after matplotlib was found
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, few  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
@@ -130,6 +131,15 @@ def test_the_false_double_root() -> None:
     assert np.isclose(L, 0.1 / 0.107, rtol=1e-9).any()
     fold = ss.folds(P).theta0[:1]
     assert [gap.max() < 1e-4 for gap in extras.root_gaps(P, fold + 1e-10)] == [True, True]
+
+
+def test_undecided_motions_that_are_irregular_stand_out() -> None:
+    found = ss.fate_map(P.replace(theta0=[0.5, 0.6], mu0=[[0.4], [0.5]]), V=0.5, d=10.0, t_end=20.0)
+    assert not found.kind.any()  # all are undecided so early
+    found = replace(found, exponent=np.array([[1.0, 0.0], [0.0, 0.0]]), exponent_error=np.full((2, 2), 0.5))
+    marks = {line.get_marker(): line.get_xydata() for line in fate_map_figure(found).axes[0].lines}
+    assert marks["+"] == pytest.approx(np.array([[np.degrees(0.5), 0.4]]))
+    assert len(marks["x"]) == 3
 
 
 # ------------------------------------------------------------------------------------------------------ files

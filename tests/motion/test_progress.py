@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import article as claims
+from spragsym import progress
 
 BELT = ss.load("inclined_belt")
 P = BELT.Parameters(theta0=1.0, mu0=0.3)
@@ -41,3 +43,11 @@ def said_by(ask: Callable[[], Any]) -> list[str]:
 )
 def test_what_takes_long_says_what_it_is_at(ask: Callable[[], Any], expected: str) -> None:
     assert any(expected in text for text in said_by(ask))
+
+
+def test_what_takes_long_says_again_how_long(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(progress, "LONG", 0.01)
+    with ss.show_progress("work"):
+        time.sleep(0.3)
+    first, second, *_ = capsys.readouterr().err.splitlines()
+    assert first == second == "work: 0 s so far"

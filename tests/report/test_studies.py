@@ -111,8 +111,11 @@ def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) 
 
 @pytest.mark.by_hand("True")
 @pytest.mark.parametrize("tolerances", few([True, False], False))
-def test_json_has_the_keys_of_the_contract(tolerances: bool, tmp_path: Path, run: Run) -> None:
-    found = json.loads(run("report", str(written(tmp_path, {} if tolerances else EXACT | {"mu0": "0.45"})), "--json"))
+def test_json_has_the_keys_of_the_contract(tolerances: bool, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And nothing else is written on stdout, be there a page too."""
+    monkeypatch.setattr(ss.Report, "to_html", lambda *_: None)
+    page = "--html", str(tmp_path / "a.html")
+    found = json.loads(run("report", str(written(tmp_path, {} if tolerances else EXACT | {"mu0": "0.45"})), "--json", *page))
     assert list(found) == KEYS
     assert found["folds"][0]["friction"] == pytest.approx(found["mu_jump"], rel=1e-12)
     state = next(one for one in found["states"] if one["current"])
@@ -371,6 +374,13 @@ def test_a_mu0_in_forces_of_a_page_without_a_law_of_friction_is_a_load() -> None
         figures.motion_figure(ss.simulate(p := ss.load(folder).Parameters(), t_end=20.0))
         with pytest.raises(ss.ConvergenceError, match="nothing moves from where it begins"):
             ss.cycle(p)
+
+
+def test_where_statics_takes_the_law_at_the_speed_of_the_belt_it_is_given_all_of_mu0(monkeypatch: pytest.MonkeyPatch) -> None:
+    study = ss.Study(brake(d=1.0))
+    works = tolerances.box(study)[0].mu0
+    monkeypatch.setattr(study.kind, "law", {**study.kind.law, "at_rest": "speed"})
+    assert works < tolerances.box(ss.Study(brake(d=1.0)))[0].mu0 == 0.3
 
 
 @pytest.mark.thorough

@@ -54,7 +54,7 @@ class ModelEnd(Result):
     """Where a state vanishes at a fold, leaves the contact or runs to infinity."""
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
-    kind: str  #: ``"fold"``, ``"border"`` where the state leaves the contact, or ``"infinity"`` where it runs there
+    kind: str  #: ``"fold"``, ``"pitchfork"``, ``"border"`` where it leaves the contact, or ``"infinity"`` where it runs there
     before: Mapping[str, float]  #: coordinates there
     error: float  #: bound on the error of ``value``
 

@@ -177,30 +177,25 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
 
     Also their number.
     """
-    number = 0
-    for mirror in _mirrors(family) if 0 < found.roots.left.shape[2] <= MANY else ():
-        if found.roots.left.shape[2]:
-            found, more = _with_pitchforks(family, found, mirror)
-            number += more
+    number, system = 0, Augmented(family, FOLD)
+    for mirror in _mirrors(family) if found.roots.left.shape[2] <= MANY else ():
+        left = found.roots.left
+        if not left.shape[2]:
+            break
+        known = pitchforks(family, mirror)
+        inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
+        open_boxes, decided = np.ones(left.shape[2], dtype=np.bool_), []
+        for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
+            here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
+            alone = contractors.apart(known.left, hull[:, :, None]).all()
+            sure = alone and here.size == 1 and (inside | beyond)[here[0]]
+            if sure and only_fold(family, hull, mirror):
+                decided += [int(here[0])] if inside[here[0]] else []
+                open_boxes &= ~contractors.within(left, hull[:, :, None])
+        parts = [found.roots.kept(left=open_boxes), known.kept(decided, slice(0))]
+        found = replace(found, roots=certified_roots.concatenated(parts, left.shape[1]))
+        number += len(decided)
     return found, number
-
-
-def _with_pitchforks(family: Family, found: Found, mirror: _Mirror) -> tuple[Found, int]:
-    """Points with the pitchforks of one mirror symmetry added."""
-    known, system = pitchforks(family, mirror), Augmented(family, FOLD)
-    inside, beyond = on_side(system, system.fixed(known.point.size), known.ends)
-    left = found.roots.left
-    open_boxes = np.ones(left.shape[2], dtype=np.bool_)
-    decided = []
-    for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
-        here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
-        alone = contractors.apart(known.left, hull[:, :, None]).all()
-        sure = alone and here.size == 1 and (inside | beyond)[here[0]]
-        if sure and only_fold(family, hull, mirror):
-            decided += [int(here[0])] if inside[here[0]] else []
-            open_boxes &= ~contractors.within(left, hull[:, :, None])
-    parts = [found.roots.kept(left=open_boxes), known.kept(decided, slice(0))]
-    return replace(found, roots=certified_roots.concatenated(parts, left.shape[1])), len(decided)
 
 
 def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:

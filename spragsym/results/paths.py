@@ -23,7 +23,7 @@ class Jump(Result):
     """
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
-    kind: str  #: ``"fold"``, ``"border"`` where the state leaves the contact, or ``"infinity"``
+    kind: str  #: ``"fold"``, ``"pitchfork"``, ``"border"`` where the state leaves the contact, or ``"infinity"``
     before: Mapping[str, float]
     after: Mapping[str, float]
     stability_after: Stability

@@ -8,8 +8,9 @@ their elementary symmetric functions is. Signs come from intervals around the st
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import partial
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,8 @@ from .mechanics.state import State
 
 #: Bits of the numbers where intervals of floats do not tell a sign.
 BITS = 256
+#: Numbers whose signs are asked for at a state of balls of so many bits.
+Ask: TypeAlias = Callable[[State, int], Sequence[Sequence[Any]]]
 
 
 def classified(
@@ -41,7 +44,7 @@ def classified(
         elementary, minors, conservative = _over(balance, balance.prepared(Intervals.point(given)), ends)
     codes, proved = _told(elementary, minors, conservative)
     for row in np.flatnonzero(~proved).tolist():
-        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], lambda M, K, damping: invariants(K, M))
+        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], _types)
         if again is not None:
             codes[row : row + 1], proved[row : row + 1] = _told(again[0], again[1], conservative[row : row + 1])
     return codes, proved
@@ -109,9 +112,14 @@ def _rows(part: Intervals) -> list[list[Any]]:
     return list(map(list, part))
 
 
-def _routh_twice(M: Any, K: Any, damping: Callable[[], Any], shift: Any) -> list[list[Any]]:
-    """For the imaginary axis, and for the line right of it by ``shift``."""
-    C = damping()
+def _types(at: State, bits: int) -> Sequence[Sequence[Any]]:
+    """:func:`invariants` of balls."""
+    return invariants(*(as_balls(part, bits) for part in (at.stiffness(), at.mass())))
+
+
+def _routh_twice(at: State, bits: int, shift: Any) -> Sequence[Sequence[Any]]:
+    """For the imaginary axis, and for the line right of it by ``shift``, of balls."""
+    M, C, K = (as_balls(part, bits) for part in (at.mass(), at.damping(), at.stiffness()))
     return [_routh(M, C, K), _routh(M, C, K, shift)]
 
 
@@ -166,27 +174,19 @@ def _told(
 
 
 def _with_digits(
-    balance: Balance,
-    given: FloatArray,
-    box: FloatArray,
-    alone: FloatArray,
-    ask: Callable[[Any, Any, Callable[[], Any]], Sequence[Sequence[Any]]],
-) -> list[NDArray[np.int8]] | None:
-    """Signs at one state with many digits, of what ``ask`` makes of M, K and C, the last only if it is called.
-
-    None where the box around the state can't be made smaller.
-    """
+    balance: Balance, given: FloatArray, box: FloatArray, alone: FloatArray, ask: Ask
+) -> list[NDArray[np.int8]] | None:  # fmt: skip
+    """Signs at one state with many digits, of what is asked; None where the box around the state can't be made smaller."""
     precise = PreciseBalance(balance, given, BITS)
-    try:
-        q = narrowed(precise, box, alone)
+    q = narrowed(precise, box, alone)
+    with suppress(Undecided, ZeroDivisionError):
         return None if q is None else _signs_at(balance, precise, q, ask)
-    except (Undecided, ZeroDivisionError):
-        return None
+    return None
 
 
 def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stability:
     """The type of a state of balls; :class:`Undecided` where a sign that it takes is not decided."""
-    elementary, minors = _signs_at(balance, precise, q, lambda M, K, damping: invariants(K, M))
+    elementary, minors = _signs_at(balance, precise, q, _types)
     low, high = balls.ends(as_balls([[balance.friction(precise.arguments, BALLS)]], precise.bits)[0][0])
     without = (low == 0 == high) | (balance.opens and not balance.contact)
     code, proved = _told(elementary, minors, np.array([bool(balance.model.about.get("symmetric")) and bool(without)]))
@@ -195,14 +195,7 @@ def type_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any]) -> Stab
     return Stability(int(code[0]))
 
 
-def _signs_at(
-    balance: Balance,
-    precise: PreciseBalance,
-    q: Sequence[Any],
-    ask: Callable[[Any, Any, Callable[[], Any]], Sequence[Sequence[Any]]],
-) -> list[NDArray[np.int8]]:
-    """Signs of what ``ask`` makes of M, K and C at a state of balls."""
-    at = State(balance, q, precise.arguments, (), xp=BALLS)
-    M, K = (as_balls(part, precise.bits) for part in (at.mass(), at.stiffness()))
-    parts = ask(M, K, lambda: as_balls(at.damping(), precise.bits))
+def _signs_at(balance: Balance, precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[NDArray[np.int8]]:
+    """Signs of what is asked of a state of balls."""
+    parts = ask(State(balance, q, precise.arguments, (), xp=BALLS), precise.bits)
     return [np.array([[balls.sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

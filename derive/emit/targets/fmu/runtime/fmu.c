@@ -507,10 +507,14 @@ static int derivatives(const Instance *it, double slope[STATES][STATES + GIVEN +
     double unit[STATES], unit_of_rate[STATES], by_state[COORDINATES * STATES], by_parameter[COORDINATES * PARAMETERS + 1];
     memset(slope, 0, STATES * sizeof *slope);
     scales(&it->now, unit, unit_of_rate);
-    if (here(it, &motion, &at, unit_of_rate) || regime_jacobian(at.state, motion.p, motion.mode, by_state) ||
-        regime_by_parameters(at.state, motion.p, motion.mode, by_parameter)) {
+    if (here(it, &motion, &at, unit_of_rate) || regime_jacobian(at.state, motion.p, motion.mode, by_state)) {
         return 1;
     }
+#if PARAMETERS
+    if (regime_by_parameters(at.state, motion.p, motion.mode, by_parameter)) {
+        return 1;
+    }
+#endif
     for (int i = 0; i < COORDINATES; i++) {
         double *const row = slope[COORDINATES + i];
         const double *const states = by_state + i * STATES, *const parameters = by_parameter + i * PARAMETERS;

@@ -29,7 +29,7 @@ from ..c.layout import plain
 
 _SYSTEMS = {"linux": ("linux", ".so"), "darwin": ("darwin", ".dylib"), "win32": ("windows", ".dll")}
 _MACHINES = {"amd64": "x86_64", "arm64": "aarch64"}
-_FLAGS = "-std=c99 -O2 -ffp-contract=off -fPIC -fvisibility=hidden -shared -Werror=implicit-function-declaration".split()
+_FLAGS = ("-std=c99", "-O2", "-Werror=implicit", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden", "-shared")
 #: Functions of the library that the motion calls, and what they are given: state, accelerations, parameters, numbers of the mode.
 _CALLED = {
     "rhs": "sp", "regime_rhs": "spm", "regime_jacobian": "spm", "regime_by_parameters": "spm", "borders": "sp",

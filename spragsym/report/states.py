@@ -209,7 +209,6 @@ def others(study: Study, eq: Equilibria, here: Mapping[str, float] | None) -> tu
 def current(study: Study, eq: Equilibria) -> dict[str, float] | None:
     """The coordinates of the state that the brake is in; None where that can't be said.
 
-
     It is the one that is reached from small deformation as the loading parameter rises; where nothing is said to, the only one of
     ``eq``.
     """

@@ -44,7 +44,7 @@ def test_units_and_dimensions_of_a_value_are_not_dropped(given: object, words: s
     with pytest.raises(ss.ParameterTypeError, match=words):
         ss.Parameters.article(theta0=given)
     with pytest.raises(ss.ParameterTypeError, match=words):
-        ss.PhysicalParameters(m=1, k=1, k_x=1, k_y=0, k_c=9, F_L=3, L_0=given, theta0=0.5, mu0=0.5)
+        ss.PhysicalParameters(m=1, k=1, k_x=1, k_y=0, k_c=9, F_L=3, L_0=1, theta0=0.5, mu0=0.5, V=given)
 
 
 @pytest.mark.filterwarnings("always")

@@ -35,9 +35,6 @@ STEEPEST = 20
 #: A window within which something happens, in units of how long it takes by itself.
 APART = 2
 
-#: The least window of one orbit, in those of the set.
-NARROWER = 1e-3
-
 #: Halvings of a step in which a border might be met.
 DEEPEST = 40
 
@@ -217,44 +214,16 @@ class Balls:
             )
         if not all(sign * rate < 0 for rate in rates):
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
-        self._cross_center(border, after, window, slope, speed)
+        # Within the window all that changes, the mode too, changes rates by no more than their slope over the way.
+        off = _around(window * slope * window * speed)
+        rates = rates_at(self.field, self.point, self.constants, self.mode)
+        self.point = [value + window * rate + off for value, rate in zip(self.point, rates, strict=True)]
         m, spread = self.field.size, _around((window * slope).exp() - 1)
         near_one = arb_mat(m, m, [(1 if i == j else 0) + spread for i in range(m) for j in range(m)])
         self.matrix = near_one * self.matrix
         if not sign * border.level(self.box, self.constants, self.mode) < 0:
             raise TooWide(f"that every state has crossed {border.name} could not be shown")
         self.mode = after
-
-    def _cross_center(self, border: Any, after: Mode, window: Any, slope: Any, speed: Any) -> None:
-        """The point alone, which crosses within the window: within a narrower one of its own.
-
-        Its level falls all the while, so before that one it is in the one mode, and after it in the other.
-        """
-        sign, level = border.sign(self.mode), arb(border.level(self.point, self.constants, self.mode))
-        due = level / arb(rate_of(border, self.field, self.point, self.constants, self.mode))
-        half = arb(float((window * NARROWER + APART * due.rad()).upper()))
-        lead = arb(float(abs(due).mid())) - half
-        if not (lead > 0 and lead + 2 * half < window):
-            raise TooWide(unknown(border))
-        self.point = self._alone(self.mode, lead)
-        if not sign * border.level(self.point, self.constants, self.mode) > 0:
-            raise TooWide(unknown(border))
-        mixed = 2 * half * slope * 2 * half * speed
-        rates = rates_at(self.field, self.point, self.constants, self.mode)
-        self.point = [value + 2 * half * rate + _around(mixed) for value, rate in zip(self.point, rates, strict=True)]
-        if not sign * border.level(self.point, self.constants, self.mode) < 0:
-            raise TooWide(unknown(border))
-        self.point = self._alone(after, window - lead - 2 * half)
-
-    def _alone(self, mode: Mode, duration: Any) -> list[Any]:
-        """The point after a short while in a mode."""
-        radius, bounds, _ = self._disc(self.point, mode)
-        ratio = arb((duration / radius).abs_upper())
-        if not ratio < SHARE:
-            raise NotProved("the window of a crossing is longer than a step")
-        tail, order = _left_out(ratio, self.fine), self.fine.order
-        jets = solution(self.field, self.point, self.constants, mode, order)
-        return [polynomial(jet, duration) + _around(bound * tail) for jet, bound in zip(jets, bounds, strict=True)]
 
 
 @dataclass(frozen=True)
@@ -282,11 +251,6 @@ def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
 def _moved(point: list[Any], off: Any) -> list[Any]:
     """A point and a column of deviations."""
     return [value + off[i, 0] for i, value in enumerate(point)]
-
-
-def unknown(border: Any) -> str:
-    """Why a crossing is not shown."""
-    return f"that {border.name} is crossed within a window could not be shown; more digits would do it, unless it is only touched"
 
 
 class _Methods:

@@ -123,20 +123,17 @@ def _of_the_motion(
         near = roots[np.abs(roots - 1j * form.omega).argmin()]
         return np.array([*accelerations, near.real / form.crossing])
 
-    x, before = np.append(state, given[place]), np.inf
-    for _ in range(20):
-        now = residual(x)
-        try:
-            change = np.linalg.solve(differences(residual, x, 1e-6 * np.maximum(1.0, np.abs(x))), -now)
-        except np.linalg.LinAlgError:
-            break
-        x, width, scale = x + change, float(np.abs(change).max()), 1 + float(np.abs(x).max())
-        if width <= AROUND * scale or (width <= 1e-7 * scale and width > 0.2 * before):
-            there = given.copy()
-            there[place] = x[n]
-            return there, x[:n], 4 * max(width, AROUND * scale)
-        before = width
-    raise ConvergenceError("the motion's own Hopf point was not found beside the onset")
+    from scipy.optimize import root
+
+    found = root(residual, np.append(state, given[place]), tol=1e-15)
+    scale = 1 + float(np.abs(found.x).max())
+    slopes = differences(residual, found.x, 1e-6 * scale)
+    width = float(np.abs(np.linalg.lstsq(slopes, found.fun)[0]).max())
+    if not width <= 1e-7 * scale:
+        raise ConvergenceError("the motion's own Hopf point was not found beside the onset")
+    there = given.copy()
+    there[place] = found.x[n]
+    return there, found.x[:n], 4 * max(width, AROUND * scale)
 
 
 def _first_border(model: Model, given: FloatArray, state: FloatArray, form: NormalForm) -> tuple[str, float]:

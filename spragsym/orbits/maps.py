@@ -16,12 +16,11 @@ from numpy.typing import NDArray
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record
-from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number, degrees
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion import integrators
 from ..motion.simulation import initial_state
-from ..motion.sweeps import code
 from ..motion.sweeps.points import made_or_loaded
-from ..motion.sweeps.result import identity
+from ..motion.sweeps.result import fingerprint, with_degrees
 from ..motion.sweeps.workers import Workers
 from ..questions import model_of
 from ..results.result import Result
@@ -99,11 +98,8 @@ class FateMap(Result):
         storage.write(path, dict, self._columns, made, explained)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        shape = self.kind.shape
-        given = {name: np.broadcast_to(values, shape).ravel() for name, values in self.inputs.items()}
-        for name in self.model.about["angles"]:
-            given[f"{name}_deg"] = np.array([degrees(value) for value in given[name]])
-        return given | {name: getattr(self, name).ravel() for name in (*MEASURED, "why")}
+        columns = with_degrees(self.model, self.inputs) | {name: getattr(self, name) for name in (*MEASURED, "why")}
+        return {name: np.broadcast_to(values, self.kind.shape).ravel() for name, values in columns.items()}
 
 
 def fate_map(
@@ -162,26 +158,22 @@ def fate_map(
 def _records(
     model: Any, start: tuple[float, ...], t_end: float, backend: str, points: Sequence[tuple[float, ...]]
 ) -> list[Record]:
-    return [_record(model, start, t_end, backend, values) for values in points]
-
-
-def _record(model: Any, start: tuple[float, ...], t_end: float, backend: str, values: tuple[float, ...]) -> Record:
-    """What is said of one point; what makes its motion impossible is why it is undecided."""
+    """What is said of each point, a task of its own; what makes its motion impossible is why it is undecided."""
+    (values,) = points
     try:
         p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
         found = fate(p, start=start, t_end=t_end, backend=backend)
     except (ParameterError, ArithmeticError) as error:
-        return [float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}"
+        return [([float(Kind.UNDECIDED), *[float("nan")] * 5], f"{UNFOLLOWED}: {error}")]
     kind = Kind[found.kind.upper().replace("-", "_")]
     across = [i for i in range(len(found.exponents)) if i != found.trivial]
     largest, width = float(found.exponents[across[0]]), float(found.error[across[0]])
-    return [float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why
+    return [([float(kind), found.outcome.period, largest, width, found.time_scale, found.t], found.why)]
 
 
 def _fingerprint(model: Any, inputs: dict[str, FloatArray], start: tuple[float, ...], t_end: float, backend: str) -> str:
     """A hash of everything that decides the bits of a map."""
-    settings = {"start": start, "t_end": t_end, "integrator": integrators.version(backend), "code": code.digest("orbits")}
-    return storage.fingerprint(inputs, {**settings, **identity(model)})
+    return fingerprint(model, inputs, {"start": start, "t_end": t_end, "backend": backend}, "orbits")
 
 
 def _made(

@@ -110,7 +110,7 @@ def rms_sweep(
     tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_count("max_steps", max_steps)
     settings = Settings(t_end, transient, tolerance, integrators.choose(backend, integrators.offered_for(model)), steps)
     work, together = partial(measured, model, settings), partial(_together, settings)
-    made, key = partial(made_of, model, inputs, settings), partial(fingerprint, model, inputs, settings)
+    made, key = partial(made_of, model, inputs, settings), partial(fingerprint, model, inputs, vars(settings))
     columns = (*reported(model.coordinates, model.rates), "regime")
     return made_or_loaded(inputs, work, made, columns, "reason", key, Sweep.save, workers, progress, store, together)
 

@@ -107,7 +107,7 @@ class Sweep(Result):
             name: ((), float(values.flat[0])) if values.size == 1
             else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
             else (dims, np.broadcast_to(values, self.rms.shape).copy())
-            for name, values in self._inputs().items()
+            for name, values in with_degrees(self.model, self.inputs).items()
         }  # fmt: skip
         columns = {**self.measured, "regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason.astype(object)}
         results = {name: (dims, values) for name, values in columns.items()}
@@ -118,42 +118,39 @@ class Sweep(Result):
         storage.write(path, self.to_dataset, self._columns, self._attributes(), self.model.quantities)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
-        return inputs | self.measured | {"regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
-
-    def _inputs(self) -> dict[str, FloatArray]:
-        """The inputs, every angle in degrees beside it in radians."""
-        known = {}
-        for name, values in self.inputs.items():
-            known[name] = values
-            if name in self.model.about["angles"]:
-                known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
-        return known
+        found: dict[str, NDArray[Any]] = {
+            **self.measured,
+            "regime": self.regime,
+            "equilibrium": self.equilibrium,
+            "reason": self.reason,
+        }
+        inputs = with_degrees(self.model, self.inputs)
+        return {name: np.broadcast_to(values, self.rms.shape) for name, values in inputs.items()} | found
 
     def _attributes(self) -> dict[str, Any]:
-        settings = Settings(self.t_end, self.transient, self.rtol, self.backend, self.max_steps)
-        return {
-            **storage.provenance(),
-            "model": self.model.name,
-            **vars(settings),
-            "fingerprint": fingerprint(self.model, self.inputs, settings),
-        }
+        settings = {name: getattr(self, name) for name in ("t_end", "transient", "rtol", "backend", "max_steps")}
+        key = fingerprint(self.model, self.inputs, settings)
+        return {**storage.provenance(), "model": self.model.name, **settings, "fingerprint": key}
 
 
-def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Settings) -> str:
-    """A hash of everything that decides the bits of a result."""
-    versions = {
-        "integrator": integrators.version(settings.backend),
-        "code": code.digest(),
+def fingerprint(model: Any, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any], *rooms: str) -> str:
+    """A hash of everything that decides the bits of a result, the code of further ``rooms`` too."""
+    decides = {
+        "integrator": integrators.version(settings["backend"]), "code": code.digest(*rooms),
         "numpy": np.__version__,  # its eigenvalues tell what is approached
-    }
-    return storage.fingerprint(inputs, {**vars(settings), **versions, **identity(model)})
+        "model": model.name, "files": model.about["files"], "page": model.about["source"], "own": sorted(model.closed),
+    }  # fmt: skip
+    return storage.fingerprint(inputs, {**settings, **decides})
 
 
-def identity(model: Any) -> dict[str, Any]:
-    """What of a model decides the bits of a result."""
-    about = model.about
-    return {"model": about["name"], "files": about["files"], "page": about["source"], "own": sorted(model.closed)}
+def with_degrees(model: Any, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
+    """The inputs, every angle in degrees beside it in radians."""
+    known = {}
+    for name, values in inputs.items():
+        known[name] = values
+        if name in model.about["angles"]:
+            known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
+    return known
 
 
 def made_of(

@@ -76,13 +76,33 @@ class Setting:
 class Point:
     """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the branch's units."""
 
+    setting: Setting
     loop: Loop
     tangent: FloatArray
 
     @property
-    def coordinates(self) -> FloatArray:
-        """States and period."""
-        return self.loop.guess.vector
+    def value(self) -> float:
+        """Of the first free parameter."""
+        return self.loop.guess.values[self.setting.free[0]]
+
+    @property
+    def weights(self) -> FloatArray:
+        """Units of the arc's length."""
+        return self.setting.weights(len(self.loop.guess.states))
+
+    @property
+    def place(self) -> FloatArray:
+        """States, period and free parameters in these units."""
+        return self.weights * self.loop.guess.coordinates(self.setting.free)
+
+    @property
+    def way(self) -> FloatArray:
+        """The tangent in these units, of length 1."""
+        return self.weights * self.tangent
+
+    def turned(self, sign: float) -> Point:
+        """The same, with the branch going on the other way for −1."""
+        return replace(self, tangent=sign * self.tangent)
 
 
 def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
@@ -90,13 +110,9 @@ def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> P
     _, rows = setting.equations(loop, loop.guess.coordinates(setting.free))(loop)
     weights = setting.weights(len(loop.guess.states))
     _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(len(setting.free)), rows]) / weights)
-    tangent = vectors[-1] / weights
-    if along is None:
-        along = np.zeros(len(tangent))
-        along[-len(setting.free)] = 1.0
-    if (tangent * weights) @ (along * weights) < 0:
-        tangent = -tangent
-    return Point(loop, tangent)
+    point = Point(setting, loop, vectors[-1] / weights)
+    ahead = point.tangent[-len(setting.free)] if along is None else point.way @ (along * weights)
+    return point.turned(-1.0 if ahead < 0 else 1.0)
 
 
 def phase_row(setting: Setting, loop: Loop) -> FloatArray:
@@ -135,11 +151,11 @@ def at_zero(kind: str, setting: Setting, near: Loop, target: FloatArray) -> Cond
     return conditions
 
 
-def corrected(setting: Setting, point: Point, length: float, *, reach: float = np.inf, iterations: int = 7) -> Point:
+def corrected(point: Point, length: float, *, reach: float = np.inf, iterations: int = 7) -> Point:
     """The point on the branch a length of arc from a point, negative lengths backward."""
+    setting = point.setting
     guess = point.loop.guess.moved(length * point.tangent, setting.free)
-    weights = setting.weights(len(guess.states))
-    target, arc = guess.coordinates(setting.free), (point.tangent * weights**2)[None]
+    target, arc = guess.coordinates(setting.free), (point.way * point.weights)[None]
     others = setting.equations(point.loop, target)
 
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
@@ -158,80 +174,76 @@ def fixed(setting: Setting, loop: Loop) -> Loop:
     return setting.looped(solved(setting.flow, loop.guess, conditions).guess)
 
 
-def placed(setting: Setting, point: Point, step: FloatArray, value: float) -> Point:
-    """The point at a value of the first free parameter, near a step from another point."""
+def placed(point: Point, value: float, way: FloatArray | None = None) -> Point:
+    """The point at a value of the first free parameter, near where a way from another point, by default its tangent, leads."""
+    setting, way = point.setting, point.tangent if way is None else way
+    step = (value - point.value) / float(way[-len(setting.free)]) * way
     # Exactly, since there may be no parameters beyond.
     near = setting.looped(point.loop.guess.moved(step, setting.free).at(setting.free[0], value))
     return point_of(setting, fixed(setting, near), point.tangent)
 
 
-def along(setting: Setting, point: Point, value: float) -> Point:
+def along(point: Point, value: float) -> Point:
     """The point at a value of the free parameter on the same sheet of a branch, which may not turn back on the way.
 
     By steps each of which agrees with the tangents at both of its ends: Newton's method alone may find another sheet, or another
     branch. ConvergenceError where there is no such way.
     """
-    now = point.loop.guess.values[setting.free[0]]
-    whole, direction = abs(value - now), 1.0 if value > now else -1.0
-    point, length = Point(point.loop, (1.0 if point.tangent[-1] * direction > 0 else -1.0) * point.tangent), whole
-    while now != value:
-        ahead = value if abs(value - now) <= length else now + direction * length
+    length = whole = abs(value - point.value)
+    direction = 1.0 if value > point.value else -1.0
+    point = point.turned(1.0 if point.tangent[-1] * direction > 0 else -1.0)
+    while point.value != value:
+        ahead = value if abs(value - point.value) <= length else point.value + direction * length
         try:
-            step = (ahead - now) / float(point.tangent[-1]) * point.tangent
-            found = placed(setting, point, step, ahead)
-            agrees = found.tangent[-1] * direction > 0 and aligned(setting, point, found) > STRAIGHT
+            found = placed(point, ahead)
+            agrees = found.tangent[-1] * direction > 0 and aligned(point, found) > STRAIGHT
         except (ConvergenceError, ZeroDivisionError):
             agrees = False
         if agrees:
-            now, point, length = ahead, cut_finer(setting, found), 2 * length
+            point, length = cut_finer(found), 2 * length
         elif length < LEAST_SHARE * whole:
-            raise ConvergenceError(f"the cycle ends near {setting.field.parameters[setting.free[0]]} = {now:.10g} on the way")
+            name = point.setting.field.parameters[point.setting.free[0]]
+            raise ConvergenceError(f"the cycle ends near {name} = {point.value:.10g} on the way")
         else:
             length /= 3
     return point
 
 
-def cut_finer(setting: Setting, point: Point) -> Point:
+def cut_finer(point: Point) -> Point:
     """The point in more stretches, where the derivatives over one of them have grown large."""
-    loop = point.loop
-    pieces = len(loop.guess.states)
+    loop, setting = point.loop, point.setting
+    pieces, size = len(loop.guess.states), setting.field.size
     if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
         return point
     finer = setting.looped(recut(loop, 2 * pieces))
     # The old tangent by its first state, period and parameter.
     along = np.zeros(finer.guess.states.size + 1 + len(setting.free))
-    size = setting.field.size
     along[:size], along[finer.guess.states.size :] = point.tangent[:size], point.tangent[loop.guess.states.size :]
     return point_of(setting, finer, along)
 
 
-def uncertainty(setting: Setting, point: Point) -> float:
+def uncertainty(point: Point) -> float:
     """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
-    weights = setting.weights(len(point.loop.guess.states))
-    rows = np.vstack([point.loop.slopes(len(setting.free)), phase_row(setting, point.loop), (point.tangent * weights**2)[None]])
-    inverse = np.linalg.pinv(rows, rcond=1e-14)
-    return float(np.abs(inverse[-1]).sum()) * max(point.loop.missed, rounding(point.loop))
+    setting, loop = point.setting, point.loop
+    rows = np.vstack([loop.slopes(len(setting.free)), phase_row(setting, loop), (point.way * point.weights)[None]])
+    return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(loop.missed, rounding(loop))
 
 
-def angle(setting: Setting, one: Point, other: Point) -> float:
+def angle(one: Point, other: Point) -> float:
     """Cosine between two tangents."""
-    weights = setting.weights(len(one.loop.guess.states))
-    return float((one.tangent * weights) @ (other.tangent * weights))
+    return float(one.way @ other.way)
 
 
-def between(setting: Setting, one: Point, other: Point) -> float:
+def between(one: Point, other: Point) -> float:
     """Length of the chord from one point to the other along the first one's tangent."""
-    weights = setting.weights(len(one.loop.guess.states))
-    way = other.loop.guess.coordinates(setting.free) - one.loop.guess.coordinates(setting.free)
-    return float((way * weights) @ (one.tangent * weights))
+    return float((other.place - one.place) @ one.way)
 
 
-def aligned(setting: Setting, one: Point, other: Point) -> float:
+def aligned(one: Point, other: Point) -> float:
     """The smaller cosine between the chord from one point to the other and the tangents at its ends; 1 for the same point."""
-    weights = setting.weights(len(one.loop.guess.states))
-    way = weights * (other.loop.guess.coordinates(setting.free) - one.loop.guess.coordinates(setting.free))
-    length = float(np.linalg.norm(way))
-    return min(float(way @ (weights * each.tangent)) / length for each in (one, other)) if length > 0 else 1.0
+    chord = other.place - one.place
+    length = float(np.linalg.norm(chord))
+    return min(float(chord @ each.way) / length for each in (one, other)) if length > 0 else 1.0
 
 
 def started(setting: Setting, guess: Guess) -> Point:

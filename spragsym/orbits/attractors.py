@@ -173,7 +173,7 @@ def followed_cycle(known: Cycle, values: tuple[float, ...]) -> Cycle:
     """The cycle continued to another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
     (index,) = (i for i, (now, then) in enumerate(zip(known.values, values, strict=True)) if now != then)
     setting = Setting(known.loop.flow, (index,), known.period, (abs(values[index] - known.values[index]),))
-    return cycle_of(along(setting, started(setting, known.loop.guess), values[index]).loop)
+    return cycle_of(along(started(setting, known.loop.guess), values[index]).loop)
 
 
 def settled(system: System, verdict: Verdict) -> tuple[str, FloatArray, FloatArray]:

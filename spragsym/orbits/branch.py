@@ -206,12 +206,10 @@ def cycle_branch(
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
     setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,), plain=cycle.backend == "heyoka")
-    start = started(setting, in_halves(cycle.loop, setting).guess)
-    trace = _Trace(setting, (low, high), points, longest)
-    back = list(trace.follow(start, -1.0))
-    forth = list(trace.follow(start, 1.0))
+    trace = _Trace(started(setting, in_halves(cycle.loop, setting).guess), (low, high), points, longest)
+    back, forth = (list(trace.follow(sign)) for sign in (-1.0, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
-    items = [*reversed(back), start, *([] if closed else forth)]
+    items = [*reversed(back), trace.start, *([] if closed else forth)]
     loops, events, places = [], [], []
     for item in items:
         if isinstance(item, Point):
@@ -232,54 +230,48 @@ def cycle_branch(
 class _Trace:
     """One walk along a branch."""
 
-    setting: Setting
+    start: Point
     to: tuple[float, float]
     points: int
     longest: float
 
-    def value(self, loop: Loop) -> float:
-        """Values of the free parameter."""
-        return loop.guess.values[self.setting.free[0]]
-
     def event(self, found: Finding) -> CycleEvent:
         """An event as users see it."""
-        how = found.how
-        if found.border >= 0:
-            how = self.setting.field.borders[found.border].name
-        if found.crossed is not None:
-            how = CROSSES
-        cycle = cycle_of(found.loop)
-        value = self.value(found.loop) if found.value is None else found.value
-        vary = self.setting.field.parameters[self.setting.free[0]]
-        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop, found.crossed, vary)
+        field, (index,) = found.loop.field, self.start.setting.free
+        how = field.borders[found.border].name if found.border >= 0 else found.how
+        how = CROSSES if found.crossed is not None else how
+        value = found.loop.guess.values[index] if found.value is None else found.value
+        return CycleEvent(
+            found.kind, value, cycle_of(found.loop), found.error, how, found.border, found.loop, found.crossed,
+            field.parameters[index],
+        )  # fmt: skip
 
-    def follow(self, start: Point, direction: float) -> Iterator[Point | Finding]:
+    def follow(self, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""
-        point = Point(start.loop, direction * start.tangent)
-        setting, length, before, count = self.setting, FIRST, None, 0
-        last, gap = None, np.inf
-        seen = Seen(setting, point)
+        start = point = self.start.turned(direction)
+        length, before, count, last, gap = FIRST, None, 0, None, np.inf
+        seen = Seen(point)
         while count < self.points:
             try:
-                with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, self.value(point.loop)):
-                    ahead = self._last(point, length) or corrected(setting, point, length, reach=_reach(point))
+                with doing("cycle {} in one direction of the branch, beside {:.6g}", count + 1, point.value):
+                    ahead = self._last(point, length) or corrected(point, length, reach=_reach(point))
             except ConvergenceError as error:
                 length /= 3
                 if length < SHORTEST:
                     yield self._lost(point, error)
                     return
                 continue
-            straight = angle(setting, point, ahead)
+            straight = angle(point, ahead)
             if straight < STRAIGHT and length > 1e-6:
                 length /= 2.5
                 continue
             stop = self._beyond(point, ahead)
             if stop is not None:
-                if aligned(setting, point, stop) < STRAIGHT and length > 1e-6:
+                if aligned(point, stop) < STRAIGHT and length > 1e-6:
                     length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
                     continue
                 ahead = stop
-            arc = length if stop is None else between(setting, point, ahead)
+            arc = length if stop is None else between(point, ahead)
             over, last = meets(point, ahead) is not None, last or self._merged(point, ahead)
             if over and last is not None and arc < COARSE:
                 yield last
@@ -287,7 +279,7 @@ class _Trace:
             if over and (last is not None or arc > COARSE):
                 length = arc / 3
                 continue
-            after = Seen(setting, ahead)
+            after = Seen(ahead)
             try:
                 happened = list(findings(seen, after, arc, before))
             except NotLocated:
@@ -295,24 +287,24 @@ class _Trace:
                 continue
             for found in happened:
                 if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
-                    yield self._shrunk(before, seen)
+                    yield self._shrunk(before, seen.point)
                     return
                 yield found
             yield ahead
             count += 1
             if vertical(seen, after, arc):
-                yield Finding("end", ahead.loop, abs(self.value(ahead.loop) - self.value(point.loop)), how=VERTICAL)
+                yield Finding("end", ahead.loop, abs(ahead.value - point.value), how=VERTICAL)
                 return
             if stop is not None:
                 yield Finding("end", ahead.loop, 0.0, how="the range ends")
                 return
-            end = self._ends(Point(start.loop, direction * start.tangent), point, ahead, count)
+            end = self._ends(start, point, ahead, count)
             if end is not None:
                 yield end
                 return
-            finer = cut_finer(setting, ahead)
+            finer = cut_finer(ahead)
             before = seen if finer is ahead else None
-            point, seen = finer, after if finer is ahead else Seen(setting, finer)
+            point, seen = finer, after if finer is ahead else Seen(finer)
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
             if last is not None:
                 gap, wider = float(np.linalg.norm(parted(point))), gap
@@ -324,86 +316,75 @@ class _Trace:
 
     def _merged(self, point: Point, ahead: Point) -> Finding | None:
         """The end of a branch of doubled cycles whose halves come together in a step, or are about to within the range."""
-        index, share = self.setting.free[0], meets(point, ahead)
-        value = due(point, ahead, index) if share is None else None
-        if share is None and (value is None or not self.to[0] <= value <= self.to[1]):
+        share, (low, high) = meets(point, ahead), self.to
+        value = due(point, ahead) if share is None else None
+        if share is None and (value is None or not low <= value <= high):
             return None
-        guess, reach = between_halves(point, ahead, 1.0 if share is None else share, index)
-        found = halved(self.setting, guess if value is None else guess.at(index, value), reach)
+        guess, reach = between_halves(point, ahead, 1.0 if share is None else share)
+        found = halved(point.setting, guess if value is None else guess.at(point.setting.free[0], value), reach)
         if found is None:
             return None
-        loop, error = found
-        if value is not None:
-            begun, there = self.value(ahead.loop), loop.guess.values[index]
-            if (there - begun) * (begun - self.value(point.loop)) <= 0 or not self.to[0] <= there <= self.to[1]:
-                return None
-        return Finding("end", loop, error, how=MERGES)
+        there = found[0].guess.values[point.setting.free[0]]
+        if value is not None and not (low <= there <= high and (there - ahead.value) * (ahead.value - point.value) > 0):
+            return None
+        return Finding("end", *found, how=MERGES)
 
-    def _shrunk(self, before: Seen | None, last: Seen) -> Finding:
+    def _shrunk(self, before: Seen | None, last: Point) -> Finding:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
-        how, value = "it shrinks onto an equilibrium", self.value(last.point.loop)
+        how = "it shrinks onto an equilibrium"
         if before is None:
-            return Finding("end", last.point.loop, abs(value), how=how)
-        first, squares = self.value(before.point.loop), [extent(each.point.loop) ** 2 for each in (before, last)]
-        there = value - squares[1] * (value - first) / (squares[1] - squares[0])
-        return Finding("end", last.point.loop, abs(there - value) * squares[1] / squares[0], how=how, value=there)
+            return Finding("end", last.loop, abs(last.value), how=how)
+        first, square = (extent(each.loop) ** 2 for each in (before.point, last))
+        off = square * (last.value - before.point.value) / (square - first)
+        return Finding("end", last.loop, abs(off) * square / first, how=how, value=last.value - off)
 
     def _last(self, point: Point, length: float) -> Point | None:
         """The point at the end of the range, where the tangent leads beyond it: there may be no parameters beyond."""
-        now = self.value(point.loop)
-        ahead = now + length * float(point.tangent[-1])
-        if self.to[0] <= ahead <= self.to[1] or now in self.to:
+        ahead = point.value + length * float(point.tangent[-1])
+        if self.to[0] <= ahead <= self.to[1] or point.value in self.to:
             return None
-        bound = self.to[0] if ahead < self.to[0] else self.to[1]
-        return self._at(point, (bound - now) / (ahead - now) * length * point.tangent, bound)
+        return self._at(point, self.to[ahead > self.to[1]], point.tangent)
 
     def _beyond(self, point: Point, ahead: Point) -> Point | None:
         """The point at the end of the range, if it was reached or passed."""
-        now, before = self.value(ahead.loop), self.value(point.loop)
-        if now in self.to:
+        if ahead.value in self.to:
             return ahead
-        if self.to[0] <= now <= self.to[1]:
+        if self.to[0] <= ahead.value <= self.to[1]:
             return None
-        bound = self.to[0] if now < self.to[0] else self.to[1]
-        if before == bound:
+        bound, free = self.to[ahead.value > self.to[1]], point.setting.free
+        if point.value == bound:
             return point
-        free = self.setting.free
-        way = ahead.loop.guess.coordinates(free) - point.loop.guess.coordinates(free)
-        return self._at(point, (bound - before) / (now - before) * way, bound)
+        return self._at(point, bound, ahead.loop.guess.coordinates(free) - point.loop.guess.coordinates(free))
 
-    def _at(self, point: Point, step: FloatArray, value: float) -> Point:
-        """The point at a value of the parameter, a step from another point."""
-        found = placed(self.setting, point, step, value)
+    def _at(self, point: Point, value: float, way: FloatArray) -> Point:
+        """The point at a value of the parameter, a step along a way from another point."""
+        found = placed(point, value, way)
         if np.abs(found.loop.guess.states - point.loop.guess.states).max() > _reach(point):
             raise ConvergenceError("the end of the range is farther than a step")
         return found
 
     def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
-        loop = ahead.loop
+        loop, moved = ahead.loop, abs(ahead.value - point.value)
         if extent(loop) < LEAST * min(1.0, extent(start.loop)):
-            return Finding("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
-        error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
-        if loop.guess.period > LONG * self.setting.period and stillest(loop)[0] < STILL:
-            return Finding("homoclinic", loop, error, how=_rests(loop))
-        if count > 10 and self._passes(start, point, ahead):
-            return Finding("closed", loop, 0.0)
-        return None
+            return Finding("end", loop, moved, how="it shrinks onto an equilibrium")
+        if loop.guess.period > LONG * start.setting.period and stillest(loop)[0] < STILL:
+            return Finding("homoclinic", loop, moved + 1e-15 * (1 + abs(ahead.value)), how=_rests(loop))
+        return Finding("closed", loop, 0.0) if count > 10 and self._passes(start, point, ahead) else None
 
     def _passes(self, start: Point, point: Point, ahead: Point) -> bool:
         """Whether the start's cycle lies on the step from one point to the next, passed the same way: a branch that closes.
 
         Its states need not be those of the start: on the way round they may have gone on along the orbit.
         """
-        loop, begin, end, there = start.loop, *(self.value(each.loop) for each in (point, ahead, start))
-        way = end - begin
-        if not 0 <= (there - begin) * way <= way * way or way * float(start.tangent[-1]) <= 0:
+        loop, way = start.loop, ahead.value - point.value
+        share = (start.value - point.value) / way if way else -1.0
+        if not 0 <= share <= 1 or way * float(start.tangent[-1]) <= 0:
             return False
-        share, periods = (there - begin) / way, (point.loop.guess.period, ahead.loop.guess.period)
-        expected = periods[0] + share * (periods[1] - periods[0])
+        expected = (1 - share) * point.loop.guess.period + share * ahead.loop.guess.period
         if abs(expected - loop.guess.period) > 1e-3 * loop.guess.period:
             return False
         try:
-            met = placed(self.setting, point, (there - begin) / float(point.tangent[-1]) * point.tangent, there).loop
+            met = placed(point, start.value).loop
         except ConvergenceError:
             return False
         return bool(
@@ -417,7 +398,7 @@ class _Trace:
 
     def _lost(self, point: Point, error: ConvergenceError) -> Finding:
         loop = point.loop
-        if loop.guess.period > 2 * self.setting.period and stillest(loop)[0] < STILL:
+        if loop.guess.period > 2 * point.setting.period and stillest(loop)[0] < STILL:
             return Finding("homoclinic", loop, 1e-6, how=_rests(loop))
         return Finding("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -30,9 +30,10 @@ class Touch:
     slope: float
 
 
-def touches(setting: Setting, point: Point) -> list[Touch]:
+def touches(point: Point) -> list[Touch]:
     """All turns of the borders of a point."""
-    loop, found, size = point.loop, [], setting.field.size
+    setting, loop, found = point.setting, point.loop, []
+    size = setting.field.size
     along = point.tangent[loop.guess.states.size + 1 :]
     for turn in loop.turns():
         if turn.border >= 0:
@@ -96,14 +97,12 @@ def may_have_touched(one: list[Touch], other: list[Touch], pairs: list[tuple[Tou
     return any(np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level) for touch, away in alone)
 
 
-def grazing(setting: Setting, near: Point, touch: Touch) -> Loop:
+def grazing(near: Point, touch: Touch) -> Loop:
     """The closed orbit that touches a border, begun where it does: near a point with a turn near that border."""
-    period = near.loop.guess.period
-    pieces = len(near.loop.guess.states)
-    begun = Guess(touch.turn.state[None], period, near.loop.guess.values)
-    guess = divided(setting.flow, begun, pieces)
+    setting, known = near.setting, near.loop.guess
+    guess = divided(setting.flow, replace(known, states=touch.turn.state[None]), len(known.states))
     loop = solved(setting.flow, guess, touching(touch.turn.border, setting), setting.free, reach=0.5)
-    if abs(loop.guess.period / period - 1) > 0.2:
+    if abs(loop.guess.period / known.period - 1) > 0.2:
         raise ConvergenceError("another orbit touches the border")
     return loop
 

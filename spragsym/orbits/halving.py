@@ -58,7 +58,7 @@ def meets(one: Point, other: Point) -> float | None:
     return share if 0 < share < 1 and float(np.linalg.norm(before + share * way)) < NEAR * length else None
 
 
-def due(one: Point, other: Point, index: int) -> float | None:
+def due(one: Point, other: Point) -> float | None:
     """Where the halves will meet, as the parameter's value, if that is near: their distance squared is linear in it."""
     if len(one.loop.guess.states) != len(other.loop.guess.states):
         return None
@@ -68,18 +68,17 @@ def due(one: Point, other: Point, index: int) -> float | None:
         return None  # an orbit that shrinks onto an equilibrium is no doubled one
     if float(before @ after) <= 0 or not 0 < now < LESS * was:
         return None
-    last, value = one.loop.guess.values[index], other.loop.guess.values[index]
     share = now / (was - now)
-    return value + share * (value - last) if share < SOON else None
+    return other.value + share * (other.value - one.value) if share < SOON else None
 
 
-def between_halves(one: Point, other: Point, share: float, index: int) -> tuple[Guess, float]:
+def between_halves(one: Point, other: Point, share: float) -> tuple[Guess, float]:
     """The cycle of half the period at a share of a step, near which to look for its doubling, and how far off that may be."""
     a, b = one.loop.guess, other.loop.guess
     states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2
     guess = Guess((states[:half] + states[half:]) / 2, ((1 - share) * a.period + share * b.period) / 2, a.values)
     reach = (float(np.linalg.norm(states[:half] - states[half:])) + float(np.linalg.norm(b.states - a.states))) / np.sqrt(half)
-    return guess.at(index, a.values[index] + share * (b.values[index] - a.values[index])), reach
+    return guess.at(one.setting.free[0], one.value + share * (other.value - one.value)), reach
 
 
 def halved(setting: Setting, begun: Guess, reach: float) -> tuple[Loop, float] | None:
@@ -87,7 +86,7 @@ def halved(setting: Setting, begun: Guess, reach: float) -> tuple[Loop, float] |
 
     None if there is none whose states are within ``reach``: then the halves have only come near each other.
     """
-    kind, index = "period_doubling", setting.free[0]
+    kind = "period_doubling"
     try:
         near = fixed(setting, setting.looped(begun))
         doubling = at_zero(kind, setting, near, near.guess.coordinates(setting.free))
@@ -96,6 +95,6 @@ def halved(setting: Setting, begun: Guess, reach: float) -> tuple[Loop, float] |
         return None
     if not float(np.linalg.norm(loop.guess.states - begun.states)) / np.sqrt(len(begun.states)) < reach:
         return None
-    tangent = point_of(setting, loop).tangent
-    steepness = float(doubling(loop)[1][-1] @ tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)
-    return loop, unsure(loop, kind) * abs(float(tangent[-1]) / steepness) + 1e-15 * (1 + abs(loop.guess.values[index]))
+    there = point_of(setting, loop)
+    steepness = float(doubling(loop)[1][-1] @ there.tangent) * max(1.0, SURE * unsure(near, kind) / CLOSED)
+    return loop, unsure(loop, kind) * abs(float(there.tangent[-1]) / steepness) + 1e-15 * (1 + abs(there.value))

@@ -13,7 +13,7 @@ from ..errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..motion.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, unsure
 from ..motion.shooting import Loop
-from .arclength import Point, Setting, between, corrected, placed, uncertainty
+from .arclength import Point, between, corrected, placed, uncertainty
 from .grazing import Touch, grazing, may_have_touched, may_touch, paired, signature, touches
 
 #: What test functions tell, a grazing apart.
@@ -54,7 +54,6 @@ class NotLocated(ConvergenceError):
 class Seen:
     """A point with its test functions and turns."""
 
-    setting: Setting
     point: Point
 
     @cached_property
@@ -70,7 +69,7 @@ class Seen:
     @cached_property
     def touches(self) -> list[Touch]:
         """Turns of the borders."""
-        return touches(self.setting, self.point)
+        return touches(self.point)
 
 
 def criterion(kind: str, point: Point) -> float:
@@ -106,7 +105,6 @@ class Finding:
 
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
     """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
-    setting = one.setting
     lost = one.lost | other.lost | (OF_ONES if vertical(one, other, length) else frozenset())
     told = [kind for kind in KINDS if kind not in lost]
     changed = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
@@ -124,11 +122,11 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     )
     if hidden and depth < DEEPEST:
         try:
-            middle = Seen(setting, corrected(setting, one.point, length / 2))
+            middle = Seen(corrected(one.point, length / 2))
         except ConvergenceError:
             middle = None
         if middle is not None:
-            rest = between(setting, middle.point, other.point)
+            rest = between(middle.point, other.point)
             yield from findings(one, middle, length / 2, before, depth + 1)
             yield from findings(middle, other, rest, one, depth + 1)
             return
@@ -144,9 +142,9 @@ def vertical(one: Seen, other: Seen, length: float) -> bool:
     There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign of the tangent says is
     rounding.
     """
-    span = one.setting.spans[0]
+    span = one.point.setting.spans[0]
     still = max(abs(float(seen.point.tangent[-1])) for seen in (one, other)) < UPRIGHT * span
-    if length <= FINEST or not still or not abs(_value(one) - _value(other)) < UPRIGHT * length * span:
+    if length <= FINEST or not still or not abs(one.point.value - other.point.value) < UPRIGHT * length * span:
         return False
     return all(float(np.abs(seen.point.loop.multipliers.others - 1).min()) < DOUBLE for seen in (one, other))
 
@@ -167,46 +165,40 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) 
     near, turn = (one, touch) if abs(touch.level) <= abs(after.level) else (other, after)
     for point, begun in ((near, turn), (one, touch), (other, after)):
         try:
-            loop = grazing(one.setting, point.point, begun)
+            loop = grazing(point.point, begun)
         except ConvergenceError:
             continue
         off = 10 * loop.missed + 1e-12
-        if _lies_between(one, other, loop.guess.values[one.setting.free[0]], length, off):
+        if _lies_between(one.point, other.point, loop.guess.values[one.point.setting.free[0]], length, off):
             yield Finding("grazing", loop, off, touch.turn.border)
             return
     if length > FINEST:
         raise NotLocated("grazing")
     if signature(one.point) == signature(other.point):
         return  # two different turns were taken for one: the orbit crosses as often as before
-    yield Finding(
-        "grazing", near.point.loop, abs(other.point.loop.guess.values[one.setting.free[0]] - _value(one)), touch.turn.border
-    )
+    yield Finding("grazing", near.point.loop, abs(other.point.value - one.point.value), touch.turn.border)
 
 
-def _lies_between(one: Seen, other: Seen, value: float, length: float, off: float) -> bool:
+def _lies_between(one: Point, other: Point, value: float, length: float, off: float) -> bool:
     """Whether the parameter passes a value between two points: a turn of a doubled cycle has another one half a period away.
 
     Where the branch turns back between them it passes more than what lies between their own.
     """
-    low, high = sorted((_value(one), _value(other)))
-    ends = [float(each.point.tangent[-1]) for each in (one, other)]
+    low, high = sorted((one.value, other.value))
+    ends = [float(each.tangent[-1]) for each in (one, other)]
     beyond = length * max(map(abs, ends)) if (ends[0] < 0) != (ends[1] < 0) else 0.0
     return low - beyond - off <= value <= high + beyond + off
-
-
-def _value(seen: Seen) -> float:
-    return seen.point.loop.guess.values[seen.setting.free[0]]
 
 
 def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Finding]:
     """Where a test function is zero, by bracketing along the arc."""
     from scipy.optimize import brentq
 
-    setting, known = one.setting, {0.0: one.point, length: other.point}
+    known, width = {0.0: one.point, length: other.point}, abs(one.point.value - other.point.value)
 
     def value(arc: float) -> float:
         if arc not in known:
-            known[arc] = corrected(setting, one.point, arc)
+            known[arc] = corrected(one.point, arc)
         return criterion(kind, known[arc])
 
     try:
@@ -216,14 +208,14 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
             raise NotLocated(kind) from error  # the two points may lie on different branches: shorter steps tell
         if kind == "crossing":
             return
-        yield Finding(kind, other.point.loop, abs(_value(one) - _value(other)))
+        yield Finding(kind, other.point.loop, width)
         return
-    point = known[root] if root in known else corrected(setting, one.point, root)
+    point = known[root] if root in known else corrected(one.point, root)
     if kind != "fold" and is_lost(point.loop, _of_multipliers(kind)):
         return
     if kind == "torus" and not is_complex_pair(point.loop):
         return
-    if kind == "crossing" and abs(point.tangent[-1]) * setting.spans[0] < FLAT:
+    if kind == "crossing" and abs(point.tangent[-1]) * point.setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
     crossed = point.tangent if kind == "crossing" else None
     off, how = _error(kind, one, other, length, point), ""
@@ -231,13 +223,13 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
         # Multipliers jump at a grazing: the sign changes with no zero.
         if length > FINEST:
             raise NotLocated(kind)
-        off, how = max(off, abs(_value(one) - _value(other))), JUMPED
+        off, how = max(off, width), JUMPED
     yield Finding(_of_multipliers(kind), point.loop, off, crossed=crossed, how=how)
 
 
 def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:
     """How well the parameter is known at the zero of a test function: that of the orbit, and what the place on the arc adds."""
-    own = uncertainty(one.setting, point)
+    own = uncertainty(point)
     if kind == "fold":
         return own  # the parameter is extremal there
     change = abs(one.criteria[kind] - other.criteria[kind])
@@ -250,10 +242,8 @@ def _scatter(kind: str, one: Seen, other: Seen, point: Point) -> float:
 
     Near a grazing multipliers change so fast with the orbit that its rounding, and not theirs, limits what is known.
     """
-    value, width = point.loop.guess.values[one.setting.free[0]], abs(_value(other) - _value(one))
     found = []
     for base in (one.point, other.point):
         with suppress(ConvergenceError, ZeroDivisionError):
-            step = (value - base.loop.guess.values[one.setting.free[0]]) / float(base.tangent[-1]) * base.tangent
-            found.append(abs(criterion(kind, placed(one.setting, base, step, value)) - criterion(kind, point)))
-    return width * max(found, default=0.0)
+            found.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
+    return abs(other.point.value - one.point.value) * max(found, default=0.0)

@@ -43,11 +43,11 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
         return _beyond(branch, setting, event.loop, step)
     twice = event.kind == "period_doubling"
     guess, direction = _doubled(setting, cycle.loop) if twice else _across(setting, event)
-    point = Point(setting.looped(guess), direction)
+    point = Point(setting, setting.looped(guess), direction)
     for size in (step, *STEPS):
         for sign in (1.0, -1.0):
             try:
-                loop = corrected(setting, point, sign * size, reach=20 * size, iterations=12).loop
+                loop = corrected(point, sign * size, reach=20 * size, iterations=12).loop
             except ConvergenceError:
                 continue
             found = cycle_of(loop)
@@ -82,7 +82,7 @@ def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float) -> C
 
     for size in (step, *(each for each in STEPS if each < step)):
         try:
-            sides = [corrected(setting, point, sign * size, reach=FAR * size).loop for sign in (1.0, -1.0)]
+            sides = [corrected(point, sign * size, reach=FAR * size).loop for sign in (1.0, -1.0)]
             return max((cycle_of(side) for side in sides), key=place)
         except ConvergenceError:
             continue

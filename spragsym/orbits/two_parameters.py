@@ -112,7 +112,7 @@ def cycle_events(
     setting = Setting(event.loop.flow, free, event.cycle.period, tuple(spans), event=holds)
     bounds = [ranges.get(name, (-np.inf, np.inf)) for name in vary]
     first = point_of(setting, setting.looped(event.loop.guess))
-    (back, why_back), (forth, why_forth) = (_followed(setting, event.kind, bounds, points, first, sign) for sign in (-1.0, 1.0))
+    (back, why_back), (forth, why_forth) = (_followed(event.kind, bounds, points, first, sign) for sign in (-1.0, 1.0))
     loops = [*reversed(back), first.loop, *forth]
     cycles = tuple(cycle_of(each) for each in loops)
     return EventCurve(
@@ -122,25 +122,25 @@ def cycle_events(
 
 
 def _followed(
-    setting: Setting, kind: str, bounds: list[tuple[float, float]], points: int, first: Point, direction: float
+    kind: str, bounds: list[tuple[float, float]], points: int, first: Point, direction: float
 ) -> tuple[list[Loop], str]:  # fmt: skip
     """Loops in one direction, and why they end."""
     found: list[Loop] = []
-    point, length = Point(first.loop, direction * first.tangent), FIRST
+    point, length = first.turned(direction), FIRST
     while len(found) < points:
         try:
             with doing("point {} in one direction of the curve", len(found) + 1):
-                ahead = corrected(setting, point, length, reach=0.5, iterations=9)
+                ahead = corrected(point, length, reach=0.5, iterations=9)
         except (ConvergenceError, np.linalg.LinAlgError) as error:
             length /= 3
             if length < SHORTEST:
                 return found, f"it could not be followed farther: {error}"
             continue
-        straight = angle(setting, point, ahead)
+        straight = angle(point, ahead)
         if straight < 0.95 and length > 1e-4:
             length /= 2.5
             continue
-        if not all(low <= ahead.loop.guess.values[i] <= high for i, (low, high) in zip(setting.free, bounds, strict=True)):
+        if not all(low <= ahead.loop.guess.values[i] <= high for i, (low, high) in zip(first.setting.free, bounds, strict=True)):
             return found, "the range ends"
         if kind == "torus" and not is_complex_pair(ahead.loop):
             return found, "its multipliers become real"

@@ -205,35 +205,6 @@ def solved(
     raise ConvergenceError("Newton's method finds no closed orbit there; start nearer to one")
 
 
-def chorded(flow: Flow, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, steps: int = 4) -> Guess:
-    """A guess after steps of Newton's method that keep the first matrix: derivatives cost several times a plain integration.
-
-    The steps end once they no longer shrink tenfold; the guess as it was where even the first one is none. Where orbits are small
-    in the model's units they come closer than Newton's method does by itself, whose last step may be 1e-13 of 1.
-    """
-    loop, begun = looped(flow, guess, free), guess
-    values, rows = conditions(loop)
-    matrix = np.vstack([loop.slopes(len(free)), rows])
-    before = np.inf
-    for _ in range(steps):
-        step = newton_step(matrix, np.concatenate([loop.gaps.ravel(), values]))
-        width = float(np.abs(step).max())
-        if not width < 0.1 * before:
-            break
-        try:
-            ahead = guess.moved(step, free)
-            loop = looped(flow.without, ahead, free)
-        except ConvergenceError:
-            break
-        if not np.isfinite(loop.gaps).all():
-            return begun
-        guess, before = ahead, width
-        if width < 1e-10 * (1 + float(np.abs(guess.vector).max())):
-            break
-        values, _ = conditions(loop)
-    return guess
-
-
 def newton_step(matrix: FloatArray, residual: FloatArray) -> FloatArray:
     """−matrix⁻¹ residual."""
     try:

@@ -19,7 +19,6 @@ from ..motion.shooting import (
     Conditions,
     Guess,
     Loop,
-    chorded,
     growth,
     looped,
     rate,
@@ -34,6 +33,9 @@ SURE, DIFFERENCE = 100.0, 1e-6
 #: Largest angle between a step of a branch and its tangents, as its cosine.
 STRAIGHT = 0.97
 
+#: The last step of Newton's method, over 1: orbits may be as small as 1e-3 in the model's units.
+FINE = 1e-15
+
 #: A branch is not followed to a value of the parameter by steps that are a smaller share of the way.
 LEAST_SHARE = 1e-3
 
@@ -43,14 +45,13 @@ class Setting:
     """What all points of a branch share: the flow, which parameters are free, and units of the arc's length.
 
     ``event(setting, loop, target)`` is what holds along a curve of events: the phase, and the test function's equation near a
-    loop. With ``plain`` most steps of Newton's method do without derivatives, where those cost much.
+    loop.
     """
 
     flow: Flow
     free: tuple[int, ...]
     period: float
     spans: tuple[float, ...]
-    plain: bool = False
     event: Callable[[Setting, Loop, FloatArray], Conditions] | None = None
 
     @property
@@ -162,9 +163,7 @@ def corrected(point: Point, length: float, *, reach: float = np.inf, iterations:
         values, rows = others(loop)
         return np.append(values, arc @ (loop.guess.coordinates(setting.free) - target)), np.vstack([rows, arc])
 
-    if setting.plain:
-        guess = chorded(setting.flow, guess, conditions, setting.free)
-    loop = solved(setting.flow, guess, conditions, setting.free, reach=reach, iterations=iterations)
+    loop = solved(setting.flow, guess, conditions, setting.free, reach=reach, iterations=iterations, precision=FINE)
     return point_of(setting, loop, point.tangent)
 
 

@@ -205,7 +205,7 @@ def cycle_branch(
     value = cycle.values[index]
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
-    setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,), plain=cycle.backend == "heyoka")
+    setting = Setting(cycle.loop.flow, (index,), cycle.period, ((high - low) / 2,))
     trace = _Trace(started(setting, in_halves(cycle.loop, setting).guess), (low, high), points, longest)
     back, forth = (list(trace.follow(sign)) for sign in (-1.0, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"

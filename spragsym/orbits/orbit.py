@@ -18,12 +18,10 @@ from ..files import storage
 from ..models.field import Field
 from ..models.parameters import FloatArray
 from ..motion.events import Events, events_of
-from ..motion.flows import Flow
 from ..motion.lobatto import PiecewisePolynomial
 from ..motion.shooting import (
     LARGEST_GROWTH,
     MOST_STRETCHES,
-    Guess,
     Loop,
     difference,
     error_of,
@@ -42,6 +40,9 @@ NEUTRAL = 1e-7
 
 #: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a fold, its shortest steps do.
 STAYS = 1e-9
+
+#: An orbit on which Newton's method fails as it is begun anew is told as it is if it is no more open than this.
+OPEN = 1e-10
 
 #: A trivial multiplier that differs from 1 by more belongs to no orbit that is told.
 UNRESOLVED = 1e-4
@@ -266,27 +267,13 @@ def refined(loop: Loop) -> Loop:
         cut = recut(known, pieces, begin)
         try:
             found = solved(loop.flow, cut, phase(loop, cut), iterations=7, precision=1e-15, reach=STAYS)
-        except ConvergenceError:
-            found = _least_steps(loop.flow, cut)
+        except ConvergenceError:  # as at a fold, where Newton's matrix is singular
+            found = looped(loop.flow, cut)
+            if found.missed > OPEN:
+                raise
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
             return found
         pieces, known, begin = 2 * pieces, found, 0.0
-
-
-def _least_steps(flow: Flow, guess: Guess) -> Loop:
-    """The closed orbit by the shortest steps of Newton's method: at a fold of a branch its matrix is singular."""
-    loop = looped(flow, guess)
-    for _ in range(3):
-        values, rows = phase(loop, guess)(loop)
-        matrix, residual = np.vstack([loop.slopes(0), rows]), np.concatenate([loop.gaps.ravel(), values])
-        step, *_ = np.linalg.lstsq(matrix, -residual, rcond=1e-7)
-        ahead = looped(flow, loop.guess.moved(step, ()))
-        if ahead.missed >= loop.missed:
-            break
-        loop = ahead
-    if loop.missed > 1e-10:
-        raise ConvergenceError("the orbit does not close")
-    return loop
 
 
 def _top(loop: Loop) -> float:

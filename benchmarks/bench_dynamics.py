@@ -19,9 +19,7 @@ from scipy.integrate import simpson, solve_ivp
 import spragsym as ss
 from spragsym.motion import integrators, periodic_orbit, simulate
 from spragsym.motion.classify import classify
-from spragsym.motion.motions import Motions
-from spragsym.motion.problem import Problem
-from spragsym.motion.problems import prepare
+from spragsym.motion.problem import Motions, Problem, prepare
 from spragsym.motion.sweeps import rms_sweep, sensitivity
 from spragsym.motion.sweeps.workers import pool
 from spragsym.motion.with_heyoka import taylor_for

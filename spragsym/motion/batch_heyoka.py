@@ -15,9 +15,8 @@ import numpy as np
 from ..models.field import Field, Mode
 from ..models.heyoka_library import library
 from ..models.parameters import FloatArray
-from .measures import Course
-from .motions import Motions, Turns
-from .problem import Event, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
+from .measures import Course, Turns
+from .problem import Event, Motions, StiffError, check_stiffness, event_at, out_of_range, too_many_steps
 from .with_heyoka import CHUNK, Carrier, Equations, compiled, missed
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.

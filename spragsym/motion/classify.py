@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError
 from ..models.field import SETTLED, TURN
 from .measures import Course
-from .motions import Motions
 from .periodic_orbit import Onward
-from .problem import Event, Problem
+from .problem import Event, Motions, Problem
 from .regimes import Outcome, Regime
 from .rest import at_rest, is_still
 from .return_map import FEWEST, on_cycle

@@ -17,8 +17,7 @@ from ..models.model import Model
 from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
 from .events import events_of
 from .measures import Course, course_of
-from .motions import Motions
-from .problem import Event, Problem, StiffError
+from .problem import Event, Motions, Problem, StiffError
 from .solution import Solution, without_chatter
 
 #: In the order in which they are preferred.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
@@ -65,3 +66,22 @@ def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
         samples.integrals_to(np.append(late, t[-1]), integrands), minima[-KEPT:], events,
         (float(extrema.min()), float(extrema.max())),
     )  # fmt: skip
+
+
+class Turns:
+    """Where x' = 0 on the way of one motion: the latest, and the range of x over all."""
+
+    def __init__(self) -> None:
+        self.low, self.high = np.inf, -np.inf
+        #: Time and all that is carried.
+        self.tops: deque[tuple[float, list[float]]] = deque(maxlen=KEPT)
+        self.lows: deque[tuple[float, list[float]]] = deque(maxlen=KEPT)
+
+    def add(self, t: float, direction: int, carried: list[float]) -> None:
+        """Note one; ``direction`` is negative where x is largest."""
+        if direction < 0:
+            self.tops.append((t, carried))
+            self.high = max(self.high, carried[0])
+        else:
+            self.lows.append((t, carried))
+            self.low = min(self.low, carried[0])

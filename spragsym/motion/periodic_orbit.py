@@ -13,8 +13,7 @@ from ..models.parameters import FloatArray
 from . import batch_heyoka, integrators
 from .flows import Flow
 from .measures import Course
-from .motions import Motions
-from .problem import Problem
+from .problem import Motions, Problem
 from .segment import Fly, Passage, Turn
 from .shooting import CLOSED, Guess, Loop, once_round, rate, solved, through
 from .with_heyoka import taylor_of

@@ -12,18 +12,21 @@ layer (``near``) is one more that the integrator stops at.
 
 from __future__ import annotations
 
+import inspect
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..errors import ConvergenceError, ParameterError
 from ..models.field import Border, Field
-from ..models.parameters import Range
+from ..models.model import Model
+from ..models.model_field import field_of
+from ..models.parameters import POSITIVE, FloatArray, ParameterSet, Range, as_count, as_number
 
 RELATIVE_TOLERANCE = Range(
     1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
@@ -76,6 +79,44 @@ class Problem:
         return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
 
 
+@dataclass(frozen=True)
+class Motions:
+    """Motions that share all but their constants (N, C) and initial states (N, 2 n)."""
+
+    constants: FloatArray
+    starts: FloatArray
+    t_end: float
+    t_record: float
+    rtol: float
+    max_steps: int
+    field_of: Callable[[float], Field]
+
+    def __len__(self) -> int:
+        return len(self.starts)
+
+    @classmethod
+    def of(cls, problems: Sequence[Problem]) -> Motions:
+        """Common data of problems that share all but constants and starts."""
+        one = problems[0]
+        return cls(
+            np.array([problem.constants for problem in problems], dtype=np.float64),
+            np.array([problem.start for problem in problems], dtype=np.float64),
+            one.t_end, one.t_record, one.rtol, one.max_steps, one.field_of,
+        )  # fmt: skip
+
+    def problem(self, row: int) -> Problem:
+        """One of them."""
+        return Problem(
+            tuple(self.constants[row].tolist()), tuple(self.starts[row].tolist()), self.t_end, self.t_record, self.rtol,
+            self.max_steps, self.field_of,
+        )  # fmt: skip
+
+    @cached_property
+    def field(self) -> Field:
+        """The field of all."""
+        return self.field_of(reach_of(self.rtol))
+
+
 def reach_of(rtol: float) -> float:
     """Minus the exponent of an exponential of the friction law beyond which it is below a tolerance."""
     return 5 - math.log(rtol)
@@ -115,3 +156,29 @@ def event_at(border: Border, upward: bool) -> Event | None:
     """What a user calls crossing a border towards positive or negative levels, if anything."""
     name = border.crossings[0 if upward else 1]
     return Event[name.upper()] if name else None
+
+
+def prepare(
+    model: Model, p: ParameterSet, *, start: tuple[float, ...], t_end: float, rtol: float, t_record: float = 0.0,
+    max_steps: int = MAX_STEPS,
+) -> Problem:  # fmt: skip
+    """The problem of these arguments, each of which is checked."""
+    constants = model.field.constants(p.scalars(*model.parameters))
+    for error in without_direction(model, np.array(constants)[:, None], np.array(start)[:, None]).values():
+        raise error
+    t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
+    return Problem(constants, start, t_end, t_record, rtol, as_count("max_steps", max_steps), partial(field_of, model))
+
+
+def without_direction(model: Model, constants: FloatArray, starts: FloatArray) -> dict[int, ParameterError]:
+    """Motions, columns each, whose start leaves a spring without length, and so without direction, and what is said of them."""
+    known, found = dict(zip(model.about["arguments"]["motion"], constants, strict=True)), dict[int, ParameterError]()
+    places, taken = starts[: len(model.coordinates)], [known[name] for name in model.about["arguments"]["statics"]]
+    geometry = inspect.unwrap(model.algebra.geometry)  # its results need no common shape
+    for row, (dx, dy, _) in enumerate(geometry(*places, *taken)):
+        met = (np.asarray(dx) == 0) & (np.asarray(dy) == 0)
+        for i in np.flatnonzero(np.broadcast_to(met, starts.shape[1])).tolist():
+            start, name = tuple(places[:, i].tolist()), model.about["springs"][row]["name"]
+            text = f"the start {start} puts both ends of {name} on one point, where it has no direction; start anywhere else"
+            found.setdefault(i, ParameterError(text))
+    return found

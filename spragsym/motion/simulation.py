@@ -16,8 +16,7 @@ from ..names import hint
 from ..questions import model_of
 from . import integrators
 from .events import events_of
-from .problem import MAX_STEPS, Problem
-from .problems import prepare
+from .problem import MAX_STEPS, Problem, prepare
 from .trajectory import Trajectory
 from .with_scipy import RTOL
 

@@ -25,8 +25,7 @@ from .events import Events
 from .lobatto import PiecewisePolynomial
 from .measures import Course, course_of
 from .periodic_orbit import Onward
-from .problem import Event
-from .problems import prepare
+from .problem import Event, prepare
 from .regimes import Outcome, Regime
 
 

@@ -13,7 +13,7 @@ from spragsym.generated import stability
 from spragsym.kang_nam.quartic.solver import equilibria
 from spragsym.motion import Event, Trajectory, integrators, simulate, with_compiled, with_heyoka
 from spragsym.motion.lobatto import unit_points
-from spragsym.motion.problems import prepare
+from spragsym.motion.problem import prepare
 from tests.support import few
 
 BACKENDS = [

@@ -12,9 +12,7 @@ import spragsym as ss
 from spragsym.errors import SweepError
 from spragsym.models.field import Field
 from spragsym.motion import Event, batch_heyoka, integrators, simulate
-from spragsym.motion.motions import Motions
-from spragsym.motion.problem import Problem
-from spragsym.motion.problems import prepare
+from spragsym.motion.problem import Motions, Problem, prepare
 from spragsym.motion.sweeps import rms_sweep
 from spragsym.motion.with_heyoka import taylor_for
 

@@ -16,9 +16,7 @@ from ...models.parameters import FloatArray
 from .. import integrators
 from ..classify import classified
 from ..measures import Course
-from ..motions import Motions
-from ..problem import MAX_STEPS, out_of_range
-from ..problems import without_direction
+from ..problem import MAX_STEPS, Motions, out_of_range, without_direction
 from ..regimes import Regime
 
 

@@ -18,20 +18,8 @@ from . import export, folder, pages
 from .emit import write
 
 try:
-    from .kang_nam import (
-        catastrophe,
-        check,
-        elimination,
-        emission,
-        equilibrium,
-        page_equivalence,
-        ledger,
-        linear_sprag,
-        lowest_fold,
-        mechanics,
-        stability,
-        theorem,
-    )
+    from .kang_nam import catastrophe, check, elimination, emission, equilibrium, ledger, linear_sprag, lowest_fold, mechanics
+    from .kang_nam import page_equivalence, stability, theorem
 except ArithmeticError as error:  # what the article's page says can't be carried through
     sys.exit(f"derive: {error}; nothing was written")
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import math
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
 from . import (
+    balance_rows,
     drawing,
     equations,
     laws,
@@ -18,7 +21,6 @@ from . import (
     mechanics,
     motion,
     pages,
-    balance_rows,
     physical_checks,
     statics,
     symmetry,
@@ -52,7 +54,8 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
         files["_broadcast.py"] = python.beside("_broadcast.py", header)
     digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     entries = {**description(model), "files": digests, **({"digest": write.DIGEST} if alone else {})}
-    return {**files, "model.json": write.sealed_alone(write.as_json(dict(sorted(entries.items()))))}
+    text = write.as_json(dict(sorted(entries.items())))
+    return {**files, "model.json": text.replace(write.DIGEST, hashlib.sha256(text.encode()).hexdigest())}
 
 
 def write_page(page: Path, out: Path) -> int:
@@ -108,12 +111,9 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
             str(line.l): f"length of spring {count}",
         }
     for count, torsion in enumerate(model.torsions, 1):
-        entries |= {
-            str(torsion.phi): f"turning of torsion spring {count}, from −π to π",
-            str(
-                torsion.way
-            ): f"1 where that turning is counted from −π/2 to 3π/2, −1 from −3π/2 to π/2; of torsion spring {count}",
-        }
+        counted = "1 where that turning is counted from −π/2 to 3π/2, −1 from −3π/2 to π/2"
+        entries[str(torsion.phi)] = f"turning of torsion spring {count}, from −π to π"
+        entries[str(torsion.way)] = f"{counted}; of torsion spring {count}"
     return entries | {
         str(MU): "friction coefficient",
         str(PUSHING): "1 in contact, 0 in lift-off",
@@ -227,16 +227,12 @@ def _scale(page: Page, dimension: units.Dimension) -> str:
 
 def _domain(domain: str) -> dict[str, Any]:
     """As written, and its ends; None for an infinite one."""
-    allowed = interval(domain)
-    ends = {name: None if math.isinf(value) else value for name, value in (("low", allowed.low), ("high", allowed.high))}
-    return {"domain": domain, **ends, "low_open": allowed.low_open, "high_open": allowed.high_open}
+    return {"domain": domain, **{name: None if math.isinf(end) else end for name, end in asdict(interval(domain)).items()}}
 
 
 def _chart(model: Mechanics, line: Line) -> list[str] | None:
     """The two coordinates of the spring's first end, if it is at them: dx = a_x − x, dy = a_y − y."""
-    for x in model.coordinates:
-        for y in model.coordinates:
-            steps = [sp.diff(part, symbol) for part in (line.dx, line.dy) for symbol in (x, y)]
-            if x != y and steps == [-1, 0, 0, -1]:
-                return [str(x), str(y)]
+    for x, y in itertools.permutations(model.coordinates, 2):
+        if [sp.diff(part, symbol) for part in (line.dx, line.dy) for symbol in (x, y)] == [-1, 0, 0, -1]:
+            return [str(x), str(y)]
     return None

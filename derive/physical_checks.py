@@ -6,7 +6,6 @@ Each error names the line of the page, what was expected there, and what still w
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 import sympy as sp
 
@@ -82,46 +81,31 @@ def groups(page: Page) -> dict[str, sp.Expr]:
                 f"{unit.symbol} is in {unit.unit}, as is a product of powers of {others}: it can't become 1 too; make it a parameter",
             )
     found = {}
-    for datum in page.parameters:
-        found[datum.becomes] = datum.symbol / _measure(page, datum, known[datum.symbol], measures)
-    for coordinate in page.coordinates:
-        scale = units.powers(known[coordinate.symbol], measures)
-        if scale is None:
+    for entry in (*page.parameters, *page.coordinates):
+        measure = scale(page, known[entry.symbol])
+        if measure is None:
             raise PageError(
-                coordinate.line, f"no product of {_listed(page)} is in {coordinate.unit}, the unit of {coordinate.symbol}"
+                entry.line,
+                f"{entry.symbol} is in {entry.unit}, and no product of {', '.join(str(unit.symbol) for unit in page.units) or 'nothing'}, "
+                "which become 1, is; make three independent quantities units of measure with page.unit(...)",
             )
+        if isinstance(entry, Datum):
+            if entry.becomes != str(entry.symbol) and known[entry.symbol] == units.NONE:
+                raise PageError(
+                    entry.line,
+                    f"{entry.symbol} has no unit to be rid of and keeps its name; leave out becomes={entry.becomes!r}, or name it so",
+                )
+            found[entry.becomes] = entry.symbol / measure
     return found
 
 
 def scale(page: Page, dimension: Dimension) -> sp.Expr | None:
     """The product of units of measure that has a dimension."""
     known = _dimensions(page)
-    exponents = units.powers(dimension, tuple(known[unit.symbol] for unit in page.units))
-    return None if exponents is None else _product(page, exponents)
-
-
-def _measure(page: Page, datum: Datum, dimension: Dimension, measures: tuple[Dimension, ...]) -> sp.Expr:
-    exponents = units.powers(dimension, measures)
-    if exponents is None:
-        raise PageError(
-            datum.line,
-            f"{datum.symbol} is in {datum.unit}, and no product of {_listed(page)}, which become 1, is; make three independent "
-            "quantities units of measure with page.unit(...)",
-        )
-    if datum.becomes != str(datum.symbol) and dimension == units.NONE:
-        raise PageError(
-            datum.line,
-            f"{datum.symbol} has no unit to be rid of and keeps its name; leave out becomes={datum.becomes!r}, or name it so",
-        )
-    return _product(page, exponents)
-
-
-def _product(page: Page, exponents: tuple[Fraction, ...]) -> sp.Expr:
-    return sp.Mul(*(unit.symbol ** sp.Rational(power) for unit, power in zip(page.units, exponents, strict=True)))
-
-
-def _listed(page: Page) -> str:
-    return ", ".join(str(unit.symbol) for unit in page.units) or "nothing"
+    powers = units.powers(dimension, tuple(known[unit.symbol] for unit in page.units))
+    if powers is None:
+        return None
+    return sp.Mul(*(unit.symbol ** sp.Rational(power) for unit, power in zip(page.units, powers, strict=True)))
 
 
 # ------------------------------------------------------------------------------------------------ laws and forces

@@ -247,9 +247,8 @@ def _check_places(page: Page) -> None:
 def check_used(page: Page) -> None:
     """Every parameter stands in a statement."""
     used = {symbol for it in statements(page) for symbol in it.value.free_symbols}
-    for datum in page.parameters:
-        if datum.symbol not in used:
-            raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
+    for datum in (it for it in page.parameters if it.symbol not in used):
+        raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
 
 
 @dataclass(frozen=True)

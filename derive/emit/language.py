@@ -124,9 +124,12 @@ def parse(text: str) -> Source:
             constants.append(_constant(node, lines))
             first_line = first_line or node.lineno - len(_comment_above(node, lines))
         elif isinstance(node, ast.ClassDef):
-            records[node.name] = _record(node)
+            fields = [(item.target.id, item.annotation.id) for item in node.body if isinstance(item, ast.AnnAssign)]  # type: ignore[union-attr]  # fields of a NamedTuple are plain names
+            records[node.name] = Record(node.name, ast.get_docstring(node) or "", tuple(fields))
         elif isinstance(node, ast.FunctionDef):
-            routines[node.name] = _routine(node)
+            arguments = tuple((argument.arg, _kind(argument.annotation, node)) for argument in node.args.args)
+            returned, said = _kind(node.returns, node), ast.get_docstring(node) or ""
+            routines[node.name] = Routine(node.name, said, arguments, returned, tuple(node.body[1:]))
     return Source(text, first_line, tuple(constants), records, routines)
 
 
@@ -144,16 +147,6 @@ def _comment_above(node: ast.stmt, lines: list[str]) -> list[str]:
     while lines[first - 1].startswith("#:"):
         first -= 1
     return lines[first : node.lineno - 1]
-
-
-def _record(node: ast.ClassDef) -> Record:
-    fields = [(item.target.id, item.annotation.id) for item in node.body if isinstance(item, ast.AnnAssign)]  # type: ignore[union-attr]  # fields of a NamedTuple are plain names
-    return Record(node.name, ast.get_docstring(node) or "", tuple(fields))
-
-
-def _routine(node: ast.FunctionDef) -> Routine:
-    arguments = tuple((argument.arg, _kind(argument.annotation, node)) for argument in node.args.args)
-    return Routine(node.name, ast.get_docstring(node) or "", arguments, _kind(node.returns, node), tuple(node.body[1:]))
 
 
 def _kind(annotation: ast.expr | None, node: ast.AST) -> str:

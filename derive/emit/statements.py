@@ -162,17 +162,14 @@ class _Powers:
 
 
 def _place(root: sp.Expr, available: dict[sp.Symbol, sp.Expr], ordered: dict[sp.Symbol, sp.Expr]) -> None:
-    if root.is_Symbol:
-        if root in available and root not in ordered:
-            _place_parts(available[root], available, ordered)
-            ordered[root] = available[root]
+    """Put what an expression needs in its order, and the value of a symbol after what that needs."""
+    if root.is_Symbol and (root in ordered or root not in available):
         return
-    _place_parts(root, available, ordered)
-
-
-def _place_parts(expression: sp.Expr, available: dict[sp.Symbol, sp.Expr], ordered: dict[sp.Symbol, sp.Expr]) -> None:
-    for symbol in sorted(expression.free_symbols, key=str):
+    whole = available[root] if root.is_Symbol else root
+    for symbol in sorted(whole.free_symbols, key=str):
         _place(symbol, available, ordered)
+    if root.is_Symbol:
+        ordered[root] = whole
 
 
 def _refill(shape: Results, leaves: Iterator[sp.Expr]) -> Results:

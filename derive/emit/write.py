@@ -30,11 +30,6 @@ def sealed(files: dict[str, str]) -> dict[str, str]:
     return {name: text.replace(DIGEST, digest).replace(DIGEST[:16], digest[:16]) for name, text in files.items()}
 
 
-def sealed_alone(text: str) -> str:
-    """A text with the SHA-256 of itself, :data:`DIGEST` in the place of it, where that stands."""
-    return text.replace(DIGEST, hashlib.sha256(text.encode()).hexdigest())
-
-
 def as_json(value: Any, width: int = 130) -> str:
     """JSON text, with whatever fits on a line on one line; an object in a list begins and ends on its lines."""
     return f"{_json(value, 0, width)}\n"

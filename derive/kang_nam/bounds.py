@@ -125,7 +125,8 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
 
 def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     """Every count that the kernel names, with ``known`` the generated functions by name."""
-    kernel = _runnable(source)
+    kernel: dict[str, Any] = {"__name__": f"{__package__}.kernel", "__package__": __package__}
+    exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102  # our own file, as every import is
     exact = {symbol: Counted(sp.Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
     angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), _IN_DIRECTION) for name in ("cos", "sin"))
     # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of cos θ and sin θ are relative.
@@ -166,13 +167,6 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     }
     rounded = {name: float(math.ceil(number) + 1) for name, number in found.items()}
     return {**rounded, "COUNT_THETA": float(_IN_ARCTANGENT)}
-
-
-def _runnable(source: Source) -> dict[str, Any]:
-    """The kernel's functions of pure arithmetic, for numbers of any kind."""
-    space: dict[str, Any] = {"__name__": f"{__package__}.kernel", "__package__": __package__}
-    exec(compile(source.text, "the kernel", "exec"), space)  # noqa: S102  # our own file, as every import is
-    return space
 
 
 def _covers(size: sp.Expr, wanted: sp.Expr) -> None:

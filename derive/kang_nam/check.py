@@ -223,7 +223,7 @@ def _balance_forms() -> dict[str, Derived]:
     friction = ((nm.mu, nm.mu0),)
     along, across = (force.subs(contact) for force in equilibrium.balance())
     at_rest = mechanics.motion()
-    rest = {at_rest.ax: 0, at_rest.ay: 0, nm.vx: 0, nm.vy: 0}
+    rest = {mechanics.AX: 0, mechanics.AY: 0, nm.vx: 0, nm.vy: 0}
     lifted = tuple(force.subs(liftoff) for force in equilibrium.balance())
     return {
         "eq-12": Derived(at_rest.x.subs(rest).subs(nm.mu, mechanics.steady_friction()), mechanics.motion),

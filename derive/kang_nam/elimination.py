@@ -44,13 +44,6 @@ def quartic_in_L_shorthand() -> tuple[sp.Expr, ...]:
     return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in coefficients)
 
 
-@cache
-def singular_lengths() -> tuple[sp.Expr, sp.Expr]:
-    """The two spring lengths at which D is singular: σ/(σ + α) and σ/(σ + B)."""
-    D, _ = equilibrium.matrix_form()
-    return tuple(sp.solve(factor, nm.L)[0] for factor in D.diagonal())
-
-
 # ------------------------------------------------------------------------------------------ the equation in θ
 
 
@@ -145,7 +138,7 @@ def identities() -> dict[str, bool]:
             published.subs(POLES), factored.subs(POLES)
         ),
         "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(
-            false_root - singular_lengths()[0]
+            false_root - sp.solve(equilibrium.matrix_form()[0][0, 0], nm.L)[0]
         )
         == 0,
         "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(f_form - f_form.subs(nm.c, -nm.c) - 2 * nm.c * (nm.fa * nm.s + nm.fb))

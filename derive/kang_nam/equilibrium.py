@@ -44,7 +44,7 @@ def displacement() -> tuple[sp.Expr, sp.Expr]:
 def balance_cartesian() -> tuple[sp.Expr, sp.Expr]:
     """(12) and (13) in x, y and L: (8) and (9) at rest, with μ₀ for the friction at steady sliding."""
     equations = mechanics.motion()
-    rest = {equations.ax: 0, equations.ay: 0, nm.vx: 0, nm.vy: 0, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
+    rest = {mechanics.AX: 0, mechanics.AY: 0, nm.vx: 0, nm.vy: 0, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
     return equations.x.subs(rest), equations.y.subs(rest)
 
 

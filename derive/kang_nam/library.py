@@ -75,7 +75,10 @@ def material(generated: Callable[[str], str]) -> targets.Material:
         digest=write.DIGEST,
         header=package.split("\n\n")[2].partition("\n")[0],
         summary=SUMMARY,
-        runtime=own_files(),
+        runtime={
+            folder.name: {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.iterdir()) if path.is_file()}
+            for folder in sorted((_HERE / "runtime").iterdir())
+        },
         asked=ASKED,
         arithmetic=arithmetic,
         widened=double_double_kernel.widened(solver, arithmetic, functions, WIDELY),
@@ -90,14 +93,6 @@ def kernel() -> language.Source:
 def double_doubles() -> language.Source:
     """The arithmetic on which the kernel runs a second time."""
     return language.read(_GENERAL / "double_double.py")
-
-
-def own_files() -> dict[str, dict[str, str]]:
-    """What the article's model offers besides algebra, by language: the files of ``runtime/<language>/``."""
-    return {
-        folder.name: {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.iterdir()) if path.is_file()}
-        for folder in sorted((_HERE / "runtime").iterdir())
-    }
 
 
 def _of_page(text: str) -> tuple[Definition, ...]:

@@ -18,7 +18,8 @@ def balance() -> sp.Matrix:
     """Forces at steady sliding in contact, with the inclined spring's energy at a constant direction; dimensionless."""
     stretch = nm.x * nm.c0 + nm.y * nm.s0
     energy = nm.sigma * stretch**2 / 2
-    along, across = mechanics.without_spring()
+    page = mechanics.of_page()
+    along, across = (mechanics.in_article(page, row).subs({nm.mu: nm.mu0, nm.nbar: 1}) for row in page.residuals_apart)
     return sp.Matrix([along + sp.diff(energy, nm.x), across + sp.diff(energy, nm.y)])
 
 

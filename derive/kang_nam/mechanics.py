@@ -9,8 +9,8 @@ they rest on, the derivation stops, says what does not hold, and writes nothing.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -161,21 +161,18 @@ def replace_length(expression: sp.Expr) -> sp.Expr:
 # ------------------------------------------------------------------------------------------------ equations of motion
 
 
-@dataclass(frozen=True)
-class Motion:
-    """Residuals of the two equations of motion, ``acceleration terms − forces = 0``, and the symbols in them."""
+class Motion(NamedTuple):
+    """Residuals of the two equations of motion, ``acceleration terms − forces = 0``."""
 
     x: sp.Expr
     y: sp.Expr
-    ax: sp.Symbol
-    ay: sp.Symbol
 
 
 def _motion(model: Mechanics, contact: sp.Symbol) -> Motion:
     general = General(model)
     accelerations = dict(zip(general.named, (AX, AY), strict=True))
     along, across = (sp.expand(in_article(model, row.subs(accelerations))) for row in general.balance(contact))
-    return Motion(along, across, AX, AY)
+    return Motion(along, across)
 
 
 @cache
@@ -251,21 +248,6 @@ def smooth_friction(side: sp.Expr) -> sp.Expr:
 
 
 @cache
-def sliding_forces() -> tuple[sp.Expr, sp.Expr]:
-    """Left sides of (8) and (9) without the accelerations, near steady sliding, where the belt outruns the mass."""
-    equations = motion()
-    sliding = {AX: 0, AY: 0, nm.mu: smooth_friction(sp.S.One), nm.n: contact_family()}
-    return equations.x.subs(sliding), equations.y.subs(sliding)
-
-
-@cache
 def steady_friction() -> sp.Expr:
     """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12) takes."""
     return in_article(of_page(), laws.friction_at_speed(of_page()))
-
-
-@cache
-def without_spring() -> tuple[sp.Expr, sp.Expr]:
-    """Minus the forces at rest in contact, but for the inclined spring's."""
-    along, across = (in_article(of_page(), row).subs({nm.mu: nm.mu0, nm.nbar: 1}) for row in of_page().residuals_apart)
-    return along, across

@@ -32,7 +32,8 @@ def stiffness() -> sp.Matrix:
 @cache
 def damping() -> sp.Matrix:
     """∂(F_x, F_y)/∂(x', y') at steady sliding: the term that (27) leaves out, in y, μ₀, d and V."""
-    forces = sp.Matrix(mechanics.sliding_forces())
+    still = {mechanics.AX: 0, mechanics.AY: 0, nm.mu: mechanics.smooth_friction(sp.S.One), nm.n: mechanics.contact_family()}
+    forces = sp.Matrix(mechanics.motion()).subs(still)
     return sp.simplify(forces.jacobian([nm.vx, nm.vy]).subs({nm.vx: 0, nm.vy: 0}))
 
 

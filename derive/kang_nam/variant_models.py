@@ -123,9 +123,8 @@ class _Compared:
     def motion(self, row: int) -> dict[str, sp.Expr]:
         """x″ or y″."""
         equations = mechanics.motion()
-        residual, acceleration = ((equations.x, equations.ax), (equations.y, equations.ay))[row]
         # Any law of contact and friction: both stand as n and μ, and are rows of their own.
-        theirs = sp.solve(residual, acceleration)[0]
+        theirs = sp.solve(equations[row], (mechanics.AX, mechanics.AY)[row])[0]
         return {"xy"[row] + "″": self.gap(_separated(self.model, self.row("xy"[row])), theirs)}
 
     def contact(self) -> dict[str, sp.Expr]:

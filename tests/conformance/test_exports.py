@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import importlib.util
-import inspect
-import json
 import math
 import re
 import shutil
 import subprocess
-from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -25,38 +20,19 @@ pytest.importorskip("sympy")
 from spragsym.cli import main
 from spragsym.cli.export import languages
 from tests.conformance.models import ALIKE, MODELS, MOVING, a_set, load, place
-from tests.oracles.emission import arguments, flat, functions, results_of_c, with_angles
-from tests.oracles.languages import NODE, OCTAVE, octave
+from tests.oracles import exports
+from tests.oracles.emission import arguments
+from tests.oracles.exports import CC, RUN, Call, names_of
 from tests.support import few
-
-CC = shutil.which("cc")
-
-
-@dataclass(frozen=True)
-class Call:
-    """A generated function, what it was given, and what Python makes of it."""
-
-    function: str
-    given: list[float]
-    results: list[float]
 
 
 @cache
 def calls(name: str) -> list[Call]:
-    """All functions of a model that have a result, each at two places, in contact where that matters."""
-    rng, found = np.random.default_rng([182, *name.encode()]), []
-    for function, python in functions(load(name)):
-        for _ in range(2):
-            given = list(map(float, at_a_place(load(name), names_of(python), rng).values()))
-            results = [float(leaf) for leaf in flat(python(*given))]
-            found += [Call(function, given, results)] * bool(results)
+    """Each function at two places, in contact where that matters."""
+    rng, model = np.random.default_rng([182, *name.encode()]), load(name)
+    found = [call for _ in range(2) for call in exports.calls(model, lambda names: at_a_place(model, names, rng))]
     assert len({call.function for call in found}) > 15
     return found
-
-
-def names_of(function: Any) -> tuple[str, ...]:
-    code = inspect.unwrap(function).__code__
-    return code.co_varnames[: code.co_argcount]
 
 
 def at_a_place(model: Any, names: tuple[str, ...], rng: np.random.Generator) -> dict[str, float]:
@@ -82,65 +58,6 @@ def export(name: str, language: str, folder: Path) -> Path:
     return folder
 
 
-# ------------------------------------------------------------------------------------- how each language is run
-
-
-def in_c(name: str, folder: Path) -> list[float]:
-    """Compiled without a warning."""
-    model, python = load(name), dict(functions(load(name)))
-    given = [list(with_angles(model, python[one.function], one.given).values()) for one in calls(name)]
-    asked = [(one.function, taken, len(one.results)) for one, taken in zip(calls(name), given, strict=True)]
-    return results_of_c(folder, name, asked)
-
-
-def in_node(name: str, folder: Path) -> list[float]:
-    asked = json.dumps([(one.function, one.given) for one in calls(name)])
-    program = f'import {{ algebra }} from "./{name}.mjs";\nconst calls = {asked};\n'
-    program += "console.log(JSON.stringify(calls.map(([called, given]) => algebra[called](...given)).flat(9)));\n"
-    (folder / "calls.mjs").write_text(program, encoding="utf-8")
-    done = subprocess.run([str(NODE), "calls.mjs"], cwd=folder, capture_output=True, text=True, timeout=120, check=True)
-    return [float(number) for number in json.loads(done.stdout)]  # JSON writes a large float as an integer
-
-
-def in_octave(name: str, folder: Path) -> list[float]:
-    """For a column of two points, of which one is the other again."""
-    program = ""
-    for call in calls(name):
-        names = [f"r{place}" for place in range(len(call.results))]
-        columns = ", ".join(f"[{value!r}; {value!r}]" for value in call.given)
-        program += f"[{', '.join(names)}] = {name}_.algebra.{call.function}({columns});\n"
-        program += "".join(f"printf('%.17g\\n', {one}(end));\n" for one in names)
-    return [float(word) for word in octave(folder, program).split()]
-
-
-def in_this_process(name: str, folder: Path) -> list[float]:
-    """Of a module of Python, to which an angle is given as itself, and no direction of a spring."""
-    model, python, found = load(name), dict(functions(load(name))), []
-    exported: dict[str, Any] = {}
-    exec((folder / f"{name}.py").read_text(encoding="utf-8"), exported)
-    for call in calls(name):
-        values, function = with_angles(model, python[call.function], call.given), exported[call.function]
-        found += map(float, flat(function(*map(values.get, inspect.signature(function).parameters))))
-    return found
-
-
-def in_jax(name: str, folder: Path) -> list[float]:
-    import jax
-
-    with jax.enable_x64(True):
-        return in_this_process(name, folder)
-
-
-#: Language of an export → what runs it, where that is, and how.
-RUN: dict[str, tuple[str, str | None, Callable[[str, Path], list[float]]]] = {
-    "c": ("C compiler", CC, in_c),
-    "javascript": ("node", NODE, in_node),
-    "matlab": ("Octave", OCTAVE, in_octave),
-    "casadi": ("CasADi", str(importlib.util.find_spec("casadi") or "") or None, in_this_process),
-    "jax": ("JAX", str(importlib.util.find_spec("jax") or "") or None, in_jax),
-}
-
-
 def test_every_language_is_run() -> None:
     """An FMU by ``test_fmu``: it has the motion only."""
     assert {*RUN, "fmu"} == set(languages())
@@ -154,7 +71,7 @@ def test_an_export_gives_the_numbers_of_python(language: str, name: str, tmp_pat
     needed, there, run = RUN[language]
     if there is None:
         pytest.skip(f"there is no {needed} on this machine")
-    found = run(name, export(name, language, tmp_path))
+    found = run(export(name, language, tmp_path), calls(name))
     assert len(found) == sum(len(call.results) for call in calls(name))
     for call in calls(name):
         ours, found = found[: len(call.results)], found[len(call.results) :]

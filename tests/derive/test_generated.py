@@ -91,11 +91,6 @@ def call(function: Callable[..., Any], values: dict[str, Any]) -> Any:
     return function(*(values[name] for name in inspect.signature(function).parameters))
 
 
-def test_discovery() -> None:
-    assert {"equilibrium", "stability", "catastrophe", "linear_sprag", "laws", "scales"} <= set(MODULES)
-    assert len({(function.module, function.name) for function in FUNCTIONS}) == len(FUNCTIONS)
-
-
 # ---------------------------------------------------------------------------------------------------- numbers
 
 _RANGES: dict[str, tuple[float, float]] = {

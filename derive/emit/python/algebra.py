@@ -154,15 +154,12 @@ def _statements(function: Function, body: Body) -> list[str]:
 
 
 def _printed(body: Body, printer: AlgebraPrinter) -> list[str]:
-    assigned = [_wrap(f"    {symbol} = {_assigned(expression, printer)}") for symbol, expression in body.statements]
+    assigned = [
+        # A square is always a whole right side.
+        _wrap(f"    {symbol} = {printer.square(it.base) if it.is_Pow and it.exp == 2 else printer.doprint(it)}")
+        for symbol, it in body.statements
+    ]
     return [*assigned, _return(body.results, printer)]
-
-
-def _assigned(expression: sp.Expr, printer: AlgebraPrinter) -> str:
-    """The right side of an assignment; a square is always a whole right side, and is printed as a product."""
-    if isinstance(expression, sp.Pow) and expression.exp == 2:
-        return printer.square(expression.base)
-    return str(printer.doprint(expression))
 
 
 def _tuple(results: Results, printer: AlgebraPrinter) -> str:

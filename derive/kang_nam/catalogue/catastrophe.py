@@ -144,12 +144,8 @@ def _changes() -> tuple[tuple[sp.Expr, ...], ...]:
     for parameter in (nm.theta0, *nm.PARAMETERS):
         row = []
         for symbol in F_COEFFICIENTS:
-            value = elimination.f_coefficients()[symbol]
-            value = value.subs(equilibrium.SHORTHANDS).subs(equilibrium.SHORTHANDS).subs(equilibrium.CONTACT)
-            if parameter == nm.theta0:
-                change = sp.diff(value, nm.s0) * nm.c0 - sp.diff(value, nm.c0) * nm.s0
-            else:
-                change = sp.diff(value, parameter)
+            value = equilibrium.spell_out(elimination.f_coefficients()[symbol]).subs(equilibrium.CONTACT)
+            change = unit_circles.by_inclination(value) if parameter == nm.theta0 else sp.diff(value, parameter)
             row.append(sp.factor_terms(change))
         rows.append(tuple(row))
     return tuple(rows)
@@ -178,7 +174,7 @@ def _fold_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     """In the six minors of the coefficients of f and of f_v: c³ ab − s³ ad + s² am − bd + s (2 − s²) bm + s² c dm."""
     pairs = (("ab", nm.fa, nm.fb), ("ad", nm.fa, nm.fd), ("am", nm.fa, nm.fm), ("bd", nm.fb, nm.fd), ("bm", nm.fb, nm.fm),
              ("dm", nm.fd, nm.fm))  # fmt: skip
-    change = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
+    change = catastrophe.CHANGE
     ab, ad, am, bd, bm, dm = (sp.Symbol(name) for name, _, _ in pairs)
     names = {sp.Symbol(name): one * change[other] - other * change[one] for name, one, other in pairs}
     sextic = (
@@ -248,13 +244,9 @@ def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
     derived = catastrophe.cusp_polynomial()
     require_same("cusp polynomial", tuple(coefficients), (*derived, sp.S.Zero), local)
-    return tuple(_over_one_denominator(value) for value in coefficients[:10]), names
-
-
-def _over_one_denominator(value: sp.Expr) -> sp.Expr:
-    """A polynomial with rational coefficients as an integer one over an integer."""
-    numerator, denominator = sp.fraction(sp.together(value))
-    return sp.factor_terms(sp.expand(numerator)) / denominator
+    # Each as a polynomial with integer coefficients over an integer.
+    quotients = (sp.fraction(sp.together(value)) for value in coefficients[:10])
+    return tuple(sp.factor_terms(sp.expand(numerator)) / denominator for numerator, denominator in quotients), names
 
 
 def _fold_quartic(s0: sp.Expr, c0: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:

@@ -49,7 +49,7 @@ def module() -> Module:
     liftoff_quartic, liftoff_names = _quartic(liftoff)
     state = elimination.state()
     along, across = equilibrium.balance()
-    f = elimination.f_form
+    f, trig = elimination.f_form, elimination.f_coefficients()
     r0, r1, r2, _ = elimination.resolvent_cubic()
     return Module(
         "equilibrium",
@@ -71,7 +71,8 @@ def module() -> Module:
             Function("f_coefficients", "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).",
                      "(12), (13) eliminated", (*ANGLE0, *nm.PARAMETERS, nm.nbar), F_COEFFICIENTS, "a, b, d, m", shorthands()),
             Function("f_magnitudes", "Sums of the absolute values of the terms of a and d, against which their rounding errors are "
-                     "measured.", "rounding-error analysis", (*ANGLE0, *nm.PARAMETERS, nm.nbar), _magnitudes(), "|a|, |d|",
+                     "measured.", "rounding-error analysis", (*ANGLE0, *nm.PARAMETERS, nm.nbar),
+                     (trig[nm.fa].subs(nm.alpha, -nm.alpha), trig[nm.fd].subs({nm.c0: sp.Abs(nm.c0), nm.kappa: -nm.kappa})), "|a|, |d|",
                      shorthands(None, nm.B, nm.M, nm.q)),
             Function("f", "The scalar function whose roots are the equilibria.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), f, "f"),
             Function("f_slope", "df/dθ, which is L det K at an equilibrium.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS),
@@ -89,15 +90,6 @@ def module() -> Module:
                      (*ANGLE, nm.L, *ANGLE0, *nm.PARAMETERS, nm.nbar), _residuals(along, across), "F_x, F_y"),
         ),
     )  # fmt: skip
-
-
-def _magnitudes() -> tuple[sp.Expr, sp.Expr]:
-    """a and d with every term made positive, for 0 < θ₀ < π and parameters that are not negative."""
-    coefficients = elimination.f_coefficients()
-    return (
-        coefficients[nm.fa].subs(nm.alpha, -nm.alpha),
-        coefficients[nm.fd].subs({nm.c0: sp.Abs(nm.c0), nm.kappa: -nm.kappa}),
-    )
 
 
 def _residuals(along: sp.Expr, across: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

@@ -13,6 +13,9 @@ from .arrangement import STIFFNESS, require_same, shorthands
 def functions() -> tuple[Function, ...]:
     """Those of the module ``catastrophe``."""
     numerator, denominator, names = _turning_sine()
+    weight, constant, along = lowest_fold.turning_line()
+    cosine = nm.alpha * nm.s * (nm.sigma - (nm.sigma * nm.s + nm.kappa) * nm.s0) / weight
+    require_same("cosines of a turning point", (cosine,), ((constant + along * nm.s0) / weight,))
     return (
         Function("turning_polynomial", "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points at which the "
                  "curve of folds turns back in μ₀. Needs α > 0.", "f = f′ = f_θ₀ = 0", (nm.kappa, *STIFFNESS),
@@ -20,7 +23,7 @@ def functions() -> tuple[Function, ...]:
         Function("turning_sine", "Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.", "f = f′ = f_θ₀ = 0",
                  (nm.s, nm.kappa, *STIFFNESS), (numerator, denominator), "numerator, denominator", names),
         Function("turning_cosine", "cos θ cos θ₀ where the curve of folds turns back in μ₀. Needs α > 0.", "f = f_θ₀ = 0",
-                 (nm.s, nm.s0, nm.kappa, *STIFFNESS), _turning_cosine(), "cos cos0", shorthands(equilibrium.CONTACT, nm.p)),
+                 (nm.s, nm.s0, nm.kappa, *STIFFNESS), cosine, "cos cos0", shorthands(equilibrium.CONTACT, nm.p)),
     )  # fmt: skip
 
 
@@ -48,10 +51,3 @@ def _turning_sine() -> tuple[sp.Expr, sp.Expr, dict[sp.Symbol, sp.Expr]]:
     derived = tuple(value.subs(elimination.f_coefficients()) for value in derived)
     require_same("sine of a turning point", (numerator, denominator), derived, local)
     return numerator, denominator, names
-
-
-def _turning_cosine() -> sp.Expr:
-    weight, constant, along = lowest_fold.turning_line()
-    arranged = nm.alpha * nm.s * (nm.sigma - (nm.sigma * nm.s + nm.kappa) * nm.s0) / weight
-    require_same("cosines of a turning point", (arranged,), ((constant + along * nm.s0) / weight,))
-    return arranged

@@ -158,8 +158,7 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
     """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
     within = (along.at >= min(step)) & (along.at <= max(step))
     counts = int(begin.q.shape[1]), int(end.q.shape[1])
-    mirrored = bool((along.kinds == "pitchfork").any() and (along.kinds[within] == "pitchfork").all())
-    if mirrored and within.any():
+    if within.any() and (along.kinds[within] == "pitchfork").all():
         return _across_pitchforks(along.q[:, within], pairs, begin, end, [value in along.at for value in step])
     if within.any() and np.char.startswith(along.kinds[within].astype(str), INFINITY).all():
         above = np.char.endswith(along.kinds[within].astype(str), "up")
@@ -174,13 +173,33 @@ def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, e
 
 
 def _across_pitchforks(places: FloatArray, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]) -> bool:
-    """Whether all states without a pair meet at pitchforks in these places, shape (n, number); their pairs are entered."""
+    """Pairs of the states that meet at pitchforks in these places, shape (n, number), all but those that end there.
+
+    ``on`` says which of both values are on them. The outer two and the one that is left on the other side agree in the sign of
+    det K. Where that is positive none ends, and of three that begin the upper goes on. Where it is negative it is the middle one
+    that is stable: it ends, and begins.
+    """
     left = [k for k in range(begin.q.shape[1]) if k not in pairs], [k for k in range(end.q.shape[1]) if k not in pairs.values()]
     near = [clearly_nearest(states.q[:, slots], places) for states, slots in zip((begin, end), left, strict=True)]
     for number in range(places.shape[1]):
         one, two = (np.array(slots)[there == number].tolist() for slots, there in zip(left, near, strict=True))
-        if not _across_pitchfork(pairs, begin, end, one, two, on):
+        if not one and not two:
+            continue
+        if not {len(one), len(two)} <= {1, 3}:
             return False
+        # In order by the coordinate in which they lie apart most: one that the mirror turns.
+        three = begin.q[:, one] if len(one) > len(two) else end.q[:, two]
+        turned = int(np.ptp(three, axis=1).argmax())
+        one.sort(key=lambda k: float(begin.q[turned, k]))
+        two.sort(key=lambda k: float(end.q[turned, k]))
+        sides = zip((begin, end), (one, two), on, strict=True)
+        soft = any(states.signs[slots].sum() > 0 for states, slots, there in sides if not there)
+        if len(two) == 3 and len(one) == 1:
+            pairs |= {one[0]: two[2 if soft else 1]}
+        elif len(two) == 1 and not on[1] and not soft:
+            pairs |= {slot: two[0] for slot in one if begin.signs[slot] < 0 and not on[0]}
+        else:
+            pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[0])
     return bool((np.concatenate(near) >= 0).all())
 
 
@@ -189,32 +208,6 @@ def clearly_nearest(q: FloatArray, places: FloatArray) -> NDArray[np.int64]:
     away = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
     first, second = np.sort(np.pad(away, [(0, 0), (0, 1)], constant_values=np.inf), axis=1).T[:2]
     return np.where(first <= CLEARLY * second, away.argmin(axis=1), -1)
-
-
-def _across_pitchfork(
-    pairs: dict[int, int], begin: _States, end: _States, one: list[int], two: list[int], on: list[bool]
-) -> bool:
-    """Pairs of the states that meet at a pitchfork, all but those that end there; ``on`` says which of both values are on it.
-
-    The outer two and the one that is left on the other side agree in the sign of det K. Where that is positive none ends, and of
-    three that begin the upper goes on. Where it is negative it is the middle one that is stable: it ends, and begins.
-    """
-    # In order by the coordinate in which they lie apart most: one that the mirror turns.
-    three = begin.q[:, one] if len(one) > len(two) else end.q[:, two]
-    turned = int(np.ptp(three, axis=1).argmax()) if three.size else 0
-    one.sort(key=lambda k: float(begin.q[turned, k]))
-    two.sort(key=lambda k: float(end.q[turned, k]))
-    if not {len(one), len(two)} <= {1, 3}:
-        return not one and not two
-    sides = zip((begin, end), (one, two), on, strict=True)
-    soft = any(states.signs[slots].sum() > 0 for states, slots, there in sides if not there)
-    if len(two) == 3 and len(one) == 1:
-        pairs |= {one[0]: two[2 if soft else 1]}
-    elif len(two) == 1 and not on[1] and not soft:
-        pairs |= {slot: two[0] for slot in one if begin.signs[slot] < 0 and not on[0]}
-    else:
-        pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[0])
-    return True
 
 
 def _by_sign(pairs: Mapping[int, int], begin: _States, end: _States) -> dict[int, int]:

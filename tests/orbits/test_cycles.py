@@ -621,19 +621,6 @@ def test_slopes_in_balls_are_those_that_were_derived(proving: types.SimpleNamesp
     )  # written out it is wider
 
 
-@pytest.mark.validate
-def test_a_loaded_model_is_proved() -> None:
-    """The article's cycle by its page, whose algebra is emitted apart: the same digits, with proof."""
-    pytest.importorskip("flint")
-    model = ss.load("kang_nam").search
-    cycle = ss.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
-    found = ss.precise.prove_cycle(cycle)
-    assert found.proved, found.reason
-    assert found.stable
-    with mpmath.workdps(40):
-        assert abs(found.period - mpmath.mpf("34.267370010976864587950659")) < 1e-23
-
-
 @pytest.mark.thorough
 def test_a_cycle_that_sticks_is_proved() -> None:
     """Where the mass sticks deviations shrink by e^−30: an enclosure that does not shrink with them proves nothing."""

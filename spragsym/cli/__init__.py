@@ -172,7 +172,10 @@ def _told(error: BaseException, arguments: list[str]) -> tuple[str, int]:
 
 
 def _message(error: click.ClickException, arguments: list[str]) -> str:
-    """The message of click; for an unknown option, with the one that was probably meant."""
+    """The message of click; for an unknown option, with the one that was probably meant, for a missing one with what to give."""
+    if isinstance(error, click.MissingParameter) and isinstance(error.param, click.Option) and error.ctx is not None:
+        flag = max(error.param.opts, key=len)
+        return f"{flag} is missing; give {flag} {error.param.make_metavar(error.ctx)}"
     if not isinstance(error, click.NoSuchOption) or error.ctx is None:
         return error.format_message()
     # Of -theta0 click sees only -t.

@@ -76,7 +76,7 @@ class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generi
         try:
             number = float(value)
         except ValueError:
-            self.fail(f"{value!r} is not a number", param, ctx)
+            self.fail(f"{value!r} is not a number; give one in {self.allowed}", param, ctx)
         return as_number(_flag(param), number, self.allowed)
 
 

@@ -23,7 +23,7 @@ _SECTIONS = {
     "models": ("benchmarks.bench_models", "Models from pages beside the closed forms"),
     "catastrophe": ("benchmarks.bench_catastrophe", "The bifurcation set"),
     "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
-    "scale": ("benchmarks.bench_scale", "How cost grows, and start-up"),
+    "scale": ("benchmarks.bench_scale", "How cost grows"),
 }
 #: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to measure.
 _QUICK = {

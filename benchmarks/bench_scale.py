@@ -1,11 +1,10 @@
-"""How cost grows: points, workers, distance to the fold, memory, and the time to import and to the first answer.
+"""How cost grows: with points, threads, and the distance to the fold; and memory.
 
 ``python -m benchmarks.bench_scale [LARGEST]``: up to 10^LARGEST points, 8 by default; 10^8 takes a few minutes and 14 GB.
 """
 
 from __future__ import annotations
 
-import statistics
 import sys
 from functools import partial
 
@@ -58,29 +57,6 @@ def main(largest: int = 8) -> None:
         p = ss.Parameters.article(theta0=fold * (1 + off))
         spent = seconds(partial(ss.equilibria, p))
         print(f"| 1e{power} | {ss.equilibria(p).escalated.mean():.0%} | {1e6 * spent / 400:,.1f} |")
-
-    print("\nStart-up, median of 7 processes:\n")
-    print("| what | ms | times `import numpy` |")
-    print("|---|---|---|")
-    numpy = _startup("import numpy")
-    for title, code in (
-        ("`import numpy`", "import numpy"),
-        ("`import spragsym`", "import spragsym"),
-        ("first equilibria of one point", "import spragsym as ss; ss.equilibria(ss.Parameters.article(theta0=1.0))"),
-        ("first folds and cusps", "import spragsym as ss; p = ss.Parameters.article(); ss.folds(p); ss.cusps(p)"),
-        ("`spragsym equilibria --theta0 49`", "from spragsym.cli import main; main(['equilibria', '--theta0', '49'])"),
-    ):
-        spent = _startup(code)
-        print(f"| {title} | {1e3 * spent:.0f} | {spent / numpy:.2f} |")
-
-
-def _startup(code: str) -> float:
-    """Time of a process that runs ``code``, less that of an empty one."""
-
-    def median(text: str) -> float:
-        return statistics.median(seconds(partial(in_process, text)) for _ in range(7))
-
-    return median(code) - median("pass")
 
 
 if __name__ == "__main__":

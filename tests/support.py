@@ -100,9 +100,7 @@ def leaves(result: Any) -> list[Any]:
 
 
 def _function(name: str) -> Callable[..., Any]:
-    modules = map(
-        generated, ("catastrophe", "equilibrium", "laws", "linear_sprag", "scales", "stability", "models.kang_nam.algebra")
-    )
+    modules = map(generated, ("catastrophe", "equilibrium", "laws", "linear_sprag", "stability", "models.kang_nam.algebra"))
     return next(getattr(module, name) for module in modules if name in module.__all__)
 
 

@@ -26,8 +26,6 @@ class Function:
     results: Results
     returns: str
     shorthands: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
-    #: Whether subexpressions are shared; not where each quotient should be rounded only once.
-    share: bool = True
     #: Arguments that the published model does not have and a changed assumption brings in: they come last and default to 0.
     further: tuple[sp.Symbol, ...] = ()
 

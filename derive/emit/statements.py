@@ -56,7 +56,7 @@ def straight_line(function: Function) -> Body:
     everything = [*expressions, *definitions.values(), *leaves]
     # Not by equality of symbols, to which assumptions belong.
     free = (symbol for symbol in sp.numbered_symbols("w") if str(symbol) not in powers.taken)
-    temporaries, reduced = sp.cse(everything, symbols=free) if function.share else ([], everything)
+    temporaries, reduced = sp.cse(everything, symbols=free)
     # Of exp(x) and exp(2 x) sharing makes powers again.
     again = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands, *definitions)})
     temporaries = [(symbol, again.rest(expression)) for symbol, expression in temporaries]

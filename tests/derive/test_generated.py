@@ -18,7 +18,7 @@ import pytest
 import sympy as sp
 
 from spragsym import generated
-from spragsym.generated import catastrophe, equilibrium, linear_sprag, scales, stability
+from spragsym.generated import catastrophe, equilibrium, linear_sprag, stability
 from spragsym.generated.models.kang_nam import algebra
 from tests.support import as_mpf
 
@@ -100,8 +100,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "a_v": (-1, 1), "b_v": (-1, 1), "d_v": (-1, 1), "m_v": (-1, 1),
     "K11": (-1, 1), "K12": (-1, 1), "K21": (-1, 1), "K22": (-1, 1), "C11": (-0.1, 0.1), "T": (0.1, 4),
     "x": (-0.2, 0.3), "y": (-0.3, -0.01), "vx": (-0.4, 0.4), "vy": (-0.4, 0.4), "V": (0.5, 1), "d": (0.5, 3),
-    "m": (0.2, 5), "k_c": (5, 500), "L_0": (0.1, 2), "F_L": (0.1, 3), "k_x": (0.1, 10), "k": (0.5, 50),
-    "k_y": (0.1, 10), "V_dim": (0.1, 2), "d_dim": (0.1, 9),
 }  # fmt: skip
 
 
@@ -423,17 +421,3 @@ def test_characteristic_polynomial_and_invariants() -> None:
         trace, determinant, discriminant = stability.invariants(k11, k12, k21, k22)
         assert (trace, determinant) == (k11 + k22, k11 * k22 - k12 * k21)
         assert discriminant == trace**2 - 4 * determinant
-
-
-def test_scales_make_the_unit_coefficients() -> None:
-    """Mass, contact stiffness and undeformed length are 1, and the groups are the article's ratios."""
-    m, k_c, L_0, F_L, k_x, k, k_y, V, d = (Fraction(n) for n in (3, 200, 2, 5, 7, 11, 13, 17, 19))
-    with mpmath.workdps(30):
-        numbers = [mpmath.mpf(int(value)) for value in (m, k_c, L_0, F_L, k_x, k, k_y, V, d)]
-        length, time, force = scales.scales(*numbers[:3], xp=mpmath)
-        assert length == 2
-        assert abs(time - mpmath.sqrt(mpmath.mpf(3) / 200)) < 1e-28
-        assert force == 400
-        groups = scales.dimensionless_groups(*numbers, xp=mpmath)
-        right = (numbers[3] / 400, *(stiffness / 200 for stiffness in numbers[4:7]), 17 * time / 2, 19 * 2 / time)
-        assert all(abs(ours - theirs) < 1e-27 for ours, theirs in zip(groups, right, strict=True))

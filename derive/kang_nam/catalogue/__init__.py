@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from ...emit.function import Function, Module
-from . import catastrophe, equilibrium, laws, linear_sprag, scales, stability
+from . import catastrophe, equilibrium, laws, linear_sprag, stability
 
 __all__ = ["Function", "Module", "modules"]
 
 
 def modules() -> tuple[Module, ...]:
     """Everything that is generated."""
-    return tuple(part.module() for part in (scales, equilibrium, stability, catastrophe, linear_sprag, laws))
+    return tuple(part.module() for part in (equilibrium, stability, catastrophe, linear_sprag, laws))

@@ -8,6 +8,7 @@ pytest.importorskip("sympy")
 
 
 from spragsym.derive import drawing, pages
+from spragsym.models.describe import title_and_words
 from tests.support import ROOT
 
 IMAGES = ROOT / "docs" / "images" / "models"
@@ -23,3 +24,8 @@ def drawings() -> dict[str, str]:
 def test_committed_drawings_are_those_of_the_pages(name: str, drawings: dict[str, str]) -> None:
     """``python -m derive.drawing`` writes them; their files are the same bytes on every machine."""
     assert (IMAGES / f"{name}.svg").read_text(encoding="utf-8") == drawings[name]
+
+
+def test_words_of_a_page_begin_below_a_drawing_with_blank_lines() -> None:
+    about = {"drawing": "A block.\n\n::\n\n    top\n\n    middle\n\n    end\n\nIt slides:\n\n    F = 1"}
+    assert title_and_words(about) == ("A block.", ["It slides:", "    F = 1"])

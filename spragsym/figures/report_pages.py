@@ -128,6 +128,8 @@ def _stability_map(report: Report) -> Iterator[tuple[str, str]]:
     top = max(1.0, 1.15 * high, *(1.15 * value for value in known))
     with suppress(SpragsymError):
         onsets = ss.onset_curves(p, ("theta0", "mu0"), _ONSETS, between={"mu0": (0.0, top)})
+        if not onsets.curves and not len(onsets.undecided):  # an empty plane shows nothing
+            return
 
         def draw(ax: Any) -> None:
             draw_onset_curves(onsets, ax)

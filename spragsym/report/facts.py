@@ -126,7 +126,8 @@ class Facts:
             "the friction below which it jumps at no angle is", lambda: ss.critical_friction(self.study.dimensionless)
         )
         if found is not None and found.kind == "undecided":
-            self.remarks.append(f"below a friction of {found.value:.4g} it cannot jump at any angle; above that is not decided")
+            below = f"below a friction of {found.value:.4g} it cannot jump at any angle; above that" if found.value else ""
+            self.remarks.append(f"{below or 'whether some friction is too small for a jump at any angle'} is not decided")
             return None
         if found is not None and not found.complete:
             self.remarks.append(f"that nothing jumps below mu_lowest is not proved: {self._brief(*found.remarks)}")
